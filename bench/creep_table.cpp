@@ -26,6 +26,8 @@ namespace {
 using Input = std::array<double, 9>;
 using Forces = std::array<double, 3>;
 constexpr double poisson = 0.28, shear = 82000, mu = 0.3, load = 1e5, greatest_ratio = 25;
+constexpr const char* steel_on_steel = "steel on steel";
+constexpr double pair_ratio = 5;  ///< greatest one of tables of a pair
 using closed_forms::Elastic;
 constexpr Elastic steel{.shear = shear, .poisson = poisson};
 
@@ -161,7 +163,7 @@ void emit(Runner& runner, const char* method, const char* model, const std::stri
           const Times& times) {
   if (e.force.empty()) return;
   constexpr std::size_t parts = 400;
-  Record r{.case_name = "creep_table", .method = method};
+  Record r{.case_name = std::string(model) == steel_on_steel ? "creep_table" : "creep_table_unlike", .method = method};
   r.model = model;
   r.mesh = region;
   r.quantity = "root mean square error of the force over mu Fn";
@@ -272,7 +274,7 @@ Errors table_errors(const rollcon_table* table, const std::vector<Draw>& drawn, 
 void run_steel(Runner& runner, const rollcon_table* table, std::size_t count) {
   const std::vector<Draw> drawn = draw_all(count, 20261124, shear);
   const auto exact = solve_all(drawn, steel, steel, runner.quick ? 0.01 : 0.003, runner.threads);
-  const char* model = "steel on steel";
+  const char* model = steel_on_steel;
   emit(runner, "table", model, "all", table_errors(table, drawn, exact, nullptr), time_table(table, drawn));
   for (const Region& region : regions)
     emit(runner, "table", model, region.name, table_errors(table, drawn, exact, &region), {});
@@ -288,7 +290,21 @@ void run_steel(Runner& runner, const rollcon_table* table, std::size_t count) {
   emit(runner, "FASTSIM, 50 x 50", model, "all", by_fastsim, {.forces = seconds / static_cast<double>(count)});
 }
 
-/// Unlike bodies, by the rule of rollcon_contact_get_equivalent_ellipse.
+/// A table of these two bodies alone, ellipses 1 : 5 to 5 : 1, one coefficient of friction.
+rollcon_table* table_of_pair(rollcon_context* context, const double (&young)[2], bool coarse) {
+  const double poissons[2] = {poisson, poisson};
+  rollcon_table* table = nullptr;
+  rollcon_table_create(context, &table);
+  rollcon_table_set_ratios(table, coarse ? 4 : 6, 1 / pair_ratio, pair_ratio);
+  if (coarse) rollcon_table_set_resolution(table, 8, 4, 4);
+  if (coarse) rollcon_table_set_frame(table, 6, 4);
+  rollcon_table_set_bodies(table, young, poissons, 1, &mu);
+  if (rollcon_table_make(table, 0, 1) == ROLLCON_OK) return table;
+  rollcon_table_release(table);
+  return nullptr;
+}
+
+/// Unlike bodies, by the rule of rollcon_contact_get_equivalent_ellipse, and by a table of their own.
 void run_unlike(Runner& runner, const rollcon_table* table, std::size_t count) {
   struct Pair {
     const char* name;
@@ -296,36 +312,57 @@ void run_unlike(Runner& runner, const rollcon_table* table, std::size_t count) {
     std::optional<Elastic> body2;
   };
   const Elastic soft{.shear = shear / 3, .poisson = poisson};
+  rollcon_context* context = nullptr;
+  rollcon_context_create(ROLLCON_ABI, &context);
+  rollcon_context_set_threads(context, runner.threads);
   for (const Pair& bodies : {Pair{"moduli 3 : 1", steel, soft}, Pair{"on a rigid body", steel, std::nullopt}}) {
     const double flexible = 1 / bodies.body1.shear, other = bodies.body2 ? 1 / bodies.body2->shear : 0;
     std::vector<Draw> drawn = draw_all(count, 20261125, 2 / (flexible + other));
-    const auto exact = solve_all(drawn, bodies.body1, bodies.body2, runner.quick ? 0.02 : 0.005, runner.threads);
+    const auto exact = solve_all(drawn, bodies.body1, bodies.body2, runner.quick ? 0.02 : 0.003, runner.threads);
     emit(runner, "table, like bodies", bodies.name, "all", table_errors(table, drawn, exact, nullptr), {});
-    for (Draw& d : drawn) {
+    std::vector<Draw> strained = drawn;
+    for (Draw& d : strained) {
       const double a = d.input[3], b = d.input[4], greatest = 3 * load / (2 * std::numbers::pi * a * b);
       d.input[6] += 0.75 * greatest * b / (a + b) * (1 - 2 * poisson) / 2 * (flexible - other);
     }
-    emit(runner, "table, mean strain on top", bodies.name, "all", table_errors(table, drawn, exact, nullptr), {});
+    emit(runner, "table, mean strain on top", bodies.name, "all", table_errors(table, strained, exact, nullptr), {});
+    const double modulus = 2 * (1 + poisson), young[2] = {modulus * shear, other > 0 ? modulus / other : 0};
+    if (rollcon_table* own = table_of_pair(context, young, runner.quick)) {
+      const Region within{"a/b 0.2 to 5", 1 / pair_ratio, pair_ratio, 0, 1};
+      emit(runner, "table, mean strain on top", bodies.name, within.name, table_errors(table, strained, exact, &within),
+           {});
+      emit(runner, "table of the pair", bodies.name, within.name, table_errors(own, drawn, exact, &within), {});
+      rollcon_table_release(own);
+    }
   }
+  rollcon_context_release(context);
 }
 
-void run(Runner& runner) {
+/// Calls `measure` with the standard table and the number of cases.
+template <class Measure>
+void with_standard(const Runner& runner, std::size_t usual, Measure measure) {
   rollcon_context* context = nullptr;
   rollcon_table* table = nullptr;
   rollcon_context_create(ROLLCON_ABI, &context);
-  if (rollcon_table_standard(context, &table) == ROLLCON_OK) {
-    const std::size_t count = runner.scenes > 0 ? static_cast<std::size_t>(runner.scenes) : runner.quick ? 40 : 20000;
-    run_steel(runner, table, count);
-    run_unlike(runner, table, std::max<std::size_t>(count / 10, 6));
-  }
+  const std::size_t count = runner.scenes > 0 ? static_cast<std::size_t>(runner.scenes) : runner.quick ? 40 : usual;
+  if (rollcon_table_standard(context, &table) == ROLLCON_OK) measure(table, count);
   rollcon_table_release(table);
   rollcon_context_release(context);
+}
+
+void run(Runner& runner) {
+  with_standard(runner, 20000, [&](const rollcon_table* table, std::size_t count) { run_steel(runner, table, count); });
+}
+
+void run_pairs(Runner& runner) {
+  with_standard(runner, 1000, [&](const rollcon_table* table, std::size_t count) { run_unlike(runner, table, count); });
 }
 
 }  // namespace
 
 std::vector<Case> creep_table_cases() {
-  return {{"creep_table", "creep-force tables and FASTSIM beside solved cases", run}};
+  return {{"creep_table", "creep-force tables and FASTSIM beside solved cases", run},
+          {"creep_table_unlike", "creep-force tables of unlike bodies beside solved cases", run_pairs}};
 }
 
 }  // namespace rollcon::bench

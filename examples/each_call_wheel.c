@@ -20,6 +20,7 @@ static int32_t count(const rollcon_event* event, void* user) {
 /* A coarse table: of ratios of half axes around 1 alone. */
 static void small_table(rollcon_context* context) {
   const double poisson = 0.28;
+  const double steel_on_rubber[2] = {210000, 5}, poissons[2] = {0.28, 0.49}, frictions[2] = {0.2, 0.4};
   const double inputs[9] = {82000, 0.28, 0.3, 6, 5, 1e5, 1e-3, 0, 0};
   double forces[3], derivatives[27], *samples;
   int calls = 0;
@@ -52,6 +53,7 @@ static void small_table(rollcon_context* context) {
   must(rollcon_table_set_ratios(copy, 4, 0.5, 2));
   must(rollcon_table_set_resolution(copy, 8, 4, 4));
   must(rollcon_table_set_frame(copy, 6, 4));
+  must(rollcon_table_set_bodies(copy, steel_on_rubber, poissons, 2, frictions)); /* would be one of unlike bodies */
   must(rollcon_table_set_poissons(copy, 1, &poisson));
   must(rollcon_table_add_samples(copy, n, samples));
   must(rollcon_table_evaluate(copy, 1, inputs, forces));
@@ -101,7 +103,7 @@ static void wheels(rollcon_context* context) {
   rollcon_wheelrail *left = wheel_on_rail(context, tread, rail, ROLLCON_LEFT), *copy;
   rollcon_wheelrail* right = wheel_on_rail(context, tread, rail, ROLLCON_RIGHT);
   rollcon_table* table;
-  double ellipse[9], center[2], looked_up;
+  double ellipse[9], center[2], of_table[3], looked_up;
   rollcon_contact* contact;
   must(rollcon_wheelrail_set_accuracy(right, 0.02));
   must(rollcon_wheelrail_set_position(right, position));
@@ -132,6 +134,11 @@ static void wheels(rollcon_context* context) {
   rollcon_wheelrail_release(copy);
   rollcon_wheelrail_release(copy);
   must(rollcon_table_standard(context, &table));
+  must(rollcon_wheelrail_get_contact(right, 0, &contact));
+  must(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, force, moment));
+  must(rollcon_table_evaluate_contact(table, contact, -1, of_table)); /* with the contact's own friction */
+  printf("the table has its lateral force to %.0f N\n", ceil(fabs(of_table[1] - force[1]) / 100) * 100);
+  rollcon_contact_release(contact);
   must(rollcon_wheelrail_set_table(right, table));
   rollcon_table_release(table); /* the wheel keeps it */
   must(rollcon_wheelrail_solve(right));

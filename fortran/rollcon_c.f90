@@ -2041,6 +2041,18 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_table_set_poissons
 
+    function rollcon_table_set_bodies(table, youngs, poissons, n, frictions) &
+        result(rc) bind(C, name="rollcon_table_set_bodies")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: table
+      real(c_double), intent(in) :: youngs(*)
+      real(c_double), intent(in) :: poissons(*)
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: frictions(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_table_set_bodies
+
     function rollcon_table_set_progress(table, fn, user) &
         result(rc) bind(C, name="rollcon_table_set_progress")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
@@ -2119,6 +2131,17 @@ module rollcon_c
       real(c_double), intent(out) :: derivatives(*)
       integer(c_int32_t) :: rc
     end function rollcon_table_evaluate_derivatives
+
+    function rollcon_table_evaluate_contact(table, contact, friction, results) &
+        result(rc) bind(C, name="rollcon_table_evaluate_contact")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: table
+      type(c_ptr), value :: contact
+      real(c_double), value :: friction
+      real(c_double), intent(out) :: results(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_table_evaluate_contact
 
   end interface
 end module rollcon_c

@@ -1892,13 +1892,22 @@ subroutine rctfrm(itab, ialong, iacross, ierr)
   ierr = rollcon_table_set_frame(table_of(itab), narrow(ialong), narrow(iacross))
 end subroutine
 
-!> Sets the Poisson's ratios of the table.
+!> Makes it a table of bodies of equal elastic constants, as a new one is, and sets its Poisson's ratios.
 subroutine rctpoi(itab, n, poissons, ierr)
   use rollcon_f77_support
   implicit none
   integer :: itab, n, ierr
   double precision :: poissons(*)
   ierr = rollcon_table_set_poissons(table_of(itab), int(n, c_int64_t), poissons)
+end subroutine
+
+!> Makes it a table of two bodies whose elastic constants differ, one of which may be rigid.
+subroutine rctbod(itab, youngs, poissons, n, frictions, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: itab, n, ierr
+  double precision :: youngs(2), poissons(2), frictions(*)
+  ierr = rollcon_table_set_bodies(table_of(itab), youngs, poissons, int(n, c_int64_t), frictions)
 end subroutine
 
 !> Sets the callback that rollcon_table_make calls about ten times a second (ROLLCON_PHASE_COMPLIANCE, the iterat.
@@ -1983,4 +1992,13 @@ subroutine rctevd(itab, n, xinputs, results, derivatives, ierr)
   integer :: itab, n, ierr
   double precision :: xinputs(*), results(*), derivatives(*)
   ierr = rollcon_table_evaluate_derivatives(table_of(itab), int(n, c_int64_t), xinputs, results, derivatives)
+end subroutine
+
+!> Tangential forces and spin moment on body 1 of a solved contact, from the Hertzian contact that stands for it .
+subroutine rctcon(itab, icon, friction, results, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: itab, icon, ierr
+  double precision :: friction, results(3)
+  ierr = rollcon_table_evaluate_contact(table_of(itab), contact_of(icon), friction, results)
 end subroutine

@@ -3,6 +3,7 @@ module rollcon_table
   use, intrinsic :: iso_c_binding, only: c_funloc, c_funptr, c_null_funptr, c_null_ptr, c_ptr
   use rollcon_c
   use rollcon_support
+  use rollcon_contact
   use rollcon_context
   use rollcon_table_plain
   implicit none
@@ -17,6 +18,7 @@ module rollcon_table
     procedure :: set_progress
     procedure :: get_samples
     procedure :: evaluate
+    procedure :: evaluate_contact
   end type
 
 contains
@@ -118,6 +120,22 @@ contains
       status = rollcon_table_evaluate_derivatives(self%handle(), n, inputs, results, derivatives)
     end if
     call finish(status, self%handle(), 'rc_table%evaluate', stat, errmsg)
+  end subroutine
+
+  !> Forces along t1 and t2 and moment about n, results(3), of a solved contact, by the Hertzian contact that stands for it.
+  !> friction absent: the contact's own.
+  subroutine evaluate_contact(self, contact, results, friction, stat, errmsg)
+    class(rc_table), intent(in) :: self
+    type(rc_contact), intent(in) :: contact
+    real(rc_real), intent(out) :: results(3)
+    real(rc_real), intent(in), optional :: friction
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    real(rc_real) :: mu
+    mu = -1
+    if (present(friction)) mu = friction
+    call finish(rollcon_table_evaluate_contact(self%handle(), contact%handle(), mu, results), self%handle(), &
+      'rc_table%evaluate_contact', stat, errmsg)
   end subroutine
 
 end module rollcon_table

@@ -23,6 +23,7 @@ module rollcon_table_plain
     procedure :: set_resolution => table_set_resolution
     procedure :: set_frame => table_set_frame
     procedure :: set_poissons => table_set_poissons
+    procedure :: set_bodies => table_set_bodies
     procedure :: request_cancel => table_request_cancel
     procedure :: make => table_make
     procedure :: add_samples => table_add_samples
@@ -139,8 +140,8 @@ contains
       stat, errmsg)
   end subroutine
 
-  !> Sets the Poisson's ratios of the table; it is linear between them, and has none beyond. Before the first sample
-  !> (else ROLLCON_ERR_STATE).
+  !> Makes it a table of bodies of equal elastic constants, as a new one is, and sets its Poisson's ratios; it is linear
+  !> between two, cubic between more, and has none beyond. Before the first sample (else ROLLCON_ERR_STATE).
   subroutine table_set_poissons(self, poissons, stat, errmsg)
     class(rc_table_plain), intent(inout) :: self
     real(rc_real), intent(in), contiguous :: poissons(:)
@@ -148,6 +149,24 @@ contains
     character(len=*), intent(inout), optional :: errmsg
     call finish(rollcon_table_set_poissons(self%p, size(poissons, 1, rc_long), poissons), self%p, &
       'rc_table%set_poissons', stat, errmsg)
+  end subroutine
+
+  !> Makes it a table of two bodies whose elastic constants differ, one of which may be rigid: wheel on rail of another
+  !> metal, rubber on steel. Forces of such bodies depend on friction by itself: the table has coefficients of friction,
+  !> is linear in the logarithm of two and cubic in that of more, and has none beyond. rollcon_table_evaluate then takes
+  !> as shear and poisson the mean values of the bodies (rollcon_contact_get_equivalent_ellipse), and creepages without
+  !> the strain under the pressure. Each coefficient of friction takes as long as two to three Poisson's ratios of like
+  !> bodies. Bodies whose (1 - 2 nu)/(2 G) are the same make a table of like bodies. Before the first sample (else
+  !> ROLLCON_ERR_STATE).
+  subroutine table_set_bodies(self, youngs, poissons, frictions, stat, errmsg)
+    class(rc_table_plain), intent(inout) :: self
+    real(rc_real), intent(in) :: youngs(2)
+    real(rc_real), intent(in) :: poissons(2)
+    real(rc_real), intent(in), contiguous :: frictions(:)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_table_set_bodies(self%p, youngs, poissons, size(frictions, 1, rc_long), frictions), self%p, &
+      'rc_table%set_bodies', stat, errmsg)
   end subroutine
 
   !> Asks a running rollcon_table_make to stop: it returns ROLLCON_CANCELLED within a few solves. What was solved stays,

@@ -2552,9 +2552,9 @@ ROLLCON_API rollcon_wheelrail *ROLLCON_CALL rollcon_wheelrail_from_id(int32_t id
 ROLLCON_API rollcon_table *ROLLCON_CALL rollcon_table_from_id(int32_t id);
 
 /* ------------------------------------------------------------------------ Creep-force tables */
-/* Forces and spin moment of Hertzian steady rolling of two bodies with equal elastic constants,
-   from solved cases, in about a microsecond. What a table is given or makes stays: once it is
-   there, any number of threads evaluate it. docs/tables.md has its errors. */
+/* Forces and spin moment of Hertzian steady rolling, from solved cases, in about a microsecond.
+   What a table is given or makes stays: once it is there, any number of threads evaluate it.
+   docs/tables.md has its errors. */
 
 /*
  * Makes a table without samples. Standard: semi-axes' ratios a / b 1/25 to 25 in 12 intervals, 18
@@ -2638,14 +2638,34 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_set_frame(rollcon_table *t
     int32_t along, int32_t across);
 
 /*
- * Sets the Poisson's ratios of the table; it is linear between them, and has none beyond. Before
- * the first sample (else ROLLCON_ERR_STATE).
+ * Makes it a table of bodies of equal elastic constants, as a new one is, and sets its Poisson's
+ * ratios; it is linear between two, cubic between more, and has none beyond. Before the first
+ * sample (else ROLLCON_ERR_STATE).
  *   n         1 to 16
  *   poissons  [n]; ascending, -1 to 0.5
  * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_set_poissons(rollcon_table *table,
     int64_t n, const double *poissons);
+
+/*
+ * Makes it a table of two bodies whose elastic constants differ, one of which may be rigid: wheel
+ * on rail of another metal, rubber on steel. Forces of such bodies depend on friction by itself:
+ * the table has coefficients of friction, is linear in the logarithm of two and cubic in that of
+ * more, and has none beyond. rollcon_table_evaluate then takes as shear and poisson the mean
+ * values of the bodies (rollcon_contact_get_equivalent_ellipse), and creepages without the strain
+ * under the pressure. Each coefficient of friction takes as long as two to three Poisson's ratios
+ * of like bodies. Bodies whose (1 - 2 nu)/(2 G) are the same make a table of like bodies. Before
+ * the first sample (else ROLLCON_ERR_STATE).
+ *   youngs     [2]; Young's moduli of bodies 1 and 2, in any unit; 0: rigid, not both
+ *   poissons   [2]; -1 to 0.5; of a rigid body no matter
+ *   n          1 to 16
+ *   frictions  [n]; coefficients of friction, ascending, above 0 to 10
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ * Source: docs/tables.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_set_bodies(rollcon_table *table,
+    const double *youngs, const double *poissons, int64_t n, const double *frictions);
 
 /*
  * Sets the callback that rollcon_table_make calls about ten times a second
@@ -2738,6 +2758,23 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_evaluate(const rollcon_tab
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_evaluate_derivatives(
     const rollcon_table *table, int64_t n, const double *inputs, double *results,
     double *derivatives);
+
+/*
+ * Tangential forces and spin moment on body 1 of a solved contact, from the Hertzian contact that
+ * stands for it (rollcon_contact_get_equivalent_ellipse): friction of a contact that was solved
+ * without, at the price of its pressures. The moment is about the contact's origin.
+ * ROLLCON_ERR_ARGUMENT: the table does not have this ellipse, Poisson's ratio, friction, or pair
+ * of bodies; asked about unlike bodies, a table of like ones adds the mean strain under the
+ * pressure to the longitudinal creepage. ROLLCON_ERR_STATE, ROLLCON_ERR_UNSUPPORTED: as of
+ * rollcon_contact_get_equivalent_ellipse, or the table is not made yet.
+ *   friction  coefficient, 0 to 10; -1: the contact's own, mean over its pressure
+ *   results   [3], out; force along t1 and t2; moment about n, force length
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_UNSUPPORTED.
+ * Source: docs/tables.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_evaluate_contact(
+    const rollcon_table *table, const rollcon_contact *contact, double friction,
+    double *results);
 
 #ifdef __cplusplus
 }

@@ -2236,6 +2236,21 @@ static void call_table_set_poissons(call *self) {
   finish(self, rc);
 }
 
+static void call_table_set_bodies(call *self) {
+  int32_t rc = 0;
+  int64_t n = -1;
+  rollcon_table *table = rollcon_table_from_id(take_handle(self, "table"));
+  int64_t youngs_rows = 2;
+  const double *youngs = take_reals(self, "youngs", &youngs_rows, 0, 0);
+  int64_t poissons_rows = 2;
+  const double *poissons = take_reals(self, "poissons", &poissons_rows, 0, 0);
+  const double *frictions = take_reals(self, "frictions", &n, 0, 0);
+  no_more(self);
+  rc = rollcon_table_set_bodies(table, youngs, poissons, n, frictions);
+  if (rc < 0) finish(self, rc);
+  finish(self, rc);
+}
+
 static void call_table_request_cancel(call *self) {
   int32_t rc = 0;
   rollcon_table *table = rollcon_table_from_id(take_handle(self, "table"));
@@ -2322,6 +2337,20 @@ static void call_table_evaluate_derivatives(call *self) {
   if (rc < 0) finish(self, rc);
   give_reals(self, results, n, 3);
   give_reals(self, derivatives, n, 3 * 9);
+  finish(self, rc);
+}
+
+static void call_table_evaluate_contact(call *self) {
+  int32_t rc = 0;
+  rollcon_table *table = rollcon_table_from_id(take_handle(self, "table"));
+  rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
+  const double friction = take_real(self, "friction");
+  double *results = NULL;
+  no_more(self);
+  results = room(1 * (3), sizeof *results);
+  rc = rollcon_table_evaluate_contact(table, contact, friction, results);
+  if (rc < 0) finish(self, rc);
+  give_reals(self, results, 1, 3);
   finish(self, rc);
 }
 
@@ -2498,6 +2527,7 @@ const entry calls[] = {
   {"table_set_resolution", call_table_set_resolution, 1},
   {"table_set_frame", call_table_set_frame, 1},
   {"table_set_poissons", call_table_set_poissons, 1},
+  {"table_set_bodies", call_table_set_bodies, 1},
   {"table_request_cancel", call_table_request_cancel, 1},
   {"table_make", call_table_make, 1},
   {"table_get_samples", call_table_get_samples, 1},
@@ -2505,5 +2535,6 @@ const entry calls[] = {
   {"table_save", call_table_save, 1},
   {"table_evaluate", call_table_evaluate, 1},
   {"table_evaluate_derivatives", call_table_evaluate_derivatives, 2},
+  {"table_evaluate_contact", call_table_evaluate_contact, 1},
 };
 const int number_of_calls = sizeof calls / sizeof calls[0];

@@ -196,8 +196,8 @@ rollcon_status rollcon_contact_get_equivalent_ellipse(const rollcon_contact* con
     require_pointer(inputs, "inputs");
     require_pointer(center, "center");
     const EquivalentEllipse e = c.equivalent_ellipse();
-    const double all[] = {e.shear, e.poisson,     e.friction,    e.a,          e.b,
-                          e.load,  e.creepage[0], e.creepage[1], e.creepage[2]};
+    const double longitudinal = e.creepage[0] + strain_creepage(e.strained, e.load, e.a, e.b);
+    const double all[] = {e.shear, e.poisson, e.friction, e.a, e.b, e.load, longitudinal, e.creepage[1], e.creepage[2]};
     std::copy(std::begin(all), std::end(all), inputs);
     std::copy(e.centre.begin(), e.centre.end(), center);
   });

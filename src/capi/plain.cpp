@@ -534,6 +534,13 @@ rollcon_status rollcon_table_set_poissons(rollcon_table *table, int64_t n,
   });
 }
 
+rollcon_status rollcon_table_set_bodies(rollcon_table *table, const double *youngs,
+    const double *poissons, int64_t n, const double *frictions) {
+  return with_table(__func__, table, [&](ForceTable& self) {
+    self.set_bodies(youngs, poissons, n, frictions);
+  });
+}
+
 rollcon_status rollcon_table_add_samples(rollcon_table *table, int64_t n, const double *samples) {
   return with_table(__func__, table, [&](ForceTable& self) {
     self.add_samples(n, samples);

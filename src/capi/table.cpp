@@ -1,5 +1,7 @@
 /// Creep-force tables: making, life, results.
 
+#include <algorithm>
+
 #include "capi/guard.hpp"
 #include "capi/progress.hpp"
 #include "capi/results.hpp"
@@ -85,5 +87,22 @@ rollcon_status rollcon_table_evaluate_derivatives(const rollcon_table* table, in
   return with_shared(__func__, Kind::table, table, [&](Object& object) {
     if (n != 0) require_pointer(derivatives, "derivatives");
     object.table->evaluate(n, inputs, results, derivatives);
+  });
+}
+
+rollcon_status rollcon_table_evaluate_contact(const rollcon_table* table, const rollcon_contact* contact,
+                                              double friction, double results[3]) {
+  const char* const function = __func__;
+  return with_shared(function, Kind::table, table, [&](Object& object) {
+    return static_cast<Status>(with_contact(function, contact, [&](const Contact& c) {
+      require_finite(friction, "friction");
+      require_pointer(results, "results");
+      EquivalentEllipse e = c.equivalent_ellipse();
+      if (friction != -1) e.friction = friction;
+      double own[3];
+      object.table->evaluate(e, own);
+      own[2] += e.centre[0] * own[1] - e.centre[1] * own[0];
+      std::copy_n(own, 3, results);
+    }));
   });
 }

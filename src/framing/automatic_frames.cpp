@@ -102,7 +102,7 @@ class AutomaticFrames final : public FrameMaker {
       const HertzContact hertz = find_ellipse(contact, {(*quadratic)[0], (*quadratic)[1], (*quadratic)[2]});
       shape_.place = place_of_disc(hertz.larger, hertz.smaller, hertz.angle);
       shape_.load = hertz.load;
-      shape_.stretch = 1 + std::min(most_moved, moved * std::abs(contact.dundurs_beta()) * scene.friction(0, 0));
+      shape_.stretch = stretch_by_friction(contact.dundurs_beta(), scene.friction(0, 0));
       beyond_bounds_ = nullptr;
       return;
     }
@@ -306,10 +306,6 @@ class AutomaticFrames final : public FrameMaker {
   /// Outlines are too short by up to 3 parts in a thousand. Strips that are too short by 2 % cost 1.5 % of the force,
   /// too long by as much up to 0.2 %.
   static constexpr double usual_stretch = 1.004;
-
-  /// Friction of unlike bodies moves the edge: ellipses are stretched by this part of beta mu, and no more than that.
-  /// Without, frames of a body on a rigid one under mu = 0.3 tend to forces that are off by up to 1.5 %.
-  static constexpr double moved = 0.12, most_moved = 0.03;
 
   struct Found {
     std::int64_t gap = -1;

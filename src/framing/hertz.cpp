@@ -117,4 +117,10 @@ HertzContact hertz_by_approach(const QuadraticGap& gap, double modulus, double a
   return finish(s, larger, 2 * pi * larger * modulus * depth / (3 * s.integrals.k), approach);
 }
 
+double stretch_by_friction(double dundurs_beta, double friction) {
+  // Without, frames of a body on a rigid one under mu = 0.3 tend to forces that are off by up to 1.5 %.
+  constexpr double moved = 0.12, most_moved = 0.03;
+  return 1 + std::min(most_moved, moved * std::abs(dundurs_beta) * friction);
+}
+
 }  // namespace rollcon

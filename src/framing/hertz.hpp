@@ -22,4 +22,7 @@ bool has_ellipse(const QuadraticGap& gap);
 HertzContact hertz_by_load(const QuadraticGap& gap, double modulus, double load);
 HertzContact hertz_by_approach(const QuadraticGap& gap, double modulus, double approach);
 
+/// How much longer a frame is to be than the ellipse of Hertz: friction of unlike bodies moves the contact's edge.
+double stretch_by_friction(double dundurs_beta, double friction);
+
 }  // namespace rollcon

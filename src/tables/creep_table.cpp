@@ -16,14 +16,6 @@ constexpr double bent = 0.002;
 
 }  // namespace
 
-double TableGrid::stretch(double log_ratio) const {
-  return std::exp(stretched * log_ratio);
-}
-
-double TableGrid::spin_scale(double log_ratio) const {
-  return std::pow(std::cosh(log_ratio), 0.5 - stretched);
-}
-
 // x up to 1 - d, from there a parabola that ends with slope 0 at x = 1 + d.
 double bend(double force, double* slope) {
   if (force <= 1 - bent) return *slope = 1, force;
@@ -40,18 +32,19 @@ double unbend(double force) {
 
 /// The scene in the table's coordinates, and what was found there.
 struct CreepTable::Point {
-  // Of linear theory: C23 over the scale of spin, C33 likewise, C32 / C22, and derivatives by the logarithm of the
-  // ratio; scales of the creepages and derivatives of their logarithms.
-  double c23, c33, c32, c23_rate, c33_rate, c32_rate;
-  double stretch, scale[3], scale_rate[3];
-  double side;     ///< -1: of spin < 0, whose mirror image is looked up
-  double v[3];     ///< the mirror image's creepages times their scales
-  double t, r, w;  ///< of v: translation, length; r that counts as magnitude 1/2
+  double by_v[3][3], by_v_ratio[3][3];  ///< forces of linear theory by v, and derivatives by the logarithm of the ratio
+  double at_rest, at_rest_ratio;        ///< Fx over mu Fn without creepages; likewise
+  double scale[3], scale_rate[3];       ///< of the creepages, and derivatives of their logarithms
+  double side;                          ///< -1: of spin < 0, whose mirror image is looked up
+  double v[3];                          ///< the mirror image's creepages times their scales
+  double t, r, w;                       ///< of v: translation, length; r that counts as magnitude 1/2
   double s, cos_psi, sin_psi;
   double steps[3];  ///< intervals per unit of ratio's logarithm, magnitude, angle
   SplineWeights ratio, magnitude, angle;
-  // Of forces and moment: value; derivatives by logarithm of the ratio (creepages held), creepages, w, Poisson's ratio.
-  double f[3], by_ratio[3], by_creepage[3][3], by_w[3], by_poisson[3];
+  double own[3];  ///< forces and moment of the plane of add_plane
+  // Of forces and moment: value; derivatives by logarithm of the ratio (creepages held), creepages, w, the planes'
+  // coordinate.
+  double f[3], by_ratio[3], by_creepage[3][3], by_w[3], by_plane[3];
 };
 
 /// Of forces and moment: what the splines give, and derivatives by logarithm of the ratio, magnitude, angle; by
@@ -61,9 +54,10 @@ struct CreepTable::Sums {
 };
 
 CreepTable::CreepTable(TableGrid grid) : grid_(std::move(grid)) {
-  const std::int64_t planes = static_cast<std::int64_t>(grid_.poisson.size());
-  coefficient_.assign(at(planes * (grid_.ratios + 3) * (grid_.magnitudes + 3) * (grid_.angles + 3) * row()), 0);
-  linear_.assign(at(planes * (grid_.ratios + 3)) * linear_numbers, 0);
+  for (const double friction : grid_.pair.friction) log_friction_.push_back(std::log(friction));
+  const std::int64_t planes = static_cast<std::int64_t>(grid_.planes().size());
+  coefficient_.assign(at(planes * (grid_.ratios + 3) * (grid_.magnitudes + 3) * (grid_.angles + 3) * grid_.row()), 0);
+  linear_.assign(at(planes * (grid_.ratios + 3)) * linear_numbers(grid_), 0);
 }
 
 void CreepTable::check(const TableInput& in, std::int64_t entry) const {
@@ -95,9 +89,14 @@ void CreepTable::check(const TableInput& in, std::int64_t entry) const {
   if (!(ratio >= grid_.least_ratio * (1 - rounding) && ratio <= grid_.greatest_ratio * (1 + rounding)))
     fail(Status::err_argument, "a / b of entry %lld is %g; the table has %g to %g", static_cast<long long>(entry),
          ratio, grid_.least_ratio, grid_.greatest_ratio);
-  if (!(in.poisson >= grid_.poisson.front() - rounding && in.poisson <= grid_.poisson.back() + rounding))
-    fail(Status::err_argument, "poisson of entry %lld is %g; the table has %g to %g", static_cast<long long>(entry),
-         in.poisson, grid_.poisson.front(), grid_.poisson.back());
+  const auto require_between = [&](const char* name, double value, const std::vector<double>& of, double margin) {
+    if (!(value >= of.front() - margin && value <= of.back() + margin))
+      fail(Status::err_argument, "%s of entry %lld is %g; the table has %g to %g", name, static_cast<long long>(entry),
+           value, of.front(), of.back());
+  };
+  // The mean of unlike bodies comes from their constants, which callers may know to six digits.
+  require_between("poisson", in.poisson, grid_.poisson, grid_.unlike() ? 1e-6 : rounding);
+  if (grid_.unlike()) require_between("friction", in.friction, grid_.pair.friction, rounding);
 }
 
 namespace {
@@ -105,7 +104,7 @@ namespace {
 constexpr double right_angle = 1.5707963267948966;
 
 /// Value, and derivatives by the logarithm of the ratio, magnitude and angle, each of all harmonics.
-using HarmonicRow = float[3 * most_directions];
+using HarmonicRow = float[6 * most_directions];
 
 /// Asks for memory that is read soon; where the compiler has no such call, nothing is lost but time.
 void prefetch([[maybe_unused]] const float* begin, [[maybe_unused]] std::int64_t count) {
@@ -159,38 +158,88 @@ void sum_coefficients(const float* plane, std::int64_t stride_ratio, std::int64_
 
 }  // namespace
 
-template <bool rates>
-void CreepTable::add_plane(std::size_t plane, double share, const TableInput& in, Point& point) const {
-  const std::int64_t nl = grid_.ratios + 3, ns = grid_.magnitudes + 3, na = grid_.angles + 3, n = grid_.directions;
-  const double log_ratio = std::log(in.a / in.b), low = std::log(grid_.least_ratio);
-  point.steps[0] = static_cast<double>(grid_.ratios) / (std::log(grid_.greatest_ratio) - low);
-  point.ratio = spline_weights((log_ratio - low) * point.steps[0], grid_.ratios);
-  double c[linear_numbers] = {}, d[linear_numbers] = {};
+// Scales are those of like bodies.
+void CreepTable::find_linear_theory(std::size_t plane, const TableInput& in, double log_ratio, Point& point) const {
+  const std::size_t numbers = linear_numbers(grid_);
+  double c[most_linear_numbers] = {0, 0, 0, 0, 0, 1, 1, 0}, d[most_linear_numbers] = {};
+  std::fill_n(c, numbers, 0.0);
   for (std::size_t i = 0; i < 4; ++i) {
-    const double* from = &linear_[(plane * at(nl) + at(point.ratio.first) + i) * linear_numbers];
-    for (std::size_t k = 0; k < linear_numbers; ++k) {
+    const double* from = &linear_[(plane * at(grid_.ratios + 3) + at(point.ratio.first) + i) * numbers];
+    for (std::size_t k = 0; k < numbers; ++k) {
       c[k] += point.ratio.value[i] * from[k];
       d[k] += point.ratio.slope[i] * point.steps[0] * from[k];
     }
   }
-  point.c23 = c[2], point.c33 = c[3], point.c32 = c[4];
-  point.c23_rate = d[2], point.c33_rate = d[3], point.c32_rate = d[4];
-  const double c22 = std::exp(c[1]);
-  point.stretch = grid_.stretch(log_ratio);
-  const double stretched = grid_.stretched;
-  const double scale[3] = {std::exp(c[0]) * point.stretch, c22 / point.stretch,
+  const double c22 = std::exp(c[log_c22_of]), stretch = grid_.stretch(log_ratio), stretched = grid_.stretched;
+  const double scale[3] = {std::exp(c[log_c11_of]) * stretch, c22 / stretch,
                            c22 * grid_.spin_scale(log_ratio) * std::sqrt(in.a * in.b)};
-  const double scale_rate[3] = {d[0] + stretched, d[1] - stretched, d[1] + (0.5 - stretched) * std::tanh(log_ratio)};
+  const double scale_rate[3] = {d[log_c11_of] + stretched, d[log_c22_of] - stretched,
+                                d[log_c22_of] + (0.5 - stretched) * std::tanh(log_ratio)};
   std::copy_n(scale, 3, point.scale);
   std::copy_n(scale_rate, 3, point.scale_rate);
+  point.by_v[0][0] = -c[c11_by_of] / stretch;
+  point.by_v[1][1] = -c[c22_by_of] * stretch;
+  point.by_v[1][2] = -c[c23_by_spin];
+  point.by_v[2][1] = c[c32_by_c22] * stretch;
+  point.by_v[2][2] = -c[c33_by_spin];
+  point.by_v_ratio[0][0] = (stretched * c[c11_by_of] - d[c11_by_of]) / stretch;
+  point.by_v_ratio[1][1] = -(stretched * c[c22_by_of] + d[c22_by_of]) * stretch;
+  point.by_v_ratio[1][2] = -d[c23_by_spin];
+  point.by_v_ratio[2][1] = (stretched * c[c32_by_c22] + d[c32_by_c22]) * stretch;
+  point.by_v_ratio[2][2] = -d[c33_by_spin];
+  point.at_rest = c[force_at_rest];
+  point.at_rest_ratio = d[force_at_rest];
+}
+
+template <bool rates>
+void CreepTable::sum_harmonics(std::size_t plane, Point& point, Sums& sums) const {
+  const std::int64_t ns = grid_.magnitudes + 3, na = grid_.angles + 3, n = grid_.directions, row = grid_.row();
+  HarmonicRow row_sums[4];
+  sum_coefficients<rates>(coefficient_.data() + static_cast<std::int64_t>(plane) * (grid_.ratios + 3) * ns * na * row,
+                          ns * na * row, na * row, row, point.ratio, point.magnitude, point.angle, row_sums);
+  // Near pure spin, harmonics grow like the sine of the angle or faster.
+  constexpr double least_sine = 1e-3;
+  const double sine = point.t / point.r, by_sine = sine > least_sine ? 1 / sine : 0;
+  const std::int64_t parities = grid_.parities();
+  double cos_h = 1, sin_h = 0;
+  for (std::int64_t h = 0; h < n; ++h) {
+    for (std::int64_t i = 0; i < 3; ++i)
+      for (std::int64_t parity = 0; parity < parities; ++parity) {
+        const std::size_t c = at(i), k = at((i * parities + parity) * n + h);
+        const bool cosine = is_cosine(i, parity, h);
+        const double basis = cosine ? cos_h : sin_h;
+        sums.q[c] += row_sums[0][k] * basis;
+        if (!rates) continue;
+        sums.ratio[c] += row_sums[1][k] * basis * point.steps[0];
+        sums.magnitude[c] += row_sums[2][k] * basis * point.steps[1];
+        const double by_angle = row_sums[3][k] * point.steps[2];
+        sums.angle[c] += by_angle * basis;
+        const double over_sine = by_sine > 0 ? row_sums[0][k] * by_sine : h == 1 ? by_angle : 0;
+        sums.turned[c] += over_sine * static_cast<double>(h) * (cosine ? -sin_h : cos_h);
+      }
+    const double next = cos_h * point.cos_psi - sin_h * point.sin_psi;
+    sin_h = sin_h * point.cos_psi + cos_h * point.sin_psi;
+    cos_h = next;
+  }
+}
+
+template <bool rates>
+void CreepTable::add_plane(std::size_t plane, double share, const TableInput& in, Point& point) const {
+  const double log_ratio = std::log(in.a / in.b), low = std::log(grid_.least_ratio);
+  point.steps[0] = static_cast<double>(grid_.ratios) / (std::log(grid_.greatest_ratio) - low);
+  point.ratio = spline_weights((log_ratio - low) * point.steps[0], grid_.ratios);
+  find_linear_theory(plane, in, log_ratio, point);
   point.side = in.spin < 0 ? -1 : 1;
-  point.v[0] = scale[0] * in.longitudinal;
-  point.v[1] = point.side * scale[1] * in.lateral;
-  point.v[2] = point.side * scale[2] * in.spin;
+  point.v[0] = point.scale[0] * in.longitudinal;
+  point.v[1] = point.side * point.scale[1] * in.lateral;
+  point.v[2] = point.side * point.scale[2] * in.spin;
   point.w = half_magnitude * in.friction * in.load / (in.shear * in.a * in.b);
   point.t = std::hypot(point.v[0], point.v[1]);
   point.r = std::hypot(point.t, point.v[2]);
   if (!(point.r > 0)) {
+    point.own[0] = point.w > 0 ? point.at_rest : 0;
+    point.own[1] = point.own[2] = 0;
+    point.f[0] += share * point.own[0];
     if (rates && point.w > 0) add_rates_at_rest(share, point);
     return;
   }
@@ -201,48 +250,25 @@ void CreepTable::add_plane(std::size_t plane, double share, const TableInput& in
   point.steps[2] = static_cast<double>(grid_.angles) / right_angle;
   point.magnitude = spline_weights(point.s * point.steps[1], grid_.magnitudes);
   point.angle = spline_weights(std::atan2(point.t, point.v[2]) * point.steps[2], grid_.angles);
-  HarmonicRow row_sums[4];
-  sum_coefficients<rates>(coefficient_.data() + static_cast<std::int64_t>(plane) * nl * ns * na * row(),
-                          ns * na * row(), na * row(), row(), point.ratio, point.magnitude, point.angle, row_sums);
   Sums sums{};
-  // Near pure spin, harmonics grow like the sine of the angle or faster.
-  constexpr double least_sine = 1e-3;
-  const double sine = point.t / point.r, by_sine = sine > least_sine ? 1 / sine : 0;
-  double cos_h = 1, sin_h = 0;
-  for (std::int64_t h = 0; h < n; ++h) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t k = i * at(n) + at(h);
-      const bool cosine = (i == 0) == (h % 2 != 0);
-      const double basis = cosine ? cos_h : sin_h;
-      sums.q[i] += row_sums[0][k] * basis;
-      if (!rates) continue;
-      sums.ratio[i] += row_sums[1][k] * basis * point.steps[0];
-      sums.magnitude[i] += row_sums[2][k] * basis * point.steps[1];
-      const double by_angle = row_sums[3][k] * point.steps[2];
-      sums.angle[i] += by_angle * basis;
-      const double over_sine = by_sine > 0 ? row_sums[0][k] * by_sine : h == 1 ? by_angle : 0;
-      sums.turned[i] += over_sine * static_cast<double>(h) * (cosine ? -sin_h : cos_h);
-    }
-    const double next = cos_h * point.cos_psi - sin_h * point.sin_psi;
-    sin_h = sin_h * point.cos_psi + cos_h * point.sin_psi;
-    cos_h = next;
+  sum_harmonics<rates>(plane, point, sums);
+  // f = (1 - s^2) f0 + 3 s (1 - s) l + s^2 q, l the forces of linear theory by a unit of creepage.
+  const double s = point.s;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double* const by_v = point.by_v[i];
+    const double l = (by_v[0] * point.v[0] + by_v[1] * point.v[1] + by_v[2] * point.v[2]) / point.r;
+    point.own[i] = (i == 0 ? (1 - s * s) * point.at_rest : 0) + half_magnitude * s * (1 - s) * l + s * s * sums.q[i];
+    if (i > 0) point.own[i] *= point.side;
+    point.f[i] += share * point.own[i];
   }
-  // f = 3 s (1 - s) l + s^2 q, l the forces of linear theory by a unit of creepage.
-  const double x = point.v[0] / point.r, y = point.v[1] / point.r, z = point.v[2] / point.r, s = point.s;
-  const double along = x / point.stretch, across = y * point.stretch;
-  const double l[3] = {-along, -across - point.c23 * z, point.c32 * across - point.c33 * z};
-  for (std::size_t i = 0; i < 3; ++i)
-    point.f[i] += share * (i == 0 ? 1 : point.side) * (half_magnitude * s * (1 - s) * l[i] + s * s * sums.q[i]);
   if (rates) add_rates(share, sums, point);
 }
 
 void CreepTable::add_rates_at_rest(double share, Point& point) const {
   const double unit = share * half_magnitude / point.w;
-  point.by_creepage[0][0] -= unit * point.scale[0] / point.stretch;
-  point.by_creepage[1][1] -= unit * point.stretch * point.scale[1];
-  point.by_creepage[1][2] -= unit * point.c23 * point.scale[2];
-  point.by_creepage[2][1] += unit * point.c32 * point.stretch * point.scale[1];
-  point.by_creepage[2][2] -= unit * point.c33 * point.scale[2];
+  point.by_ratio[0] += share * point.at_rest_ratio;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) point.by_creepage[i][k] += unit * point.by_v[i][k] * point.scale[k];
 }
 
 void CreepTable::add_rates(double share, const Sums& q, Point& point) const {
@@ -250,23 +276,18 @@ void CreepTable::add_rates(double share, const Sums& q, Point& point) const {
   const double e_r[3] = {point.v[0] / point.r, point.v[1] / point.r, cosine};
   const double e_angle[3] = {cosine * point.cos_psi, cosine * point.sin_psi, -sine};
   const double e_direction[3] = {-point.sin_psi, point.cos_psi, 0};
-  const double along_unit = 1 / point.stretch, across_unit = point.stretch, stretched = grid_.stretched;
-  const double l_by[3][3] = {
-      {-along_unit, 0, 0}, {0, -across_unit, -point.c23}, {0, point.c32 * across_unit, -point.c33}};
-  const double l_ratio[3] = {stretched * along_unit * e_r[0],
-                             -stretched * across_unit * e_r[1] - point.c23_rate * e_r[2],
-                             (point.c32_rate + stretched * point.c32) * across_unit * e_r[1] - point.c33_rate * e_r[2]};
   const double first = half_magnitude * s * (1 - s), first_s = half_magnitude * (1 - 2 * s);
   for (std::size_t i = 0; i < 3; ++i) {
     const double sign = share * (i == 0 ? 1 : point.side);
-    const double l = l_by[i][0] * e_r[0] + l_by[i][1] * e_r[1] + l_by[i][2] * e_r[2];
-    const double by_s = first_s * l + 2 * s * q.q[i] + s * s * q.magnitude[i];
-    double along = first * l_ratio[i] + s * s * q.ratio[i];
+    const double *const l_by = point.by_v[i], *const l_ratio = point.by_v_ratio[i];
+    const double l = l_by[0] * e_r[0] + l_by[1] * e_r[1] + l_by[2] * e_r[2];
+    double by_s = first_s * l + 2 * s * q.q[i] + s * s * q.magnitude[i];
+    double along = first * (l_ratio[0] * e_r[0] + l_ratio[1] * e_r[1] + l_ratio[2] * e_r[2]) + s * s * q.ratio[i];
+    if (i == 0) by_s -= 2 * s * point.at_rest, along += (1 - s * s) * point.at_rest_ratio;
     for (std::size_t k = 0; k < 3; ++k) {
       const double by_v =
           by_s * point.w / (total * total) * e_r[k] +
-          (first * (l_by[i][k] - l * e_r[k]) + s * s * (q.angle[i] * e_angle[k] + q.turned[i] * e_direction[k])) /
-              point.r;
+          (first * (l_by[k] - l * e_r[k]) + s * s * (q.angle[i] * e_angle[k] + q.turned[i] * e_direction[k])) / point.r;
       along += by_v * point.v[k] * point.scale_rate[k];
       point.by_creepage[i][k] += sign * by_v * (k == 0 ? 1 : point.side) * point.scale[k];
     }
@@ -275,41 +296,30 @@ void CreepTable::add_rates(double share, const Sums& q, Point& point) const {
   }
 }
 
-// Linear between two planes.
 template <bool rates>
-CreepTable::Point CreepTable::at_poisson(const TableInput& in) const {
-  const std::vector<double>& nu = grid_.poisson;
-  std::size_t upper = 0;
-  while (upper + 1 < nu.size() && nu[upper] < in.poisson) ++upper;
-  const double share =
-      upper > 0 ? std::clamp((in.poisson - nu[upper - 1]) / (nu[upper] - nu[upper - 1]), 0.0, 1.0) : 1.0;
+CreepTable::Point CreepTable::between_planes(const TableInput& in) const {
+  const bool by_friction = grid_.unlike();
+  const PlaneWeights planes =
+      by_friction ? plane_weights(log_friction_, std::log(in.friction)) : plane_weights(grid_.poisson, in.poisson);
   Point point{};
-  add_plane<rates>(upper, share, in, point);
-  const bool between = share < 1;
-  if (!between && !(rates && nu.size() > 1)) return point;
-  // Of a plane itself, the other one counts in the derivative alone.
-  const std::size_t other = upper > 0 ? upper - 1 : 1;
-  double of_upper[3], of_other[3];
-  std::copy_n(point.f, 3, of_upper);
-  if (between) {
-    std::fill_n(point.f, 3, 0.0);
-    add_plane<rates>(other, 1 - share, in, point);
-    std::copy_n(point.f, 3, of_other);
-    for (std::size_t i = 0; i < 3; ++i) point.f[i] += of_upper[i];
-  } else {
-    Point there{};
-    add_plane<false>(other, 1, in, there);
-    std::copy_n(there.f, 3, of_other);
+  for (std::int64_t i = 0; i < planes.count; ++i) {
+    const double share = planes.value[i], slope = planes.slope[i];
+    const std::size_t plane = at(planes.first + i);
+    // A plane without a share counts in the derivative alone.
+    if (share != 0)
+      add_plane<rates>(plane, share, in, point);
+    else if (rates && slope != 0)
+      add_plane<false>(plane, 0, in, point);
+    else
+      continue;
+    for (std::size_t k = 0; k < 3; ++k) point.by_plane[k] += slope * point.own[k];
   }
-  const double other_share = between ? 1 - share : 1;
-  for (std::size_t i = 0; i < 3; ++i)
-    point.by_poisson[i] = (of_upper[i] / share - of_other[i] / other_share) / (nu[upper] - nu[other]);
   return point;
 }
 
 void CreepTable::evaluate(const TableInput& in, std::int64_t entry, double* result, double* derivative) const {
   check(in, entry);
-  const Point point = derivative ? at_poisson<true>(in) : at_poisson<false>(in);
+  const Point point = derivative ? between_planes<true>(in) : between_planes<false>(in);
   // Bent to the limit of friction.
   const double size = std::hypot(point.f[0], point.f[1]);
   double slope = 1;
@@ -325,8 +335,9 @@ void CreepTable::evaluate(const TableInput& in, std::int64_t entry, double* resu
   for (std::size_t i = 0; i < 3; ++i) {
     const double by_size = point.by_w[i] * point.w, by_length = point.by_creepage[i][2] * in.spin / 2;
     rate[0][i] = -by_size / in.shear;
-    rate[1][i] = point.by_poisson[i];
-    rate[2][i] = in.friction > 0 ? by_size / in.friction : 0;
+    // Of unlike bodies planes lie along the logarithm of friction, and Poisson's ratio is the pair's.
+    rate[1][i] = grid_.unlike() ? 0 : point.by_plane[i];
+    rate[2][i] = in.friction > 0 ? (by_size + (grid_.unlike() ? point.by_plane[i] : 0)) / in.friction : 0;
     rate[3][i] = (point.by_ratio[i] - by_size + by_length) / in.a;
     rate[4][i] = (-point.by_ratio[i] - by_size + by_length) / in.b;
     rate[5][i] = in.load > 0 ? by_size / in.load : 0;

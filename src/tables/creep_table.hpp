@@ -1,31 +1,14 @@
 #pragma once
-/// Creep-force tables: forces and spin moment of Hertzian steady rolling of bodies with equal elastic constants, from
-/// splines through solved cases (docs/tables.md).
+/// Creep-force tables: forces and spin moment of Hertzian steady rolling, from splines through solved cases
+/// (docs/tables.md).
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "tables/table_grid.hpp"
+
 namespace rollcon {
-
-/// How fine a table is. Coordinates: logarithm of the ratio of semi-axes; magnitude s = r / (r + 3) of the creepages,
-/// r being the force over mu Fn of linear theory, nearly; angle from pure spin (0) to no spin; direction of the
-/// translational creepage.
-struct TableGrid {
-  std::int64_t ratios = 12, magnitudes = 18, angles = 16;  ///< intervals
-  std::int64_t directions = 16;                            ///< even: samples of half a turn, harmonics + 1
-  double least_ratio = 1.0 / 25, greatest_ratio = 25;
-  /// Of the coarser of two frames of strips under a circle (frame_of).
-  std::int64_t along = 12, across = 10;
-  std::vector<double> poisson{0.28, 0.3};  ///< ascending
-  /// Creepages count as C11 stretch, C22 / stretch, and C22 spin_scale sqrt(a b) of spin; this is the logarithm of
-  /// stretch over that of the ratio. Under long ellipses forces turn where the pole of sliding moves by the shorter
-  /// semi-axis: directions are spread there.
-  double stretched = 0.15;
-
-  double stretch(double log_ratio) const;
-  double spin_scale(double log_ratio) const;
-};
 
 /// What a table is asked, in one consistent set of units.
 struct TableInput {
@@ -48,32 +31,48 @@ class CreepTable {
   void save(const std::string& path) const;
   static CreepTable load(const std::string& path);
 
-  /// Numbers of one sum over harmonics: of both forces and the moment.
-  std::int64_t row() const { return 3 * grid_.directions; }
-
  private:
   struct Point;
   struct Sums;
   void check(const TableInput& input, std::int64_t entry) const;
-  /// Adds the share of one Poisson's ratio to the point's results. rates: with derivatives.
+  /// Adds the share of one plane to the point's results, and leaves its own in `own`. rates: with derivatives.
   template <bool rates>
   void add_plane(std::size_t plane, double share, const TableInput& input, Point& point) const;
   template <bool rates>
-  Point at_poisson(const TableInput& input) const;
-  /// At rest: linear theory.
+  Point between_planes(const TableInput& input) const;
+  void find_linear_theory(std::size_t plane, const TableInput& input, double log_ratio, Point& point) const;
+  template <bool rates>
+  void sum_harmonics(std::size_t plane, Point& point, Sums& sums) const;
   void add_rates_at_rest(double share, Point& point) const;
   void add_rates(double share, const Sums& q, Point& point) const;
 
   TableGrid grid_;
-  /// By plane of poisson, ratio, magnitude and angle; then harmonics of Fx, Fy and Mz.
+  std::vector<double> log_friction_;  ///< of the planes of unlike bodies
+  /// By plane, ratio, magnitude and angle; then of Fx, Fy and Mz by parity the harmonics.
   std::vector<float> coefficient_;
-  /// By plane and ratio: logarithms of C11, C22; C23 and C33 over the scale of spin, C32 / C22.
+  /// By plane and ratio: LinearNumber.
   std::vector<double> linear_;
 
   friend class TableFit;
 };
 
-constexpr std::size_t linear_numbers = 5;
+/// What linear theory says, by plane and ratio; the last three of unlike bodies alone. Cij are derivatives at rest over
+/// G a b, lengths over sqrt(a b), `of` being those of like bodies, which scale the creepages.
+enum LinearNumber : std::size_t {
+  log_c11_of,
+  log_c22_of,
+  c23_by_spin,  ///< over C22 of and the scale of spin
+  c33_by_spin,
+  c32_by_c22,
+  c11_by_of,
+  c22_by_of,
+  force_at_rest,  ///< Fx over mu Fn
+  most_linear_numbers
+};
+constexpr std::size_t like_linear_numbers = c11_by_of;
+inline std::size_t linear_numbers(const TableGrid& grid) {
+  return grid.unlike() ? most_linear_numbers : like_linear_numbers;
+}
 
 /// Magnitude s of creepages.
 constexpr double half_magnitude = 3;  ///< r of s = 1/2

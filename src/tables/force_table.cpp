@@ -18,6 +18,9 @@
 namespace rollcon {
 namespace {
 
+/// Difference of (1 - 2 nu) / (2 G) over the mean of 1 / G that makes no difference.
+constexpr double alike = 1e-6;
+
 void require_between(std::int64_t value, const char* name, std::int64_t low, std::int64_t high) {
   if (value < low || value > high)
     fail(Status::err_argument, "%s is %lld; allowed: %lld to %lld", name, static_cast<long long>(value),
@@ -106,7 +109,40 @@ void ForceTable::set_poissons(std::int64_t n, const double* poisson) {
       fail(Status::err_argument, "entry %lld (counting from 0) of poisson is %g; allowed: -1 to 0.5, ascending",
            static_cast<long long>(i), poisson[i]);
   }
+  grid_.pair = {};
   grid_.poisson.assign(poisson, poisson + n);
+}
+
+void ForceTable::set_bodies(const double* young, const double* poisson, std::int64_t n, const double* friction) {
+  require_free();
+  require_pointer(young, "youngs");
+  require_pointer(poisson, "poissons");
+  UnlikePair pair;
+  for (std::size_t i = 0; i < 2; ++i) {
+    require_finite(young[i], "young");
+    require_finite(poisson[i], "poisson");
+    if (!(young[i] >= 0))
+      fail(Status::err_argument, "young of body %zu is %g; allowed: above 0, or 0 for a rigid body", i + 1, young[i]);
+    if (!(poisson[i] > -1 && poisson[i] <= 0.5))
+      fail(Status::err_argument, "poisson of body %zu is %g; allowed: -1 to 0.5", i + 1, poisson[i]);
+    pair.flexibility[i] = young[i] > 0 ? 2 * (1 + poisson[i]) / young[i] : 0;
+    pair.poisson[i] = poisson[i];
+  }
+  if (young[0] == 0 && young[1] == 0) fail(Status::err_argument, "both bodies are rigid; allowed: one of them");
+  const double mean = (pair.flexibility[0] + pair.flexibility[1]) / 2;
+  for (double& flexibility : pair.flexibility) flexibility /= mean;
+  require_between(n, "n", 1, 16);
+  require_pointer(friction, "frictions");
+  for (std::int64_t i = 0; i < n; ++i) {
+    require_finite(friction[i], "frictions");
+    if (!(friction[i] > 0 && friction[i] <= 10) || (i > 0 && !(friction[i] > friction[i - 1])))
+      fail(Status::err_argument, "entry %lld (counting from 0) of frictions is %g; allowed: above 0 to 10, ascending",
+           static_cast<long long>(i), friction[i]);
+  }
+  grid_.poisson = {pair.mean_poisson()};
+  // Where pressure strains both alike, friction counts as in a table of like bodies.
+  if (std::abs(pair.strained()) > alike) pair.friction.assign(friction, friction + n);
+  grid_.pair = std::move(pair);
 }
 
 void ForceTable::set_progress(ProgressFunction function, void* user) {
@@ -176,6 +212,19 @@ void ForceTable::evaluate(std::int64_t n, const double* input, double* result, d
     ready.evaluate({v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8]}, i, result + 3 * i,
                    derivative ? derivative + 27 * i : nullptr);
   }
+}
+
+void ForceTable::evaluate(const EquivalentEllipse& contact, double* result) const {
+  const EquivalentEllipse& c = contact;
+  const TableGrid& grid = table().grid();
+  TableInput input{c.shear, c.poisson, c.friction, c.a, c.b, c.load, c.creepage[0], c.creepage[1], c.creepage[2]};
+  if (!grid.unlike())
+    input.longitudinal += strain_creepage(c.strained, c.load, c.a, c.b);
+  else if (std::abs(c.strained * c.shear - grid.pair.strained()) > alike)
+    fail(Status::err_argument,
+         "(1 - 2 nu)/(2 G) of body 1 less that of body 2 is %g over the mean of 1/G; the table's bodies have %g",
+         c.strained * c.shear, grid.pair.strained());
+  table().evaluate(input, 0, result, nullptr);
 }
 
 void ForceTable::save(const std::string& path) const {

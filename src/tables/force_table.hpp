@@ -24,6 +24,8 @@ class ForceTable {
   void set_resolution(std::int32_t magnitudes, std::int32_t angles, std::int32_t directions);
   void set_frame(std::int32_t along, std::int32_t across);
   void set_poissons(std::int64_t n, const double* poisson);
+  /// Of two bodies; young 0: rigid.
+  void set_bodies(const double* young, const double* poisson, std::int64_t n, const double* friction);
 
   void set_progress(ProgressFunction function, void* user);
   /// Any thread.
@@ -37,6 +39,10 @@ class ForceTable {
 
   /// Any thread. err_state without a table.
   void evaluate(std::int64_t n, const double* input, double* result, double* derivative) const;
+  /// Of the Hertzian contact that stands for a contact of two bodies: forces and moment about its centre. Where a table
+  /// of like bodies is asked about unlike ones, the mean strain under the pressure counts as creepage; where a table of
+  /// unlike bodies is asked about others, err_argument.
+  void evaluate(const EquivalentEllipse& contact, double* result) const;
   void save(const std::string& path) const;
   /// err_state without a table.
   void require_made() const { table(); }

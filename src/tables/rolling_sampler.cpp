@@ -10,7 +10,9 @@
 namespace rollcon {
 namespace {
 
-constexpr double friction = 0.3, curvature = 1e-3;
+/// No matter between like bodies.
+constexpr double usual_friction = 0.3;
+constexpr double curvature = 1e-3;
 
 /// Curvatures whose ellipse has this ratio of semi-axes, a along the first.
 QuadraticGap gap_of(double ratio, double modulus) {
@@ -30,18 +32,33 @@ QuadraticGap gap_of(double ratio, double modulus) {
 
 RollingSampler::RollingSampler(double ratio, double poisson, std::int64_t along, std::int64_t across, bool fine)
     : context_(std::make_shared<Context>()) {
+  make(ratio, {{1, 1}, {poisson, poisson}, {}}, usual_friction, along, across, fine);
+}
+
+RollingSampler::RollingSampler(double ratio, const UnlikePair& pair, double friction, std::int64_t along,
+                               std::int64_t across)
+    : context_(std::make_shared<Context>()) {
+  make(ratio, pair, friction, along, across, true);
+}
+
+void RollingSampler::make(double ratio, const UnlikePair& pair, double friction, std::int64_t along,
+                          std::int64_t across, bool fine) {
   context_->set_threads(1);
-  const double modulus = 1 / (1 - poisson);  // E* of equal bodies of shear modulus 1
+  const double modulus = 1 / (1 - pair.mean_poisson());  // E* of bodies whose mean of 1 / G is 1
   const QuadraticGap gap = gap_of(ratio, modulus);
   const HertzContact unit = hertz_by_load(gap, modulus, 1);
   const double load = std::pow(unit.larger * unit.smaller, -1.5);
   bound_ = friction * load;
   std::shared_ptr<Body> body[2];
-  for (auto& b : body) {
-    b = std::make_shared<Body>(context_, static_cast<std::int32_t>(BodyKind::halfspace));
-    b->set_elastic(0, 2 * (1 + poisson), poisson);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double flexibility = pair.flexibility[i], poisson = pair.poisson[i];
+    const BodyKind kind = flexibility > 0 ? BodyKind::halfspace : BodyKind::rigid;
+    body[i] = std::make_shared<Body>(context_, static_cast<std::int32_t>(kind));
+    if (flexibility > 0) body[i]->set_elastic(0, 2 * (1 + poisson) / flexibility, poisson);
   }
-  const double a = std::sqrt(ratio);
+  // Dundurs' beta, for half-spaces.
+  const double stretch = stretch_by_friction(pair.strained() * modulus / 2, friction);
+  const double a = stretch * std::sqrt(ratio), b = stretch / std::sqrt(ratio);
   for (const std::int64_t finer : {2, 1}) {
     if (finer == 2 && !fine) continue;
     auto contact = std::make_unique<Contact>(context_, body[0], body[1]);
@@ -49,7 +66,7 @@ RollingSampler::RollingSampler(double ratio, double poisson, std::int64_t along,
     scene.set_gap_quadratic(gap.a, gap.b, gap.c);
     scene.set_friction("coulomb", 1, &friction);
     scene.prescribe(static_cast<std::int32_t>(Direction::normal), static_cast<std::int32_t>(How::by_force), load);
-    scene.set_made_frame(strips_mesh({}, strips_of_ellipse(a, 1 / a, 0, finer * across), finer * along), true, true);
+    scene.set_made_frame(strips_mesh({}, strips_of_ellipse(a, b, 0, finer * across), finer * along), true, true);
     (finer == 2 ? fine_ : coarse_) = std::move(contact);
   }
 }

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "contact/contact.hpp"
+#include "tables/table_grid.hpp"
 
 namespace rollcon {
 
@@ -13,6 +14,8 @@ class RollingSampler {
  public:
   /// Semi-axes sqrt(ratio) and 1 / sqrt(ratio), equal bodies of shear modulus 1. fine: with the finer frame.
   RollingSampler(double ratio, double poisson, std::int64_t along, std::int64_t across, bool fine = true);
+  /// Unlike bodies whose flexibilities have the mean 1.
+  RollingSampler(double ratio, const UnlikePair& pair, double friction, std::int64_t along, std::int64_t across);
   /// Forces and moment over mu Fn.
   struct Forces {
     std::array<double, 3> extrapolated, coarse;  ///< the same without the finer frame
@@ -23,6 +26,7 @@ class RollingSampler {
   void reset();
 
  private:
+  void make(double ratio, const UnlikePair& pair, double friction, std::int64_t along, std::int64_t across, bool fine);
   std::array<double, 3> solve_on(Contact& contact, const std::array<double, 3>& creepage);
 
   double bound_ = 0;  ///< mu Fn

@@ -1,5 +1,7 @@
-/// Tables to and from files. Sections: "grid", how fine the table is; "linear" and "spline", its coefficients.
+/// Tables to and from files. Sections: "grid", how fine the table is, where its planes are, and of unlike bodies their
+/// constants; "linear" and "spline", its coefficients.
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -35,9 +37,28 @@ bool sound(const GridRecord& g) {
 }
 
 /// Of its splines alone; nothing is allocated for a file that is smaller.
-std::uint64_t bytes_of(const GridRecord& g) {
-  const std::int64_t numbers = g.planes * (g.ratios + 3) * (g.magnitudes + 3) * (g.angles + 3) * 3 * g.directions;
+std::uint64_t bytes_of(const GridRecord& g, std::int64_t parities) {
+  const std::int64_t numbers =
+      g.planes * (g.ratios + 3) * (g.magnitudes + 3) * (g.angles + 3) * 3 * parities * g.directions;
   return static_cast<std::uint64_t>(numbers) * sizeof(float);
+}
+
+/// Of the section "grid", after the planes; of unlike bodies alone.
+struct PairRecord {
+  double flexibility[2], poisson[2];
+};
+
+bool sound(const PairRecord& pair) {
+  const auto elastic = [](double nu) { return nu > -1 && nu <= 0.5; };
+  return pair.flexibility[0] >= 0 && pair.flexibility[1] >= 0 &&
+         std::abs(pair.flexibility[0] + pair.flexibility[1] - 2) < 1e-9 && elastic(pair.poisson[0]) &&
+         elastic(pair.poisson[1]);
+}
+
+void take(const PairRecord& record, TableGrid& grid) {
+  std::copy_n(record.flexibility, 2, grid.pair.flexibility);
+  std::copy_n(record.poisson, 2, grid.pair.poisson);
+  grid.poisson = {grid.pair.mean_poisson()};
 }
 
 template <class T>
@@ -60,13 +81,18 @@ void CreepTable::save(const std::string& path) const {
                           grid_.directions,
                           grid_.along,
                           grid_.across,
-                          static_cast<std::int64_t>(grid_.poisson.size()),
+                          static_cast<std::int64_t>(grid_.planes().size()),
                           grid_.least_ratio,
                           grid_.greatest_ratio,
                           grid_.stretched};
   file.begin("grid");
   file.write(&record, sizeof record);
-  file.write(grid_.poisson.data(), grid_.poisson.size() * sizeof(double));
+  file.write(grid_.planes().data(), grid_.planes().size() * sizeof(double));
+  if (grid_.unlike()) {
+    const UnlikePair& p = grid_.pair;
+    const PairRecord pair{{p.flexibility[0], p.flexibility[1]}, {p.poisson[0], p.poisson[1]}};
+    file.write(&pair, sizeof pair);
+  }
   file.begin("linear");
   file.write(linear_.data(), linear_.size() * sizeof(double));
   file.begin("spline");
@@ -80,7 +106,11 @@ CreepTable CreepTable::load(const std::string& path) {
   GridRecord record{};
   file.read(&record, sizeof record);
   if (!sound(record)) file.fail_here("the table's size is out of range");
-  if (std::filesystem::file_size(path) < bytes_of(record)) file.fail_here("the file is shorter than its table");
+  const std::uint64_t of_planes = static_cast<std::uint64_t>(record.planes) * sizeof(double);
+  const bool unlike = file.left() == of_planes + sizeof(PairRecord);
+  if (!unlike && file.left() != of_planes) file.fail_here("the section has another length");
+  if (std::filesystem::file_size(path) < bytes_of(record, unlike ? 2 : 1))
+    file.fail_here("the file is shorter than its table");
   TableGrid grid;
   grid.ratios = record.ratios;
   grid.magnitudes = record.magnitudes;
@@ -91,15 +121,21 @@ CreepTable CreepTable::load(const std::string& path) {
   grid.least_ratio = record.least_ratio;
   grid.greatest_ratio = record.greatest_ratio;
   grid.stretched = record.stretched;
-  grid.poisson.resize(at(record.planes));
-  if (file.left() != grid.poisson.size() * sizeof(double)) file.fail_here("the section has another length");
-  file.read(grid.poisson.data(), grid.poisson.size() * sizeof(double));
-  file.end();
-  double last = -1;
-  for (const double nu : grid.poisson) {
-    if (!(nu > last && nu <= 0.5)) file.fail_here("Poisson's ratios are out of order or range");
-    last = nu;
+  std::vector<double>& plane = unlike ? grid.pair.friction : grid.poisson;
+  plane.resize(at(record.planes));
+  file.read(plane.data(), of_planes);
+  double last = unlike ? 0 : -1;
+  for (const double v : plane) {
+    if (!(v > last && v <= (unlike ? 10 : 0.5))) file.fail_here("the table's planes are out of order or range");
+    last = v;
   }
+  if (unlike) {
+    PairRecord pair{};
+    file.read(&pair, sizeof pair);
+    if (!sound(pair)) file.fail_here("the bodies' constants are out of range");
+    take(pair, grid);
+  }
+  file.end();
   CreepTable table(std::move(grid));
   read_all(file, "linear", table.linear_);
   read_all(file, "spline", table.coefficient_);

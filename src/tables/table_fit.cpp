@@ -13,8 +13,6 @@
 
 namespace rollcon {
 
-/// Harmonic h of Fx: cos of odd multiples of the direction, sin of even ones; of Fy and Mz the other way round. That is
-/// what mirror images across both axes leave.
 class TableFit {
  public:
   TableFit(const TableGrid& grid, const std::vector<double>& sample)
@@ -23,23 +21,23 @@ class TableFit {
         sample_(sample),
         nodes_s_(grid.magnitudes + 1),
         nodes_a_(grid.angles + 1),
-        row_(3 * grid.directions) {}
+        row_(grid.row()) {}
 
   CreepTable fit() {
     for (const double v : sample_)
       if (!std::isfinite(v)) fail(Status::err_state, "samples of the table are missing: solve all parts");
     CreepTable table(grid_);
     const std::int64_t per_plane = (grid_.ratios + 3) * (grid_.magnitudes + 3) * (grid_.angles + 3) * row_;
-    for (std::size_t p = 0; p < grid_.poisson.size(); ++p) {
+    for (std::size_t p = 0; p < grid_.planes().size(); ++p) {
       std::vector<double> value = harmonics(static_cast<std::int64_t>(p));
       value = along_angles(value);
       value = along_magnitudes(value);
       value = along_ratios(value, per_plane / (grid_.ratios + 3));
       std::transform(value.begin(), value.end(), table.coefficient_.begin() + static_cast<std::int64_t>(p) * per_plane,
                      [](double v) { return static_cast<float>(v); });
-      const std::vector<double> linear = along_ratios(linear_of(static_cast<std::int64_t>(p)), linear_numbers);
+      const std::vector<double> linear = along_ratios(linear_of(static_cast<std::int64_t>(p)), layout_.numbers);
       std::copy(linear.begin(), linear.end(),
-                table.linear_.begin() + static_cast<std::int64_t>(p * linear_numbers) * (grid_.ratios + 3));
+                table.linear_.begin() + static_cast<std::int64_t>(p) * layout_.numbers * (grid_.ratios + 3));
     }
     return table;
   }
@@ -53,8 +51,12 @@ class TableFit {
     std::vector<double> v;
     for (std::int64_t i = 0; i <= grid_.ratios; ++i) {
       const double* c = plane(p, i);
-      const double spin = c[1] * grid_.spin_scale(log_ratio_of(grid_, i));
-      v.insert(v.end(), {std::log(c[0]), std::log(c[1]), c[2] / spin, c[4] / spin, c[3] / c[1]});
+      const double spin = c[sampled_c22] * grid_.spin_scale(log_ratio_of(grid_, i));
+      v.insert(v.end(), {std::log(c[sampled_c11]), std::log(c[sampled_c22]), c[sampled_c23] / spin,
+                         c[sampled_c33] / spin, c[sampled_c32] / c[sampled_c22]});
+      if (grid_.unlike())
+        v.insert(v.end(),
+                 {c[sampled_own_c11] / c[sampled_c11], c[sampled_own_c22] / c[sampled_c22], c[sampled_at_rest]});
     }
     return v;
   }
@@ -63,19 +65,19 @@ class TableFit {
   void remainder(std::int64_t p, std::int64_t ratio, std::int64_t angle, std::int64_t direction,
                  std::vector<double>& q) const {
     const double* c = plane(p, ratio);
-    const double theta = angle_of(grid_, angle), psi = angle == 0 ? 0 : direction_of(grid_, direction);
-    const double x = std::sin(theta) * std::cos(psi), y = std::sin(theta) * std::sin(psi), z = std::cos(theta);
-    const double spin = c[1] * grid_.spin_scale(log_ratio_of(grid_, ratio)),
-                 turn = grid_.stretch(log_ratio_of(grid_, ratio));
-    const double creepage[3] = {x / (c[0] * turn), y * turn / c[1], z / spin};
-    const double linear[3] = {-c[0] * creepage[0], -c[1] * creepage[1] - c[2] * creepage[2],
-                              c[3] * creepage[1] - c[4] * creepage[2]};
-    const std::int64_t chain = angle == 0 ? 0 : 1 + (angle - 1) * grid_.directions + direction;
-    const double* f = c + linear_numbers + chain * layout_.chain;
+    const auto creepage = unit_creepages(grid_, log_ratio_of(grid_, ratio), angle_of(grid_, angle),
+                                         angle == 0 ? 0 : direction_of(grid_, direction), c);
+    const bool unlike = grid_.unlike();
+    const double linear[3] = {-c[unlike ? sampled_own_c11 : sampled_c11] * creepage[0],
+                              -c[unlike ? sampled_own_c22 : sampled_c22] * creepage[1] - c[sampled_c23] * creepage[2],
+                              c[sampled_c32] * creepage[1] - c[sampled_c33] * creepage[2]};
+    const double at_rest[3] = {unlike ? c[sampled_at_rest] : 0, 0, 0};
+    const std::int64_t chain = angle == 0 ? 0 : 1 + (angle - 1) * grid_.samples_around() + direction;
+    const double* f = c + layout_.numbers + chain * layout_.chain;
     q.resize(at(3 * nodes_s_));
     for (std::int64_t i = 1; i <= grid_.magnitudes; ++i) {
       std::array<double, 3> force{};
-      if (i < grid_.magnitudes)
+      if (i <= grid_.samples_along())
         std::copy_n(f + 3 * (i - 1), 3, force.begin());
       else
         sliding_limit(std::exp(log_ratio_of(grid_, ratio)), creepage, force.data());
@@ -84,7 +86,7 @@ class TableFit {
       force[1] *= scale;
       const double s = magnitude_of(grid_, i);
       for (std::size_t k = 0; k < 3; ++k)
-        q[3 * at(i) + k] = (force[k] - half_magnitude * s * (1 - s) * linear[k]) / (s * s);
+        q[3 * at(i) + k] = (force[k] - (1 - s * s) * at_rest[k] - half_magnitude * s * (1 - s) * linear[k]) / (s * s);
     }
     // Nothing is known of it at 0, where it counts for nothing.
     for (std::size_t k = 0; k < 3; ++k) q[k] = 3 * q[3 + k] - 3 * q[6 + k] + q[9 + k];
@@ -96,7 +98,7 @@ class TableFit {
     std::vector<double> value(at(nodes * row_), 0.0), q;
     for (std::int64_t ratio = 0; ratio <= grid_.ratios; ++ratio)
       for (std::int64_t angle = 0; angle <= grid_.angles; ++angle)
-        for (std::int64_t k = 0; k < (angle == 0 ? 1 : grid_.directions); ++k) {
+        for (std::int64_t k = 0; k < (angle == 0 ? 1 : grid_.samples_around()); ++k) {
           remainder(p, ratio, angle, k, q);
           for (std::int64_t i = 0; i < nodes_s_; ++i)
             add(angle, k, &q[at(3 * i)], &value[at(((ratio * nodes_s_ + i) * nodes_a_ + angle) * row_)]);
@@ -104,22 +106,30 @@ class TableFit {
     return value;
   }
 
+  /// Of a row: component, parity and harmonic.
+  struct Place {
+    std::int64_t i, parity, h;
+  };
+  Place place(std::int64_t k) const {
+    const std::int64_t n = grid_.directions, parities = grid_.parities();
+    return {k / (n * parities), k / n % parities, k % n};
+  }
+  /// The same with the spin turned round, as without spin.
+  static bool even_in_spin(const Place& at) { return (at.h % 2 != 0) == (at.parity == 0); }
+
   void add(std::int64_t angle, std::int64_t direction, const double* f, double* row) const {
-    const std::int64_t n = grid_.directions;
-    if (angle == 0) {  // pure spin: no direction
-      row[n] = f[1];
-      row[2 * n] = f[2];
-      return;
-    }
-    const double psi = direction_of(grid_, direction);
-    for (std::int64_t h = 0; h < n; ++h) {
-      const double part = (h == 0 ? 1.0 : 2.0) / static_cast<double>(n);
-      const double c = std::cos(static_cast<double>(h) * psi), s = std::sin(static_cast<double>(h) * psi);
-      const bool odd = h % 2 != 0;
-      if (angle == grid_.angles && !odd) continue;  // these vanish without spin
-      row[h] += part * f[0] * (odd ? c : s);
-      row[n + h] += part * f[1] * (odd ? s : c);
-      row[2 * n + h] += part * f[2] * (odd ? s : c);
+    const double psi = angle == 0 ? 0 : direction_of(grid_, direction);
+    for (std::int64_t k = 0; k < row_; ++k) {
+      const Place p = place(k);
+      const bool cosine = is_cosine(p.i, p.parity, p.h);
+      if (angle == 0) {  // pure spin: no direction
+        if (p.h == 0 && cosine) row[k] = f[p.i];
+        continue;
+      }
+      if (angle == grid_.angles && !even_in_spin(p)) continue;
+      const double part = (p.h == 0 ? 1.0 : 2.0) / static_cast<double>(grid_.samples_around());
+      const double turned = static_cast<double>(p.h) * psi;
+      row[k] += part * f[p.i] * (cosine ? std::cos(turned) : std::sin(turned));
     }
   }
 
@@ -140,11 +150,11 @@ class TableFit {
   /// Smooth through pure spin as functions of both translational creepages, and where spin changes its sign.
   std::vector<double> along_angles(const std::vector<double>& value) const {
     using enum SplineEnd;
-    const SplineFit even(grid_.angles, flat, flat), even_odd(grid_.angles, flat, straight),
-        odd(grid_.angles, straight, flat);
+    const SplineFit fit[2][2] = {{{grid_.angles, flat, straight}, {grid_.angles, flat, flat}},
+                                 {{grid_.angles, straight, straight}, {grid_.angles, straight, flat}}};
     const auto fit_of = [&](std::int64_t k) -> const SplineFit& {
-      const std::int64_t h = k % grid_.directions;
-      return h == 1 ? odd : h % 2 != 0 ? even : even_odd;
+      const Place p = place(k);
+      return fit[p.h == 1 ? 1 : 0][even_in_spin(p) ? 1 : 0];
     };
     return along(value, (grid_.ratios + 1) * nodes_s_, nodes_a_, row_, fit_of);
   }

@@ -1,10 +1,11 @@
 #pragma once
 /// Solved cases that a table goes through.
 ///
-/// For each Poisson's ratio and ratio of semi-axes: C11, C22, C23, C32, C33; then chains of magnitudes 1 .. magnitudes
-/// - 1 with Fx, Fy and Mz over mu Fn: one chain of pure spin, then for angles 1 .. angles each direction. NaN: not yet
-/// solved.
+/// For each plane (TableGrid::planes) and ratio of semi-axes: numbers of linear theory (SampledNumber); then chains of
+/// magnitudes 1 .. magnitudes - 1 (unlike bodies: to magnitudes, where all slides) with Fx, Fy and Mz over mu Fn: one
+/// chain of pure spin, then for angles 1 .. angles each direction. NaN: not yet solved.
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -12,10 +13,24 @@
 
 namespace rollcon {
 
+/// Derivatives at rest over G a b, lengths over sqrt(a b); the last three of unlike bodies alone: C11 and C22 then are
+/// those of like ones.
+enum SampledNumber : std::size_t {
+  sampled_c11,
+  sampled_c22,
+  sampled_c23,
+  sampled_c32,
+  sampled_c33,
+  sampled_own_c11,
+  sampled_own_c22,
+  sampled_at_rest
+};
+
 struct SampleLayout {
   explicit SampleLayout(const TableGrid& grid);
-  std::int64_t planes, chains, chain;  ///< planes: of Poisson's ratio and ratio; numbers of a chain
-  std::int64_t plane() const { return static_cast<std::int64_t>(linear_numbers) + chains * chain; }
+  std::int64_t planes, chains, chain;  ///< of all ratios; numbers of a chain
+  std::int64_t numbers;                ///< of linear theory
+  std::int64_t plane() const { return numbers + chains * chain; }
   std::int64_t size() const { return planes * plane(); }
 };
 
@@ -23,6 +38,10 @@ double log_ratio_of(const TableGrid& grid, std::int64_t ratio);
 double angle_of(const TableGrid& grid, std::int64_t angle);
 double magnitude_of(const TableGrid& grid, std::int64_t magnitude);
 double direction_of(const TableGrid& grid, std::int64_t direction);
+
+/// Creepages over mu Fn / (G a b) of magnitude r = 1; linear: SampledNumber.
+std::array<double, 3> unit_creepages(const TableGrid& grid, double log_ratio, double angle, double direction,
+                                     const double* linear);
 
 /// Solves part `part` of `parts` of the samples that are not there yet, over threads. May throw Cancelled: what was
 /// solved stays.
@@ -37,6 +56,6 @@ struct StripsSize {
 StripsSize frame_of(const TableGrid& grid, double ratio);
 
 /// Forces and moment over mu Fn, lengths over sqrt(a b), of bodies that slide and spin as rigid ones.
-void sliding_limit(double ratio, const double (&creepage)[3], double* force);
+void sliding_limit(double ratio, const std::array<double, 3>& creepage, double* force);
 
 }  // namespace rollcon

@@ -92,6 +92,16 @@ void PatchContact::solve_on_frame(const LatticeSize& size) {
   }
 }
 
+namespace {
+
+/// Frictional power over speed. What pressure strains one body more than the other is slip, too.
+double power_of(const Vec3& own, const EquivalentEllipse& e) {
+  const double longitudinal = e.creepage[0] + strain_creepage(e.strained, e.load, e.a, e.b);
+  return -(own[0] * longitudinal + own[1] * e.creepage[1] + own[2] * e.creepage[2]);
+}
+
+}  // namespace
+
 // False: the table does not have this patch.
 bool PatchContact::take_table_results(const PatchFriction& friction) {
   Vec3 force{}, moment{}, own{};
@@ -104,12 +114,10 @@ bool PatchContact::take_table_results(const PatchFriction& friction) {
     return true;
   }
   try {
-    const EquivalentEllipse e = contact_->equivalent_ellipse();
-    const double input[table_inputs] = {e.shear, e.poisson,     friction.mu,   e.a,          e.b,
-                                        e.load,  e.creepage[0], e.creepage[1], e.creepage[2]};
-    friction.table->evaluate(1, input, own.data(), nullptr);
-    now_.table_power =
-        -contact_->stat("rolling_speed") * (own[0] * e.creepage[0] + own[1] * e.creepage[1] + own[2] * e.creepage[2]);
+    EquivalentEllipse e = contact_->equivalent_ellipse();
+    e.friction = friction.mu;
+    friction.table->evaluate(e, own.data());
+    now_.table_power = contact_->stat("rolling_speed") * power_of(own, e);
     own[2] += e.centre[0] * own[1] - e.centre[1] * own[0];
   } catch (const Error& e) {
     if (e.status() != Status::err_argument && e.status() != Status::err_state) throw;
@@ -136,17 +144,22 @@ bool PatchContact::take_hertzian_results(const PatchFriction& friction, double g
     const double side = dot(axes.t2, now_.patch.lateral);
     const double sheared = -side * dot(cross(turning, h.lean), axes.t1), turned = dot(turning, axes.n);
     const double spin = (h.a * h.a * turned + h.b * h.b * sheared) / (h.a * h.a + h.b * h.b);
-    const double longitudinal = dot(slip, axes.t1) / speed + strain_creepage(common.strained, h.load, h.a, h.b);
-    const double input[table_inputs] = {common.shear, common.poisson, friction.mu,  h.a,
-                                        h.b,          h.load,         longitudinal, dot(slip, axes.t2) / speed,
-                                        spin / speed};
+    EquivalentEllipse e;
+    e.shear = common.shear;
+    e.poisson = common.poisson;
+    e.strained = common.strained;
+    e.friction = friction.mu;
+    e.a = h.a;
+    e.b = h.b;
+    e.load = h.load;
+    e.creepage = {dot(slip, axes.t1) / speed, dot(slip, axes.t2) / speed, spin / speed};
     try {
-      friction.table->evaluate(1, input, own.data(), nullptr);
+      friction.table->evaluate(e, own.data());
     } catch (const Error& e) {
       if (e.status() != Status::err_argument && e.status() != Status::err_state) throw;
       return false;
     }
-    now_.table_power = -speed * (own[0] * input[6] + own[1] * input[7] + own[2] * input[8]);
+    now_.table_power = speed * power_of(own, e);
   }
   now_.status = h.load > 0 ? Status::ok : Status::no_contact;
   now_.by_table = now_.hertzian = true;

@@ -194,6 +194,7 @@ const char* const recorded_names[] = {
   "table_set_resolution",
   "table_set_frame",
   "table_set_poissons",
+  "table_set_bodies",
   "table_set_progress",
   "table_request_cancel",
   "table_make",
@@ -202,9 +203,10 @@ const char* const recorded_names[] = {
   "table_save",
   "table_evaluate",
   "table_evaluate_derivatives",
+  "table_evaluate_contact",
 };
 
-const int recorded_number = 197;
+const int recorded_number = 199;
 
 enum {
   recorded_rollcon_version,
@@ -396,6 +398,7 @@ enum {
   recorded_rollcon_table_set_resolution,
   recorded_rollcon_table_set_frame,
   recorded_rollcon_table_set_poissons,
+  recorded_rollcon_table_set_bodies,
   recorded_rollcon_table_set_progress,
   recorded_rollcon_table_request_cancel,
   recorded_rollcon_table_make,
@@ -404,6 +407,7 @@ enum {
   recorded_rollcon_table_save,
   recorded_rollcon_table_evaluate,
   recorded_rollcon_table_evaluate_derivatives,
+  recorded_rollcon_table_evaluate_contact,
 };
 
 int32_t rollcon_version(void) {
@@ -2178,6 +2182,17 @@ rollcon_status rollcon_table_set_poissons(rollcon_table *table, int64_t n,
   return record_end();
 }
 
+rollcon_status rollcon_table_set_bodies(rollcon_table *table, const double *youngs,
+    const double *poissons, int64_t n, const double *frictions) {
+  record_begin(recorded_rollcon_table_set_bodies);
+  record_handle(table);
+  record_reals(youngs, 2);
+  record_reals(poissons, 2);
+  record_integer(n);
+  record_reals(frictions, n);
+  return record_end();
+}
+
 rollcon_status rollcon_table_set_progress(rollcon_table *table, rollcon_progress_fn fn,
     void *user) {
   const int64_t told = fn ? fn((const rollcon_event*)7, user) : 0;
@@ -2249,5 +2264,16 @@ rollcon_status rollcon_table_evaluate_derivatives(const rollcon_table *table, in
   record_room(derivatives);
   give_reals(results, n * 3, 3);
   give_reals(derivatives, n * 3 * 9, 4);
+  return record_end();
+}
+
+rollcon_status rollcon_table_evaluate_contact(const rollcon_table *table,
+    const rollcon_contact *contact, double friction, double *results) {
+  record_begin(recorded_rollcon_table_evaluate_contact);
+  record_handle(table);
+  record_handle(contact);
+  record_real(friction);
+  record_room(results);
+  give_reals(results, 3, 3);
   return record_end();
 }

@@ -349,6 +349,8 @@ void with_each_table_call(const void* handle, Check&& check) {
         rollcon_table_set_frame(object, 1, 1));
   check("rollcon_table_set_poissons", false,
         rollcon_table_set_poissons(object, 1, a.reals));
+  check("rollcon_table_set_bodies", false,
+        rollcon_table_set_bodies(object, a.reals, a.reals, 1, a.reals));
   check("rollcon_table_set_progress", false,
         rollcon_table_set_progress(object, nullptr, nullptr));
   check("rollcon_table_request_cancel", true,
@@ -365,6 +367,8 @@ void with_each_table_call(const void* handle, Check&& check) {
         rollcon_table_evaluate(object, 1, a.reals, a.out));
   check("rollcon_table_evaluate_derivatives", true,
         rollcon_table_evaluate_derivatives(object, 1, a.reals, a.out, a.out));
+  check("rollcon_table_evaluate_contact", false,
+        rollcon_table_evaluate_contact(object, nullptr, 1, a.out));
 }
 
 // clang-format on

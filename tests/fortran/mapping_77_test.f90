@@ -161,6 +161,7 @@ program mapping_77_test
   call test_rctres()
   call test_rctfrm()
   call test_rctpoi()
+  call test_rctbod()
   call test_rctstp()
   call test_rctmak()
   call test_rctgsm()
@@ -168,6 +169,7 @@ program mapping_77_test
   call test_rctsav()
   call test_rcteva()
   call test_rctevd()
+  call test_rctcon()
   call mapped_by_hand()
   call done('')
 contains
@@ -2478,6 +2480,19 @@ contains
     call failed('table_set_poissons', stat, message)
   end subroutine
 
+  subroutine test_rctbod()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rctbod(itab, [1.125d0, 1.25d0], [2.125d0, 2.25d0], 2, [4.125d0, 4.25d0], stat)
+    call told('table_set_bodies', 'table1 [1.125 1.25] [2.125 2.25] 2 [4.125 4.25]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rctbod(itab, [1.125d0, 1.25d0], [2.125d0, 2.25d0], 2, [4.125d0, 4.25d0], stat)
+    call rclerr(message)
+    call failed('table_set_bodies', stat, message)
+  end subroutine
+
   subroutine test_rctstp()
     integer :: stat
     character(len=80) :: message
@@ -2585,5 +2600,20 @@ contains
       3.375d0, 3.5d0, 3.625d0, 3.75d0, 3.875d0, 4.0d0, 4.125d0, 4.25d0], results, derivatives, stat)
     call rclerr(message)
     call failed('table_evaluate_derivatives', stat, message)
+  end subroutine
+
+  subroutine test_rctcon()
+    double precision :: results(3)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rctcon(itab, icon, 2.5d0, results, stat)
+    call told('table_evaluate_contact', 'table1 contact1 2.5 room', stat)
+    call gave_reals('results', results, 300.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rctcon(itab, icon, 2.5d0, results, stat)
+    call rclerr(message)
+    call failed('table_evaluate_contact', stat, message)
   end subroutine
 end program

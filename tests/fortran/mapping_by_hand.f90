@@ -60,6 +60,10 @@ contains
     call table%evaluate(inputs, results, derivatives, stat)
     call told('table_evaluate_derivatives', 'table1 2 '//listed//' room room', stat)
     call gave_reals('derivatives', reshape(derivatives, [54]), 400.5_rc_real)
+    call table%evaluate_contact(contact, results(:, 1), stat=stat)
+    call told('table_evaluate_contact', 'table1 contact1 -1 room', stat)
+    call table%evaluate_contact(contact, results(:, 1), 0.25_rc_real, stat)
+    call told('table_evaluate_contact', 'table1 contact1 0.25 room', stat)
     call table%get_samples(samples, stat)
     call status_is('samples', stat, 0)
     call table%evaluate(inputs(:8, :), results, stat=stat, errmsg=message)
@@ -73,6 +77,9 @@ contains
     call answers(ROLLCON_ERR_STATE)
     call table%evaluate(inputs, results, derivatives, stat, message)
     call failed('table_evaluate_derivatives', stat, message)
+    call answers(ROLLCON_ERR_STATE)
+    call table%evaluate_contact(contact, results(:, 1), stat=stat, errmsg=message)
+    call failed('table_evaluate_contact', stat, message)
     call answers(ROLLCON_OK)
   end subroutine
 

@@ -93,6 +93,7 @@ program mapping_test
   call table_set_resolution()
   call table_set_frame()
   call table_set_poissons()
+  call table_set_bodies()
   call table_request_cancel()
   call table_make()
   call table_add_samples()
@@ -1270,6 +1271,20 @@ contains
     message = ''
     call table%set_poissons([2.125_rc_real, 2.25_rc_real], stat, message)
     call failed('table_set_poissons', stat, message)
+  end subroutine
+
+  subroutine table_set_bodies()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call table%set_bodies([1.125_rc_real, 1.25_rc_real], [2.125_rc_real, 2.25_rc_real], [4.125_rc_real, &
+      4.25_rc_real], stat, message)
+    call told('table_set_bodies', 'table1 [1.125 1.25] [2.125 2.25] 2 [4.125 4.25]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call table%set_bodies([1.125_rc_real, 1.25_rc_real], [2.125_rc_real, 2.25_rc_real], [4.125_rc_real, &
+      4.25_rc_real], stat, message)
+    call failed('table_set_bodies', stat, message)
   end subroutine
 
   subroutine table_request_cancel()

@@ -110,6 +110,7 @@ ROWS = list(starmap(Row, [
     ('table', 'set_resolution', False, (11, 21, 31), 'table_set_resolution', 'table1 11 21 31', None),
     ('table', 'set_frame', False, (11, 21), 'table_set_frame', 'table1 11 21', None),
     ('table', 'set_poissons', False, ([2.125, 2.25],), 'table_set_poissons', 'table1 2 [2.125 2.25]', None),
+    ('table', 'set_bodies', False, ([1.125, 1.25], [2.125, 2.25], [4.125, 4.25]), 'table_set_bodies', 'table1 [1.125 1.25] [2.125 2.25] 2 [4.125 4.25]', None),
     ('table', 'request_cancel', False, (), 'table_request_cancel', 'table1', None),
     ('table', 'add_samples', False, ([2.125, 2.25],), 'table_add_samples', 'table1 2 [2.125 2.25]', None),
     ('table', 'save', False, ('text 1',), 'table_save', 'table1 <text 1>', None),

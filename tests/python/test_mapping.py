@@ -325,6 +325,10 @@ class Mapping(unittest.TestCase):
         self.told("table_evaluate", f"table1 2 {written} room")
         results, by = self.table.evaluate(rows[0], derivatives=True)
         self.assertEqual((results.shape, by.shape), ((3,), (3, 9)))
+        self.assertEqual(self.table.evaluate_contact(self.contact).shape, (3,))
+        self.told("table_evaluate_contact", "table1 contact1 -1 room")
+        self.table.evaluate_contact(self.contact, 0.25)
+        self.told("table_evaluate_contact", "table1 contact1 0.25 room")
         self.assertEqual(self.table.make(), rc.OK)
         self.told("table_make", "table1 0 1")
         self.table.samples

@@ -194,9 +194,9 @@ TEST(creep_table, frames_suit_the_shape) {
       for (const double off : {0.0, 0.3}) {
         const double x = a * (ratio < 1 ? off : place), y = b * (ratio < 1 ? place : off);
         constexpr double vast = 100;
-        const double creepage[3] = {vast * y, -vast * x, vast};
+        const std::array<double, 3> creepage{vast * y, -vast * x, vast};
         sampler.reset();
-        const auto found = sampler.solve({creepage[0], creepage[1], creepage[2]}).extrapolated;
+        const auto found = sampler.solve(creepage).extrapolated;
         double exact[3];
         sliding_limit(ratio, creepage, exact);
         worst = std::max(worst, std::hypot(found[0] - exact[0], found[1] - exact[1], found[2] - exact[2]));

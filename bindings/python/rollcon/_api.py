@@ -450,6 +450,9 @@ FUNCTIONS = {
     "rollcon_table_set_resolution": (c_int32, [c_void_p, c_int32, c_int32, c_int32]),
     "rollcon_table_set_frame": (c_int32, [c_void_p, c_int32, c_int32]),
     "rollcon_table_set_poissons": (c_int32, [c_void_p, c_int64, POINTER(c_double)]),
+    "rollcon_table_set_bodies": (c_int32, [
+        c_void_p, POINTER(c_double), POINTER(c_double),
+        c_int64, POINTER(c_double)]),
     "rollcon_table_set_progress": (c_int32, [c_void_p, progress_fn, c_void_p]),
     "rollcon_table_request_cancel": (c_int32, [c_void_p]),
     "rollcon_table_make": (c_int32, [c_void_p, c_int32, c_int32]),
@@ -462,6 +465,7 @@ FUNCTIONS = {
     "rollcon_table_evaluate_derivatives": (c_int32, [
         c_void_p, c_int64, POINTER(c_double),
         POINTER(c_double), POINTER(c_double)]),
+    "rollcon_table_evaluate_contact": (c_int32, [c_void_p, c_void_p, c_double, POINTER(c_double)]),
 }
 
 # Names of the values of enumerations, with and without what all of them begin with.
@@ -836,6 +840,9 @@ ARGUMENTS = {
     ],
     "rollcon_table_set_frame": [("table", ""), ("along", ""), ("across", "")],
     "rollcon_table_set_poissons": [("table", ""), ("n", ""), ("poissons", "")],
+    "rollcon_table_set_bodies": [
+        ("table", ""), ("youngs", ""), ("poissons", ""), ("n", ""), ("frictions", "")
+    ],
     "rollcon_table_set_progress": [("table", ""), ("fn", ""), ("user", "")],
     "rollcon_table_request_cancel": [("table", "")],
     "rollcon_table_make": [("table", ""), ("part", ""), ("parts", "")],
@@ -845,6 +852,9 @@ ARGUMENTS = {
     "rollcon_table_evaluate": [("table", ""), ("n", ""), ("inputs", ""), ("results", "")],
     "rollcon_table_evaluate_derivatives": [
         ("table", ""), ("n", ""), ("inputs", ""), ("results", ""), ("derivatives", "")
+    ],
+    "rollcon_table_evaluate_contact": [
+        ("table", ""), ("contact", ""), ("friction", ""), ("results", "")
     ],
 }
 

@@ -1010,13 +1010,33 @@ class TablePlain:
         self._call("set_frame", along, across)
 
     def set_poissons(self, poissons: ArrayLike) -> None:
-        """Sets the Poisson's ratios of the table; it is linear between them, and has none beyond.
+        """Makes it a table of bodies of equal elastic constants, as a new one is, and sets its
+        Poisson's ratios; it is linear between two, cubic between more, and has none beyond.
         Before the first sample (else ERR_STATE).
 
         poissons: ascending, -1 to 0.5.
         """
         poissons, poissons_at = reals(poissons)
         self._call("set_poissons", len(poissons), poissons_at)
+
+    def set_bodies(self, youngs: ArrayLike, poissons: ArrayLike, frictions: ArrayLike) -> None:
+        """Makes it a table of two bodies whose elastic constants differ, one of which may be
+        rigid: wheel on rail of another metal, rubber on steel. Forces of such bodies depend on
+        friction by itself: the table has coefficients of friction, is linear in the logarithm of
+        two and cubic in that of more, and has none beyond. evaluate() then takes as shear and
+        poisson the mean values of the bodies (equivalent_ellipse()), and creepages without the
+        strain under the pressure. Each coefficient of friction takes as long as two to three
+        Poisson's ratios of like bodies. Bodies whose (1 - 2 nu)/(2 G) are the same make a table
+        of like bodies. Before the first sample (else ERR_STATE).
+
+        youngs: Young's moduli of bodies 1 and 2, in any unit; 0: rigid, not both.
+        poissons: -1 to 0.5; of a rigid body no matter.
+        frictions: coefficients of friction, ascending, above 0 to 10.
+        """
+        youngs, youngs_at = vector(youngs, 2)
+        poissons, poissons_at = vector(poissons, 2)
+        frictions, frictions_at = reals(frictions)
+        self._call("set_bodies", youngs_at, poissons_at, len(frictions), frictions_at)
 
     def request_cancel(self) -> None:
         """Asks a running make() to stop: it returns CANCELLED within a few solves. What was

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike
 
+    from .contact import Contact
     from .context import Context
     from .status import Status
 
@@ -92,3 +93,10 @@ class Table(TablePlain, Handle):
         by, by_at = room(n, 3, 9)
         self._call("evaluate_derivatives", n, given_at, results_at, by_at)
         return (results[0], by[0]) if one else (results, by)
+
+    def evaluate_contact(self, contact: Contact, friction: float | None = None) -> np.ndarray:
+        """Forces along t1 and t2 and moment about n [3] of a solved contact, by the Hertzian contact that stands for
+        it; friction None: the contact's own."""
+        results, results_at = room(3)
+        self._call("evaluate_contact", contact.handle, -1.0 if friction is None else float(friction), results_at)
+        return results

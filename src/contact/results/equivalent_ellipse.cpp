@@ -109,6 +109,7 @@ EquivalentEllipse equivalent_ellipse(const SolverState& state, double area) {
   const CommonElasticity common = common_elasticity(*body[0], *body[1]);
   e.shear = common.shear;
   e.poisson = common.poisson;
+  e.strained = common.strained;
   // The pressure of Hertz has the second moments a^2 / 5 and b^2 / 5.
   const double a = std::sqrt(5 * m.xx), b = std::sqrt(5 * m.yy), filled = area / (std::numbers::pi * a * b);
   if (!(filled > least_filled))
@@ -121,7 +122,6 @@ EquivalentEllipse equivalent_ellipse(const SolverState& state, double area) {
   e.a = a * std::sqrt(filled);
   e.b = b * std::sqrt(filled);
   add_slip(state, m, e);
-  e.creepage[0] += strain_creepage(common.strained, e.load, e.a, e.b);
   return e;
 }
 

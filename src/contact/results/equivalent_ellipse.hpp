@@ -23,11 +23,13 @@ double strain_creepage(double strained, double load, double a, double b);
 
 struct EquivalentEllipse {
   double shear = 0, poisson = 0;  ///< of two equal bodies
+  double strained = 0;            ///< CommonElasticity
   double friction = 0;            ///< at the speed of the rigid slip, mean over the pressure
   double a = 0, b = 0;            ///< semi-axes along and across the rolling direction
   double load = 0;
-  std::array<double, 3> creepage{};  ///< longitudinal, lateral, spin, at the centre
-  std::array<double, 2> centre{};    ///< in the axes of the contact
+  /// Longitudinal, lateral, spin, at the centre; without strain_creepage, which stands for `strained` on average.
+  std::array<double, 3> creepage{};
+  std::array<double, 2> centre{};  ///< in the axes of the contact
 };
 
 /// Of the last solution, which needs no friction. err_state: nothing carries load, pressures lie on patches apart from
