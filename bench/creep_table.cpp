@@ -328,7 +328,7 @@ void run_unlike(Runner& runner, const rollcon_table* table, std::size_t count) {
     emit(runner, "table, mean strain on top", bodies.name, "all", table_errors(table, strained, exact, nullptr), {});
     const double modulus = 2 * (1 + poisson), young[2] = {modulus * shear, other > 0 ? modulus / other : 0};
     if (rollcon_table* own = table_of_pair(context, young, runner.quick)) {
-      const Region within{"a/b 0.2 to 5", 1 / pair_ratio, pair_ratio, 0, 1};
+      const Region within{"0.2 to 5", 1 / pair_ratio, pair_ratio, 0, 1};
       emit(runner, "table, mean strain on top", bodies.name, within.name, table_errors(table, strained, exact, &within),
            {});
       emit(runner, "table of the pair", bodies.name, within.name, table_errors(own, drawn, exact, &within), {});

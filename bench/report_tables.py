@@ -3,7 +3,8 @@
 
 usage: report_tables.py RECORDS.jsonl DOCS_DIR "COMMAND THAT MADE THE RECORDS"
 
-Writes the part "errors" of DOCS_DIR/tables.md and DOCS_DIR/images/tables_errors.png.
+Writes the parts "errors" and "unlike bodies" of DOCS_DIR/tables.md and DOCS_DIR/images/tables_errors.png, as far as
+there are records of them.
 """
 
 import sys
@@ -11,8 +12,7 @@ import sys
 from precision_plots import Panel, panels
 from report import load, of_case, processor, table
 
-BEGIN, END = "<!-- errors -->\n", "<!-- end of errors -->\n"
-TEXT = """
+ERRORS = """
 {cases} random cases of the standard table's whole range (magnitudes evenly from 0.03 to 0.97; any direction and
 spin), beside frames that the library makes (`frame_accuracy` 0.003, themselves known to 0.2 or 0.3 %). Errors are over
 μFn, of the moment over μFn √(ab). Made by `{command}` on
@@ -26,16 +26,21 @@ caches.
 By region of the table, r being the length of v above (linear theory asks for about r μFn):
 
 {regions}
-Unlike bodies, a/b and magnitudes as before: what a table gives for mean flexibilities alone, and with the mean strain
-under the pressure added to the longitudinal creepage.
-
-{unlike}
 Patches of S1002 wheels on 60E1 rails, lateral shifts from 0 to 10 mm, yaw, spin and speed of rotation at random about
 those of free rolling: the table on the equivalent ellipse beside the patch's own solution, both from the same
 pressures. The worst are patches of two peaks at shifts of 0 and 0.5 mm, which fill 0.63 to 0.8 of the ellipse that
 has their pressures' second moments.
 
 {patches}
+"""
+UNLIKE = """
+{cases} random cases of each pair at μ = 0.3, drawn and compared as those above, ν = 0.28 in either body: the standard
+table for mean flexibilities alone, the same with the mean strain under the pressure as longitudinal creepage (what
+`rollcon_table_evaluate_contact` does), and a table of the pair, made for a/b from 1/5 to 5 in 6 intervals and this
+coefficient of friction. Made by `{command}` on
+{processor}.
+
+{unlike}
 """
 
 
@@ -76,31 +81,49 @@ def of_patches(r, kind, rms):
     return f"{percent(r['extra'][kind + '_median'])} / {percent(rms)} / {worse}"
 
 
-def main():
-    everything, docs, command = load(sys.argv[1]), sys.argv[2], sys.argv[3]
-    records = of_case(everything, "creep_table")
-    steel = [r for r in records if r["model"] == "steel on steel"]
+def part(docs, name, text):
+    """Puts a text between the marks of this name."""
+    begin, end, path = f"<!-- {name} -->\n", f"<!-- end of {name} -->\n", f"{docs}/tables.md"
+    with open(path, encoding="utf-8") as file:
+        found = file.read()
+    before, after = found.split(begin, 1)[0], found.split(end, 1)[1]
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(before + begin + text + end + after)
+
+
+HEAD = ["force, rms / 99 % / worst", "moment, rms / 99 % / worst"]
+
+
+def write_errors(everything, docs, command):
+    steel = of_case(everything, "creep_table")
     whole = [r for r in steel if r["mesh"] == "all"]
-    head = ["force, rms / 99 % / worst", "moment, rms / 99 % / worst"]
-    methods = table(["", *head, "time of a case"], [[r["method"], force(r), moment(r), time(r)] for r in whole])
-    regions = table(["region", "cases", *head],
+    methods = table(["", *HEAD, "time of a case"], [[r["method"], force(r), moment(r), time(r)] for r in whole])
+    regions = table(["region", "cases", *HEAD],
                     [[r["mesh"], f"{r['extra']['cases']:.0f}", force(r), moment(r)] for r in steel if r not in whole])
-    unlike = table(["bodies", "", *head],
-                   [[r["model"], r["method"], force(r), moment(r)] for r in records if r not in steel])
     patches = table(["patches", "", "force, median / rms / 90 % / worst", "moment, likewise"],
                     [[r["mesh"], f"{r['extra']['patches']:.0f}", of_patches(r, "force", r["error"]),
                       of_patches(r, "moment", r["moment_error"])] for r in of_case(everything, "equivalent_ellipse")])
     panels(f"{docs}/images/tables_errors.png", "share of cases with a larger error",
            [[Panel(what, "error over μFn" + ("" if what == "force" else "√(ab)"),
                    {r["method"]: exceeding(r, f"{what}_quantiles") for r in whole}) for what in ("force", "moment")]])
-    text = TEXT.format(cases=f"{whole[0]['extra']['cases']:.0f}", command=command, processor=processor(),
-                       methods=methods, regions=regions, unlike=unlike, patches=patches)
-    path = f"{docs}/tables.md"
-    with open(path, encoding="utf-8") as file:
-        found = file.read()
-    before, after = found.split(BEGIN, 1)[0], found.split(END, 1)[1]
-    with open(path, "w", encoding="utf-8") as file:
-        file.write(before + BEGIN + text + END + after)
+    part(docs, "errors", ERRORS.format(cases=f"{whole[0]['extra']['cases']:.0f}", command=command,
+                                       processor=processor(), methods=methods, regions=regions, patches=patches))
+
+
+def write_unlike(records, docs, command):
+    rows = [[r["model"], r["method"], r["mesh"], f"{r['extra']['cases']:.0f}", force(r), moment(r)] for r in records]
+    part(docs, "unlike bodies", UNLIKE.format(cases=f"{records[0]['extra']['cases']:.0f}", command=command,
+                                              processor=processor(), unlike=table(
+                                                  ["bodies", "", "a/b", "cases", *HEAD], rows)))
+
+
+def main():
+    everything, docs, command = load(sys.argv[1]), sys.argv[2], sys.argv[3]
+    if of_case(everything, "creep_table"):
+        write_errors(everything, docs, command)
+    unlike = of_case(everything, "creep_table_unlike")
+    if unlike:
+        write_unlike(unlike, docs, command)
 
 
 main()

@@ -72,7 +72,7 @@ if wanted frames; then
   echo "wrote docs/frames.md"
 fi
 if wanted tables; then
-  run_cases 2 creep_table equivalent_ellipse
+  run_cases 2 creep_table creep_table_unlike equivalent_ellipse
   cat "${files[@]}" > "$build/tables.jsonl"
   python3 bench/report_tables.py "$build/tables.jsonl" docs "$command tables"
   echo "wrote docs/tables.md"
