@@ -4,111 +4,35 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <ctime>
 #include <numbers>
 #include <optional>
-#include <span>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "bench.hpp"
+#include "rolling_cases.hpp"
 #include "statistics.hpp"
 #include "support/closed_forms.hpp"
-#include "support/frames.hpp"
-#include "support/scene.hpp"
 
 namespace rollcon::bench {
 namespace {
 
 using Input = std::array<double, 9>;
-using Forces = std::array<double, 3>;
-constexpr double poisson = 0.28, shear = 82000, mu = 0.3, load = 1e5, greatest_ratio = 25;
+using closed_forms::Elastic;
+using rolling_cases::load;
+using rolling_cases::mu;
+using rolling_cases::poisson;
+using rolling_cases::shear;
+using rolling_cases::steel;
 constexpr const char* steel_on_steel = "steel on steel";
 constexpr double pair_ratio = 5;  ///< greatest one of tables of a pair
-using closed_forms::Elastic;
-constexpr Elastic steel{.shear = shear, .poisson = poisson};
 
 double cpu_seconds() {
   std::timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
-struct Draw {
-  Input input;
-  double ratio, magnitude;
-};
-
-double draw_ratio(frames::Random& random) {
-  return std::exp(random.between(-std::log(greatest_ratio), std::log(greatest_ratio)));
-}
-
-/// Creepages whose linear theory asks for 0.1 to 100 mu Fn, evenly in r / (r + 3), in
-/// any direction, spin among them.
-Draw draw(frames::Random& random, double ratio, double shear_of_two) {
-  const double size = 5;
-  const double a = size * std::sqrt(ratio), b = size / std::sqrt(ratio);
-  const double s = random.between(0.03, 0.97), r = 3 * s / (1 - s);
-  const double cosine = random.between(-1, 1), sine = std::sqrt(1 - cosine * cosine);
-  const double angle = random.between(0, 2 * std::numbers::pi);
-  const double unit = r * mu * load / (shear_of_two * a * b), wide = std::sqrt(std::cosh(std::log(ratio)));
-  const double stiff = 4 * std::max(1.0, 0.3 * ratio);
-  const double longitudinal = unit * sine * std::cos(angle) / stiff, lateral = unit * sine * std::sin(angle) / stiff;
-  const double spin = unit * cosine / (stiff * wide * size);
-  return {{shear_of_two, poisson, mu, a, b, load, longitudinal, lateral, spin}, ratio, s};
-}
-
-/// Cases of one ratio are next to each other: the library's frames and operators serve them all.
-constexpr std::size_t group = 25;
-
-std::vector<Draw> draw_all(std::size_t count, std::uint32_t seed, double shear_of_two) {
-  frames::Random random(seed);
-  std::vector<Draw> drawn;
-  double ratio = 1;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (i % group == 0) ratio = draw_ratio(random);
-    drawn.push_back(draw(random, ratio, shear_of_two));
-  }
-  return drawn;
-}
-
-/// Of one ratio, as two half-spaces or one on a rigid one.
-void solve_group(std::span<const Draw> drawn, const Elastic& body1, const std::optional<Elastic>& body2,
-                 double accuracy, Forces* force) {
-  const Input& first = drawn[0].input;
-  const double modulus =
-      1 / ((1 - body1.poisson) / (2 * body1.shear) + (body2 ? (1 - body2->poisson) / (2 * body2->shear) : 0));
-  const double p0 = 3 * load / (2 * std::numbers::pi * first[3] * first[4]);
-  const auto hertz = closed_forms::hertz_from_axes(first[3], first[4], p0, modulus);
-  scenes::RollingPair pair(body1, body2);
-  pair.gap_quadratic(hertz.A, hertz.B).load(load).friction(mu).option("frame_accuracy", accuracy);
-  for (const Draw& d : drawn) {
-    pair.creep(d.input[6], d.input[7], d.input[8]);
-    pair.reset();
-    pair.solve();
-    double moment[3], f[3];
-    rollcon_contact_get_resultant(pair.handle(), ROLLCON_LOCAL, f, moment);
-    *force++ = {f[0], f[1], moment[2]};
-  }
-}
-
-/// Of each case, over threads.
-std::vector<Forces> solve_all(const std::vector<Draw>& drawn, const Elastic& body1, const std::optional<Elastic>& body2,
-                              double accuracy, int threads) {
-  std::vector<Forces> force(drawn.size());
-  std::atomic<std::size_t> next{0};
-  const auto work = [&] {
-    for (std::size_t i; (i = group * next++) < drawn.size();)
-      solve_group(std::span(drawn).subspan(i, std::min(group, drawn.size() - i)), body1, body2, accuracy, &force[i]);
-  };
-  std::vector<std::thread> thread;
-  for (int i = 1; i < threads; ++i) thread.emplace_back(work);
-  work();
-  for (std::thread& t : thread) t.join();
-  return force;
 }
 
 /// On n x n cells; c: C11, C22, C23.
@@ -167,7 +91,7 @@ void emit(Runner& runner, const char* method, const char* model, const std::stri
   r.model = model;
   r.mesh = region;
   r.quantity = "root mean square error of the force over mu Fn";
-  r.against = "frames of the library";
+  r.against = std::string(model) == steel_on_steel ? "finer strips" : "frames of the library";
   r.value = r.error = rms(e.force);
   r.moment_error = rms(e.moment);
   r.seconds = times.forces;
@@ -187,7 +111,7 @@ void emit(Runner& runner, const char* method, const char* model, const std::stri
 struct Region {
   const char* name;
   double least_ratio, ratio, least_magnitude, magnitude;
-  bool holds(const Draw& d) const {
+  bool holds(const RollingCase& d) const {
     return d.ratio >= least_ratio && d.ratio < ratio && d.magnitude >= least_magnitude && d.magnitude < magnitude;
   }
 };
@@ -199,7 +123,7 @@ constexpr Region regions[] = {
     {"a/b above 5, r above 4.5", 5, HUGE_VAL, 0.6, 1}};
 
 /// Of one evaluation on one of many copies of the standard table, in turn: code is in the caches, the table is not.
-double table_cold_seconds(const std::vector<Draw>& drawn) {
+double table_cold_seconds(const std::vector<RollingCase>& drawn) {
   rollcon_context* context = nullptr;
   rollcon_context_create(ROLLCON_ABI, &context);
   std::array<rollcon_table*, 80> copy{};
@@ -216,7 +140,7 @@ double table_cold_seconds(const std::vector<Draw>& drawn) {
 }
 
 /// Of one evaluation after other data has filled all caches; median.
-double all_cold_seconds(const rollcon_table* table, const std::vector<Draw>& drawn) {
+double all_cold_seconds(const rollcon_table* table, const std::vector<RollingCase>& drawn) {
   std::vector<double> other(std::size_t{16} << 20), seconds;
   for (std::size_t i = 0; i < std::min<std::size_t>(drawn.size(), 40); ++i) {
     for (std::size_t k = 0; k < other.size(); k += 8) other[k] += 1;
@@ -228,7 +152,7 @@ double all_cold_seconds(const rollcon_table* table, const std::vector<Draw>& dra
   return quantile(seconds, 0.5);
 }
 
-Times time_table(const rollcon_table* table, const std::vector<Draw>& drawn) {
+Times time_table(const rollcon_table* table, const std::vector<RollingCase>& drawn) {
   Times times;
   const std::size_t cases = std::min<std::size_t>(drawn.size(), 1000);
   constexpr int repeats = 200;
@@ -259,7 +183,7 @@ std::array<double, 3> coefficients(const rollcon_table* table, Input rest) {
   return {-by[6] / (shear * area), -by[9 + 7] / (shear * area), -by[9 + 8] / (shear * area * std::sqrt(area))};
 }
 
-Errors table_errors(const rollcon_table* table, const std::vector<Draw>& drawn, const std::vector<Forces>& exact,
+Errors table_errors(const rollcon_table* table, const std::vector<RollingCase>& drawn, const std::vector<Forces>& exact,
                     const Region* region) {
   Errors errors;
   for (std::size_t i = 0; i < drawn.size(); ++i) {
@@ -271,10 +195,34 @@ Errors table_errors(const rollcon_table* table, const std::vector<Draw>& drawn, 
   return errors;
 }
 
+/// By frames finer than the table's; once more by yet finer ones where these differ from the table, and at every
+/// hundredth case, which tells their own error.
+std::vector<Forces> references(Runner& runner, const rollcon_table* table, const std::vector<RollingCase>& drawn) {
+  constexpr double differs = 0.002;
+  constexpr std::size_t each = 100;
+  std::vector<Forces> exact = rolling_cases::solve_on_strips(drawn, runner.quick ? 1 : 1.5, runner.threads);
+  const Errors e = table_errors(table, drawn, exact, nullptr);
+  std::vector<std::size_t> which;
+  std::vector<RollingCase> again;
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    if (i % each != 0 && std::max(e.force[i], e.moment[i]) < differs) continue;
+    which.push_back(i);
+    again.push_back(drawn[i]);
+  }
+  const auto finer = rolling_cases::solve_on_strips(again, runner.quick ? 1.5 : 2.2, runner.threads);
+  Errors own;
+  for (std::size_t k = 0; k < which.size(); ++k) {
+    if (which[k] % each == 0) own.add(exact[which[k]], finer[k], again[k].input);
+    exact[which[k]] = finer[k];
+  }
+  emit(runner, "the reference's frames", steel_on_steel, "every hundredth", own, {});
+  return exact;
+}
+
 void run_steel(Runner& runner, const rollcon_table* table, std::size_t count) {
-  const std::vector<Draw> drawn = draw_all(count, 20261124, shear);
-  const auto exact = solve_all(drawn, steel, steel, runner.quick ? 0.01 : 0.003, runner.threads);
+  const std::vector<RollingCase> drawn = rolling_cases::draw(count, 20261124, shear);
   const char* model = steel_on_steel;
+  const std::vector<Forces> exact = references(runner, table, drawn);
   emit(runner, "table", model, "all", table_errors(table, drawn, exact, nullptr), time_table(table, drawn));
   for (const Region& region : regions)
     emit(runner, "table", model, region.name, table_errors(table, drawn, exact, &region), {});
@@ -317,11 +265,12 @@ void run_unlike(Runner& runner, const rollcon_table* table, std::size_t count) {
   rollcon_context_set_threads(context, runner.threads);
   for (const Pair& bodies : {Pair{"moduli 3 : 1", steel, soft}, Pair{"on a rigid body", steel, std::nullopt}}) {
     const double flexible = 1 / bodies.body1.shear, other = bodies.body2 ? 1 / bodies.body2->shear : 0;
-    std::vector<Draw> drawn = draw_all(count, 20261125, 2 / (flexible + other));
-    const auto exact = solve_all(drawn, bodies.body1, bodies.body2, runner.quick ? 0.02 : 0.003, runner.threads);
+    std::vector<RollingCase> drawn = rolling_cases::draw(count, 20261125, 2 / (flexible + other));
+    const auto exact =
+        rolling_cases::solve(drawn, bodies.body1, bodies.body2, runner.quick ? 0.02 : 0.003, runner.threads);
     emit(runner, "table, like bodies", bodies.name, "all", table_errors(table, drawn, exact, nullptr), {});
-    std::vector<Draw> strained = drawn;
-    for (Draw& d : strained) {
+    std::vector<RollingCase> strained = drawn;
+    for (RollingCase& d : strained) {
       const double a = d.input[3], b = d.input[4], greatest = 3 * load / (2 * std::numbers::pi * a * b);
       d.input[6] += 0.75 * greatest * b / (a + b) * (1 - 2 * poisson) / 2 * (flexible - other);
     }

@@ -1,9 +1,11 @@
-/// A search that has seen as many patches allocates nothing.
+/// Searches and solves that have seen as many patches and nodes allocate nothing.
 
 #include <cstdlib>
 #include <new>
+#include <numbers>
 
-#include "manchester.hpp"
+#include "tables/force_table.hpp"
+#include "wheel_rail_fixture.hpp"
 
 namespace {
 
@@ -27,8 +29,10 @@ thread_local std::int64_t allocations = 0;
 using namespace rollcon;
 using namespace rollcon::manchester;
 
-TEST(allocation, warm_searches_allocate_nothing) {
-  ContactSearch search(wheel(), rail());
+using allocation = wheels;
+
+TEST_F(allocation, warm_searches_allocate_nothing) {
+  ContactSearch search(manchester::wheel(), manchester::rail());
   std::vector<OverlapPatch> patch;
   const auto run = [&] {
     std::size_t most = 0;
@@ -45,4 +49,31 @@ TEST(allocation, warm_searches_allocate_nothing) {
   run();
   expect_error("allocations of 200 warm searches", static_cast<double>(allocations - before), 0);
   EXPECT_GT(before, 0);
+}
+
+// From the tread to two patches and back, by frames and by a table.
+TEST_F(allocation, warm_steps_allocate_nothing) {
+  context->set_threads(1);
+  for (const bool by_table : {false, true}) {
+    const auto w = make();
+    w->set_accuracy(by_table ? 0.01 : 0.02);
+    w->prescribe_vertical(static_cast<std::int32_t>(How::by_force), 10000);
+    if (by_table) w->set_table(ForceTable::standard(context));
+    std::int64_t most = 0;
+    const auto run = [&] {
+      for (int i = 0; i < 100; ++i) {
+        place(*w, 3.5 + 2 * std::sin(0.02 * std::numbers::pi * i));
+        EXPECT_EQ(w->solve(), Status::ok);
+        most = std::max(most, w->patches());
+      }
+    };
+    run();
+    run();
+    EXPECT_GE(most, 2);
+    const std::int64_t before = allocations;
+    run();
+    expect_error(by_table ? "allocations of 100 warm steps, by table" : "allocations of 100 warm steps, on frames",
+                 static_cast<double>(allocations - before), 0);
+    EXPECT_GT(before, 0);
+  }
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <vector>
 
 #include "contact/prepare/preparation.hpp"
@@ -29,21 +28,6 @@ void set_datum(SolverState& state) {
   state.iterate.motion[approach] -= datum - p.datum;
   state.newton.move_datum(datum - p.datum);
   p.datum = datum;
-}
-
-// Frames made by the library cover holes of a body: nothing touches there.
-std::vector<double> gap_of_made_frame(const Frame& frame, const KnownGap& known) {
-  std::vector<double> gap(frame.x.size());
-  double greatest = 0;
-  for (std::size_t k = 0; k < gap.size(); ++k) {
-    gap[k] = known(frame.x[k], frame.y[k]);
-    if (std::isfinite(gap[k])) greatest = std::max(greatest, gap[k]);
-  }
-  const Rectangle all = known.bounds();
-  const double far = greatest + 100 * (all.x_greatest - all.x_least + all.y_greatest - all.y_least);
-  for (double& g : gap)
-    if (!std::isfinite(g)) g = far;
-  return gap;
 }
 
 }  // namespace
@@ -91,13 +75,11 @@ void read_gap(SolverState& state, const Scene& scene) {
   Problem& p = on.problem;
   // Gaps of meshes count along their local normals.
   const bool between_planes = !scene.frame_given() && !(measured && on.pair.meshed());
-  const std::unique_ptr<KnownGap> known = between_planes ? known_gap(scene, on.pair) : nullptr;
-  if (known) {
-    p.gap = gap_of_made_frame(on.frame, *known);
-  } else if (measured) {
+  const bool known = between_planes && fill_known_gap(scene, on.pair, on.frame, p.gap);
+  if (!known && measured) {
     p.gap = undeformed_gap(on.frame, on.frame_source, on.pair);
     refuse_deep_overlap(on.frame, p.gap, on.pair);
-  } else {
+  } else if (!known) {
     p.gap.resize(at(p.nodes));
     for (std::size_t k = 0; k < p.gap.size(); ++k)
       p.gap[k] = scene.gap(static_cast<std::int64_t>(k), on.frame.x[k], on.frame.y[k]);

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <vector>
+#include <span>
 
 #include "geometry/surface.hpp"
 #include "support/error.hpp"
@@ -72,7 +72,8 @@ class GapOfSurfaces final : public KnownGap {
 
   // The box about the corners of what lies between all pairs of parallel lines that bound a body.
   Rectangle bounds() const override {
-    const std::vector<Between> all = lines();
+    std::array<Between, 8> place;
+    const std::span<const Between> all = lines(place);
     constexpr double rounding = 1e-9, parallel = 1e-9;
     double size = 0;
     for (const Between& l : all) size = std::max({size, std::abs(l.low), std::abs(l.high)});
@@ -108,29 +109,31 @@ class GapOfSurfaces final : public KnownGap {
   const char* beyond_bounds() const override { return nullptr; }
 
  private:
-  std::vector<Between> lines() const {
-    std::vector<Between> all;
+  /// Two for each direction of each body.
+  std::span<const Between> lines(std::array<Between, 8>& all) const {
+    std::size_t n = 0;
+    const auto add = [&](const Surface& surface, const Pose& pose, const std::array<double, 2>& a) {
+      const Vec3 direction = a[0] * axes_.t1 + a[1] * axes_.t2;
+      const auto [low, high] = surface.extent(pose.turn_back(direction));
+      const double shift = dot(pose.translation - axes_.origin, direction);
+      all[n++] = {a, low + shift, high + shift};
+      all[n++] = {{-a[0], -a[1]}, -high - shift, -low - shift};
+    };
     for (std::size_t b = 0; b < 2; ++b) {
       const Surface* const surface = pair_.body[b]->surface();
       if (!surface) continue;
       const Pose& pose = pair_.pose[b];
-      std::vector<std::array<double, 2>> along{{1, 0}, {0, 1}};
       if (const auto endless = surface->endless()) {
         const Vec3 e = pose.turn(*endless);
         const std::array across{-dot(e, axes_.t2), dot(e, axes_.t1)};
         const double length = std::hypot(across[0], across[1]);
-        if (!(length > 0)) continue;
-        along = {{across[0] / length, across[1] / length}};
-      }
-      for (const auto& a : along) {
-        const Vec3 direction = a[0] * axes_.t1 + a[1] * axes_.t2;
-        const auto [low, high] = surface->extent(pose.turn_back(direction));
-        const double shift = dot(pose.translation - axes_.origin, direction);
-        all.push_back({a, low + shift, high + shift});
-        all.push_back({{-a[0], -a[1]}, -high - shift, -low - shift});
+        if (length > 0) add(*surface, pose, {across[0] / length, across[1] / length});
+      } else {
+        add(*surface, pose, {1, 0});
+        add(*surface, pose, {0, 1});
       }
     }
-    return all;
+    return std::span(all).first(n);
   }
 
   const Axes& axes_;
@@ -138,6 +141,25 @@ class GapOfSurfaces final : public KnownGap {
   std::optional<std::array<double, 3>> given_;  ///< coefficients of x^2, y^2, xy
   mutable std::array<SurfaceHint, 2> met_;      ///< by the point before
 };
+
+// Frames made by the library cover holes of a body: nothing touches there.
+void fill(const KnownGap& known, const Frame& frame, std::vector<double>& gap) {
+  gap.resize(frame.x.size());
+  double greatest = 0;
+  bool holes = false;
+  for (std::size_t k = 0; k < gap.size(); ++k) {
+    gap[k] = known(frame.x[k], frame.y[k]);
+    if (std::isfinite(gap[k]))
+      greatest = std::max(greatest, gap[k]);
+    else
+      holes = true;
+  }
+  if (!holes) return;
+  const Rectangle all = known.bounds();
+  const double far = greatest + 100 * (all.x_greatest - all.x_least + all.y_greatest - all.y_least);
+  for (double& g : gap)
+    if (!std::isfinite(g)) g = far;
+}
 
 }  // namespace
 
@@ -151,6 +173,15 @@ std::unique_ptr<KnownGap> known_gap(const Scene& scene, const PairOfBodies& pair
   if (!is_gap_known(scene, pair)) return nullptr;
   if (const HeightGrid* const grid = scene.gap_grid()) return std::make_unique<GapOnGrid>(*grid);
   return std::make_unique<GapOfSurfaces>(scene.axes(), pair, scene.quadratic_gap());
+}
+
+bool fill_known_gap(const Scene& scene, const PairOfBodies& pair, const Frame& frame, std::vector<double>& gap) {
+  if (!is_gap_known(scene, pair)) return false;
+  if (const HeightGrid* const grid = scene.gap_grid())
+    fill(GapOnGrid(*grid), frame, gap);
+  else
+    fill(GapOfSurfaces(scene.axes(), pair, scene.quadratic_gap()), frame, gap);
+  return true;
 }
 
 }  // namespace rollcon

@@ -3,10 +3,12 @@
 /// or between surfaces.
 
 #include <memory>
+#include <vector>
 
 #include "bodies/contact_surface.hpp"
 #include "contact/scene/scene.hpp"
 #include "geometry/rectangle.hpp"
+#include "mesh/frame.hpp"
 
 namespace rollcon {
 
@@ -28,5 +30,8 @@ class KnownGap {
 bool is_gap_known(const Scene& scene, const PairOfBodies& pair);
 /// Null where it is not. It refers to scene and bodies.
 std::unique_ptr<KnownGap> known_gap(const Scene& scene, const PairOfBodies& pair);
+/// At the nodes of a frame, far apart where a body is not there; allocates nothing once `gap` has had this size. False:
+/// it is not known.
+bool fill_known_gap(const Scene& scene, const PairOfBodies& pair, const Frame& frame, std::vector<double>& gap);
 
 }  // namespace rollcon
