@@ -54,6 +54,16 @@ def write_part(path, part, text):
                 out.write(f"\n<!-- {name} -->\n{kept[name]}<!-- end of {name} -->\n")
 
 
+def put_part(path, name, text):
+    """Puts a text between the marks of this name, which the document has."""
+    begin, end = f"<!-- {name} -->\n", f"<!-- end of {name} -->\n"
+    with open(path, encoding="utf-8") as file:
+        found = file.read()
+    before, after = found.split(begin, 1)[0], found.split(end, 1)[1]
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(before + begin + text + end + after)
+
+
 COARSE = 5
 
 
@@ -78,6 +88,11 @@ def of_case(records, *names):
 
 def percent(x, digits=2):
     return "-" if x is None else f"{100 * x:+.{digits}f} %"
+
+
+def magnitude(x):
+    """Of an error that has no sign, two digits."""
+    return f"{100 * x:.2g} %"
 
 
 def seconds(x):

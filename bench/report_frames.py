@@ -6,7 +6,7 @@ usage: report_frames.py RECORDS.jsonl DOCS_DIR "COMMAND THAT MADE THE RECORDS"
 
 import sys
 
-from report import load, of_case, processor, table
+from report import load, magnitude, of_case, processor, table
 
 TEXT = """# Frames made by the library: errors and times
 
@@ -58,10 +58,6 @@ sets all of them; `tolerance` 1e-6. Errors are root mean squares over 50 steps; 
 """
 
 
-def percent(x):
-    return f"{100 * x:.2g} %"
-
-
 def ms(x):
     return f"{1e3 * x:.0f} ms" if x >= 1 else f"{1e3 * x:.3g} ms"
 
@@ -70,16 +66,16 @@ def main():
     records, docs, command = load(sys.argv[1]), sys.argv[2], sys.argv[3]
     scenes, loop = of_case(records, "automatic_frames"), of_case(records, "vehicle_loop")
     rows = [[r["model"], r["mesh"].split()[1], f"{r['extra']['scenes']:.0f}",
-             f"{percent(r['error'])} / {percent(r['extra']['force_worst'])}",
-             f"{percent(r['moment_error'])} / {percent(r['extra']['moment_worst'])}",
-             percent(r["extra"]["estimate_mean"]),
+             f"{magnitude(r['error'])} / {magnitude(r['extra']['force_worst'])}",
+             f"{magnitude(r['moment_error'])} / {magnitude(r['extra']['moment_worst'])}",
+             magnitude(r["extra"]["estimate_mean"]),
              f"{ms(r['extra']['cold_seconds'])} / {ms(r['extra']['cold_seconds_median'])}",
              f"{ms(r['extra']['warm_seconds'])} / {ms(r['extra']['warm_seconds_median'])}",
              f"{r['extra']['inaccurate']:.0f}"] for r in scenes]
     first = table(["bodies", "`frame_accuracy`", "scenes", "force, mean / worst", "moment, mean / worst",
                    "estimate, mean", "cold, mean / median", "warm, mean / median", "`INACCURATE`"], rows)
-    rows = [[r["mesh"].split()[1], f"{r['extra']['steps']:.0f}", f"{r['nodes']}", percent(r["extra"]["rms_x"]),
-             percent(r["extra"]["rms_y"]), percent(r["extra"]["rms_moment"]), percent(r["extra"]["second_difference"]),
+    rows = [[r["mesh"].split()[1], f"{r['extra']['steps']:.0f}", f"{r['nodes']}", magnitude(r["extra"]["rms_x"]),
+             magnitude(r["extra"]["rms_y"]), magnitude(r["extra"]["rms_moment"]), magnitude(r["extra"]["second_difference"]),
              f"{ms(r['extra']['seconds_mean'])} / {ms(r['extra']['seconds_99'])}",
              f"{r['extra']['allocations']:.0f}"] for r in loop]
     second = table(["`frame_accuracy`", "steps", "nodes of the finer frame", "Fx", "Fy", "moment", "jump",

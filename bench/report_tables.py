@@ -10,7 +10,7 @@ there are records of them.
 import sys
 
 from precision_plots import Panel, panels
-from report import load, of_case, processor, table
+from report import load, magnitude, of_case, processor, put_part, table
 
 REFERENCE = "the reference's frames"  # by their own error
 ERRORS = """
@@ -47,12 +47,8 @@ coefficient of friction. Made by `{command}` on
 """
 
 
-def percent(x):
-    return f"{100 * x:.2g} %"
-
-
 def errors(r, kind, rms):
-    return f"{percent(rms)} / {percent(r['extra'][kind + '_99'])} / {percent(r['extra'][kind + '_worst'])}"
+    return f"{magnitude(rms)} / {magnitude(r['extra'][kind + '_99'])} / {magnitude(r['extra'][kind + '_worst'])}"
 
 
 def force(r):
@@ -80,18 +76,8 @@ def exceeding(r, name):
 
 
 def of_patches(r, kind, rms):
-    worse = " / ".join(percent(r["extra"][f"{kind}_{part}"]) for part in ("90", "worst"))
-    return f"{percent(r['extra'][kind + '_median'])} / {percent(rms)} / {worse}"
-
-
-def part(docs, name, text):
-    """Puts a text between the marks of this name."""
-    begin, end, path = f"<!-- {name} -->\n", f"<!-- end of {name} -->\n", f"{docs}/tables.md"
-    with open(path, encoding="utf-8") as file:
-        found = file.read()
-    before, after = found.split(begin, 1)[0], found.split(end, 1)[1]
-    with open(path, "w", encoding="utf-8") as file:
-        file.write(before + begin + text + end + after)
+    worse = " / ".join(magnitude(r["extra"][f"{kind}_{part}"]) for part in ("90", "worst"))
+    return f"{magnitude(r['extra'][kind + '_median'])} / {magnitude(rms)} / {worse}"
 
 
 HEAD = ["force, rms / 99 % / worst", "moment, rms / 99 % / worst"]
@@ -110,7 +96,7 @@ def write_errors(everything, docs, command):
     panels(f"{docs}/images/tables_errors.png", "share of cases with a larger error",
            [[Panel(what, "error over μFn" + ("" if what == "force" else "√(ab)"),
                    {r["method"]: exceeding(r, f"{what}_quantiles") for r in whole}) for what in ("force", "moment")]])
-    part(docs, "errors", ERRORS.format(
+    put_part(f"{docs}/tables.md", "errors", ERRORS.format(
         cases=f"{whole[0]['extra']['cases']:.0f}", command=command, processor=processor(), methods=methods,
         reference=f"{force(frames)} in force and {moment(frames)} in moment (rms / 99 % / worst)", regions=regions,
         patches=patches))
@@ -118,7 +104,7 @@ def write_errors(everything, docs, command):
 
 def write_unlike(records, docs, command):
     rows = [[r["model"], r["method"], r["mesh"], f"{r['extra']['cases']:.0f}", force(r), moment(r)] for r in records]
-    part(docs, "unlike bodies", UNLIKE.format(cases=f"{records[0]['extra']['cases']:.0f}", command=command,
+    put_part(f"{docs}/tables.md", "unlike bodies", UNLIKE.format(cases=f"{records[0]['extra']['cases']:.0f}", command=command,
                                               processor=processor(), unlike=table(
                                                   ["bodies", "", "a/b", "cases", *HEAD], rows)))
 

@@ -2,6 +2,7 @@
 # Runs rollcon-bench and rewrites documents with their tables and plots:
 #   frames           docs/frames.md, frames made by the library
 #   tables           docs/tables.md, creep-force tables
+#   wheels           docs/wheelrail.md, wheels on rails
 #   half-spaces      docs/accuracy.md, scenes of half-spaces in detail
 #   work-precision   docs/accuracy.md, error over time and memory of every method
 #   estimates        docs/accuracy.md, error estimates beside true errors
@@ -26,8 +27,8 @@ part="${1:-all}"
 build="${2:-build/accuracy}"
 for name in ${part//,/ }; do
   case "$name" in
-    frames|tables|half-spaces|work-precision|estimates|bodies|fem|procedures|speed|stability|all) ;;
-    *) echo "no part $name: frames, tables, half-spaces, work-precision, estimates, bodies, fem, procedures, speed, stability or all" >&2; exit 2 ;;
+    frames|tables|wheels|half-spaces|work-precision|estimates|bodies|fem|procedures|speed|stability|all) ;;
+    *) echo "no part $name: frames, tables, wheels, half-spaces, work-precision, estimates, bodies, fem, procedures, speed, stability or all" >&2; exit 2 ;;
   esac
 done
 half_spaces=(hertz carter kalker creep_curve case_a case_b example3 linear_solver kernel)
@@ -76,6 +77,12 @@ if wanted tables; then
   cat "${files[@]}" > "$build/tables.jsonl"
   python3 bench/report_tables.py "$build/tables.jsonl" docs "$command tables"
   echo "wrote docs/tables.md"
+fi
+if wanted wheels; then
+  run_cases 1 wheel_rail manchester
+  cat "${files[@]}" > "$build/wheels.jsonl"
+  python3 bench/report_wheels.py "$build/wheels.jsonl" docs "$command wheels"
+  echo "wrote docs/wheelrail.md, errors and times"
 fi
 if wanted half-spaces; then
   run_cases 1 "${half_spaces[@]}"

@@ -15,8 +15,8 @@ struct Depth {
 /// From the rail to a point of the wheel, in axes turned by the angle.
 class DepthAlong {
  public:
-  DepthAlong(const VisibleProfile& rail, double angle)
-      : rail_(rail), angle_(angle), c_(std::cos(angle)), s_(std::sin(angle)) {}
+  DepthAlong(const ProfileGap& gap, double angle)
+      : gap_(gap), angle_(angle), c_(std::cos(angle)), s_(std::sin(angle)) {}
 
   Depth at(const GapPoint& p) const {
     constexpr int most = 6;
@@ -26,8 +26,8 @@ class DepthAlong {
     for (int i = 0; i < most; ++i) {
       const double step = -((y - py) * c_ + (z - pz) * s_) / (c_ + s_ * slope);
       if (!(std::abs(step) > enough * std::abs(p.gap))) break;
-      y = std::clamp(y + step, rail_.low(), rail_.high());
-      const VisiblePoint r = rail_.at_y(y);
+      y = std::clamp(y + step, gap_.rail().low(), gap_.rail().high());
+      const VisiblePoint r = gap_.rail_at(y);
       z = r.z;
       slope = r.slope;
     }
@@ -37,7 +37,7 @@ class DepthAlong {
   }
 
  private:
-  const VisibleProfile& rail_;
+  const ProfileGap& gap_;
   double angle_, c_, s_;
 };
 
@@ -46,7 +46,7 @@ class DepthAlong {
 double greatest_depth_along(const ProfileGap& gap, const Overlap& overlap, double angle) {
   constexpr int parts = 8;
   constexpr double enough = 1e-6;
-  const DepthAlong along(gap.rail(), angle);
+  const DepthAlong along(gap, angle);
   double greatest = along.at(overlap.deepest).value, before = overlap.from.s, rise = along.at(overlap.from).rise;
   Depth last{};
   const auto value = [&](double s) {

@@ -32,7 +32,7 @@ double joined(const ProfileGap& gap, const Overlap& a, const Overlap& b) {
     return std::max(one_plane, 1 - smooth_step(1 - saddle, 0, divided));
   }
   if (one_plane == 0) return 0;
-  const VisiblePoint from = gap.rail().at_y(a.to.wheel[1]), to = gap.rail().at_y(b.from.wheel[1]);
+  const VisiblePoint from = gap.rail_at(a.to.wheel[1]), to = gap.rail_at(b.from.wheel[1]);
   const double distance = std::hypot(to.y - from.y, to.z - from.z);
   const double near = one_plane * smooth_step(-distance, -apart * (a.size + b.size), -together * (a.size + b.size));
   if (near == 0) return 0;
@@ -93,7 +93,7 @@ void describe_moments(const Overlap* first, const Overlap* last, OverlapPatch& p
 }
 
 void describe_reference(const ProfileGap& gap, double s, double side, double radius, OverlapPatch& patch) {
-  const VisiblePoint wheel = gap.wheel().at(s), rail = gap.rail().at_y(patch.reference[1]);
+  const VisiblePoint wheel = gap.wheel().at(s), rail = gap.rail_at(patch.reference[1]);
   patch.reference[2] = rail.z;
   if (const auto there = gap.locus().at(wheel)) patch.wheel = there->x;
   patch.wheel_y = side * wheel.y;
@@ -144,40 +144,54 @@ OverlapPatch patch_of(const ProfileGap& gap, const Overlap* first, const Overlap
   return patch;
 }
 
-/// How far along x the circle through a point overlaps, ahead (sign 1) or behind. Along it the gap is gap + b l + a
-/// l^2, with b by how much it runs sideways; a is measured, as curvatures jump where arcs meet.
-double reach(const ProfileGap& gap, const VisiblePoint& p, const GapPoint& g, double sign) {
+/// How far along x the circle through a point overlaps, behind and ahead. Along it the gap is gap + b l + a l^2, with b
+/// by how much it runs sideways; a is measured, as curvatures jump where arcs meet.
+std::array<double, 2> reach(const ProfileGap& gap, const VisiblePoint& p, const GapPoint& g) {
   const double depth = g.depth();
-  if (!(depth > 0)) return 0;
-  const double step = std::sqrt(2 * depth / gap.locus().bend(p));
-  const Vec3 x = gap.locus().ahead_of(p, sign * step);
-  const double b = g.rise * gap.locus().sideways(p) * sign;
-  double a = -g.gap / (step * step);
-  if (x[1] >= gap.rail().low() && x[1] <= gap.rail().high())
-    a = (gap.rail().at_y(x[1]).z - x[2] - g.gap - b * step) / (step * step);
-  constexpr double flattest = 1.0 / 16;
-  a = std::max(a, flattest * -g.gap / (step * step));
-  const double root = std::sqrt(b * b - 4 * a * g.gap);
-  const double length = b > 0 ? -2 * g.gap / (b + root) : (root - b) / (2 * a);
-  return length / step * std::abs(x[0] - g.wheel[0]);
+  if (!(depth > 0)) return {0, 0};
+  const double step = std::sqrt(2 * depth / gap.locus().bend(p)), sideways = g.rise * gap.locus().sideways(p);
+  const std::array<Vec3, 2> beside = gap.locus().beside(p, step);
+  std::array<double, 2> found{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Vec3& x = beside[i];
+    const double b = i == 0 ? -sideways : sideways;
+    double a = -g.gap / (step * step);
+    if (x[1] >= gap.rail().low() && x[1] <= gap.rail().high())
+      a = (gap.rail_z(x[1]) - x[2] - g.gap - b * step) / (step * step);
+    constexpr double flattest = 1.0 / 16;
+    a = std::max(a, flattest * -g.gap / (step * step));
+    const double root = std::sqrt(b * b - 4 * a * g.gap);
+    const double length = b > 0 ? -2 * g.gap / (b + root) : (root - b) / (2 * a);
+    found[i] = length / step * std::abs(x[0] - g.wheel[0]);
+  }
+  return found;
 }
 
-/// s at which the locus has this y, from a start between two ends.
-double s_towards_y(const ProfileGap& gap, double y, double s, double from, double to, double close_enough) {
+struct LocusPlace {
+  double s;
+  VisiblePoint wheel;
+  std::optional<LocusPoint> locus;
+};
+
+/// Where the locus has this y, from a start between two ends.
+LocusPlace place_at_y(const ProfileGap& gap, double y, double s, double from, double to, double close_enough) {
   constexpr int most = 8;
-  for (int i = 0; i < most; ++i) {
-    const auto p = gap.locus().at(gap.wheel().at(s));
-    if (!p || std::abs(y - p->x[1]) <= close_enough) break;
-    s = std::clamp(s + (y - p->x[1]) / p->forward_y, from, to);
+  LocusPlace place{};
+  for (int i = 0; i <= most; ++i) {
+    place.s = s;
+    place.wheel = gap.wheel().at(s);
+    place.locus = gap.locus().at(place.wheel);
+    if (!place.locus || std::abs(y - place.locus->x[1]) <= close_enough) break;
+    s = std::clamp(s + (y - place.locus->x[1]) / place.locus->forward_y, from, to);
   }
-  return s;
+  return place;
 }
 
 /// Over y, in which the gap's slope is continuous; by s it is not where the wheel's curvature jumps. visit(point of the
-/// wheel, gap) at every other place where the gap is taken.
+/// wheel, gap) wherever the gap is taken.
 template <class Visit>
 void integrate(const ProfileGap& gap, const GapPoint& from, const GapPoint& to, Overlap& o, Visit visit) {
-  constexpr std::size_t points = 24;
+  constexpr std::size_t points = 16;
   const auto& rule = quadrature::line_rule(static_cast<int>(points));
   const double middle = (from.wheel[1] + to.wheel[1]) / 2, half = (to.wheel[1] - from.wheel[1]) / 2;
   const double close_enough = 1e-9 * half;
@@ -185,12 +199,11 @@ void integrate(const ProfileGap& gap, const GapPoint& from, const GapPoint& to, 
   for (std::size_t i = 0; i < points; ++i) {
     const double y = middle + half * rule.x[i];
     const double start = std::clamp(last.s + (y - last.wheel[1]) / last.forward_y, last.s, to.s);
-    const double s = s_towards_y(gap, y, start, from.s, to.s, close_enough);
-    const VisiblePoint p = gap.wheel().at(s);
-    const auto g = gap.at(p, s);
+    const LocusPlace place = place_at_y(gap, y, start, from.s, to.s, close_enough);
+    const auto g = place.locus ? gap.at(*place.locus, place.s) : std::nullopt;
     if (!g || !(g->gap < 0)) continue;
     last = *g;
-    if (std::min(i, points - 1 - i) % 2 == 0) visit(p, *g);
+    visit(place.wheel, *g);
     const double w = rule.w[i] * half * g->gap * g->gap * std::sqrt(-g->gap);
     o.weight += w;
     o.y += w * g->wheel[1];
@@ -224,7 +237,7 @@ void measure(const ProfileGap& gap, Overlap& o) {
   o.back = std::min({o.from.wheel[0], o.to.wheel[0], o.deepest.wheel[0]});
   o.front = std::max({o.from.wheel[0], o.to.wheel[0], o.deepest.wheel[0]});
   const auto take = [&](const VisiblePoint& p, const GapPoint& g) {
-    const double ahead = reach(gap, p, g, 1), behind = reach(gap, p, g, -1);
+    const auto [behind, ahead] = reach(gap, p, g);
     o.back = std::min(o.back, g.wheel[0] - behind);
     o.front = std::max(o.front, g.wheel[0] + ahead);
     return (ahead + behind) / 2;

@@ -8,29 +8,40 @@ namespace rollcon {
 
 std::optional<GapPoint> ProfileGap::at(const VisiblePoint& p, double s) const {
   const auto point = locus_.at(p);
-  if (!point) return std::nullopt;
-  const double y = point->x[1];
+  return point ? at(*point, s) : std::nullopt;
+}
+
+std::optional<GapPoint> ProfileGap::at(const LocusPoint& point, double s) const {
+  const double y = point.x[1];
   if (!(y >= rail_.low() && y <= rail_.high())) return std::nullopt;
+  const VisiblePoint r = rail_at(y);
+  return GapPoint{s, point.x, r.z - point.x[2], r.slope - point.slope, r.slope, point.forward_y};
+}
+
+VisiblePoint ProfileGap::rail_at(double y) const {
   near_ = rail_.cell_at_y(y, near_);
-  const VisiblePoint r = rail_.at_y(y, near_);
-  return GapPoint{s, point->x, r.z - point->x[2], r.slope - point->slope, r.slope, point->forward_y};
+  return rail_.at_y(y, near_);
+}
+
+double ProfileGap::rail_z(double y) const {
+  near_ = rail_.cell_at_y(y, near_);
+  return rail_.cells()[near_].cubic_z(y);
 }
 
 RoughGap ProfileGap::rough(const VisibleSpan& span, std::size_t end) const {
   RoughGap g;
   g.s = span.s[end];
-  const auto point = locus_.at({span.y[end], span.z[end], span.slope[end], 1, span.slope[end], 0});
-  if (!point) return g;
-  g.y = point->x[1];
+  std::array<double, 3> outline{};
+  if (!locus_.outline(span.y[end], span.z[end], span.slope[end], outline)) return g;
+  g.y = outline[0];
   if (!(g.y >= rail_.low() && g.y <= rail_.high())) return g;
   g.known = true;
   near_ = rail_.cell_at_y(g.y, near_);
   const VisibleCell& r = rail_.cells()[near_];
-  const double width = r.y[1] - r.y[0], t = (g.y - r.y[0]) / width, chord = (r.z[1] - r.z[0]) / width;
+  const double width = r.y[1] - r.y[0], t = (g.y - r.y[0]) / width, chord = r.chord();
   const double from = r.slope[0] - chord, to = r.slope[1] - chord;
-  const double z = r.z[0] + width * t * (chord + (1 - t) * ((1 - t) * from - t * to));
-  g.gap = z - point->x[2];
-  g.rise = r.slope[0] + t * (r.slope[1] - r.slope[0]) - point->slope;
+  g.gap = r.cubic_z(g.y) - outline[1];
+  g.rise = r.slope[0] + t * (r.slope[1] - r.slope[0]) - outline[2];
   constexpr double share = 0.4;  // of the height of an arc over its chord
   g.slack = share * width * (std::abs(from) + std::abs(to));
   return g;

@@ -37,8 +37,13 @@ class ProfileGap {
 
   /// nullopt: beside the rail, or where the locus has no point.
   std::optional<GapPoint> at(const VisiblePoint& p, double s) const;
+  std::optional<GapPoint> at(const LocusPoint& point, double s) const;
   std::optional<GapPoint> at(double s) const { return at(wheel_.at(s), s); }
   std::optional<GapPoint> at(const VisibleSpan& span, double s) const { return at(wheel_.at(span, s), s); }
+  /// Of the rail at this y, which is on it; the search begins where the last one ended.
+  VisiblePoint rail_at(double y) const;
+  /// z there, of a cubic in the rail's cell.
+  double rail_z(double y) const;
   /// At an end of a span of the wheel.
   RoughGap rough(const VisibleSpan& span, std::size_t end) const;
 

@@ -34,6 +34,13 @@ struct VisibleCell {
   enum class Kind { curve, line, corner } kind = Kind::curve;
   std::size_t piece = 0;
   std::array<double, 2> u{}, s{}, y{}, z{}, slope{};
+
+  double chord() const { return (z[1] - z[0]) / (y[1] - y[0]); }
+  /// Of the cubic through both ends; of an arc that turns by 0.02 it misses 3e-5 of the height.
+  double cubic_z(double at) const {
+    const double width = y[1] - y[0], t = (at - y[0]) / width, middle = chord();
+    return z[0] + width * t * (middle + (1 - t) * ((1 - t) * (slope[0] - middle) - t * (slope[1] - middle)));
+  }
 };
 
 /// Some cells of one kind after another, over which the profile turns no more than over a cell of any curve: a spline

@@ -11,9 +11,8 @@ WheelLocus::WheelLocus(const Vec3& centre, const Vec3& axis, double radius)
 }
 
 std::optional<LocusPoint> WheelLocus::at(const VisiblePoint& p) const {
-  constexpr double most = 0.9999;  // beyond, a point runs along the wheel's rim without end
   const double s = p.slope * tilt_, square = s * s;
-  if (!(square < most)) return std::nullopt;
+  if (!(square < most_turned)) return std::nullopt;
   const double c = std::sqrt(1 - square), r = radius_ + p.z, turn = p.dslope * tilt_ / c;
   const Vec3 e = c * down_ + s * ahead_;
   const double down_y = e[1] - p.slope * axis_[1], down_z = e[2] - p.slope * axis_[2];
@@ -22,10 +21,12 @@ std::optional<LocusPoint> WheelLocus::at(const VisiblePoint& p) const {
   return LocusPoint{centre_ + p.y * axis_ + r * e, -down_y / down_z, forward_y};
 }
 
-Vec3 WheelLocus::ahead_of(const VisiblePoint& p, double length) const {
+std::array<Vec3, 2> WheelLocus::beside(const VisiblePoint& p, double length) const {
   const double s = p.slope * tilt_, c = std::sqrt(1 - s * s), r = radius_ + p.z;
   const double turn_s = std::sin(length / r), turn_c = std::cos(length / r);
-  return centre_ + p.y * axis_ + (r * (c * turn_c - s * turn_s)) * down_ + (r * (s * turn_c + c * turn_s)) * ahead_;
+  const Vec3 middle = centre_ + p.y * axis_ + r * turn_c * (c * down_ + s * ahead_);
+  const Vec3 off = r * turn_s * (c * ahead_ - s * down_);
+  return {middle - off, middle + off};
 }
 
 double WheelLocus::sideways(const VisiblePoint& p) const {

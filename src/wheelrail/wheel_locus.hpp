@@ -6,6 +6,7 @@
 /// angles to a (d has no x), that point is at r (cos t d + sin t f) from the axis, where sin t = m a_x / f_x. Seen
 /// along x, the locus is the wheel's outline.
 
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -33,9 +34,18 @@ class WheelLocus {
 
   /// nullopt: no point of that circle looks down without a component along x.
   std::optional<LocusPoint> at(const VisiblePoint& p) const;
+  /// y, z and slope of the outline alone, from those of the profile; false as above.
+  bool outline(double y, double z, double slope, std::array<double, 3>& at) const {
+    const double s = slope * tilt_, square = s * s, r = radius_ + z;
+    if (!(square < most_turned)) return false;
+    const double c = std::sqrt(1 - square), e_y = c * down_[1] + s * ahead_[1], e_z = c * down_[2] + s * ahead_[2];
+    const double down_z = e_z - slope * axis_[2];
+    at = {centre_[1] + y * axis_[1] + r * e_y, centre_[2] + y * axis_[2] + r * e_z, -(e_y - slope * axis_[1]) / down_z};
+    return down_z > 0;
+  }
   LocusCurvature curvature(const VisiblePoint& p) const;
-  /// On the same circle, an arc length ahead of the locus.
-  Vec3 ahead_of(const VisiblePoint& p, double length) const;
+  /// On the same circle, an arc length behind the locus and ahead of it.
+  std::array<Vec3, 2> beside(const VisiblePoint& p, double length) const;
   /// y of the unit vector along it.
   double sideways(const VisiblePoint& p) const;
   /// Of the circle, for small steps along the normal of the wheel's surface: what it bends away from its tangent.
@@ -44,6 +54,8 @@ class WheelLocus {
   double rounding() const { return 1e-16 * (radius_ + length(centre_)); }
 
  private:
+  static constexpr double most_turned = 0.9999;  ///< beyond, a point runs along the wheel's rim without end
+
   Vec3 centre_, axis_, down_, ahead_;
   double radius_, tilt_ = 0;  ///< a_x / f_x
 };

@@ -1,0 +1,48 @@
+#pragma once
+/// A wheel S1002 on its rail 60E1 by the library's handle, for cases that time and compare it. Units: mm, N, s.
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "rollcon.h"
+
+namespace rollcon::bench {
+
+enum class CreepForces { solved, table, table_on_ellipses };  ///< how a wheel's forces along the surface are found
+
+class Wheel {
+ public:
+  static constexpr double mu = 0.3, load = 10000, speed = 2000;
+
+  /// Throws std::runtime_error with the library's text if anything is refused.
+  Wheel(double accuracy, bool by_force, CreepForces by, std::int32_t side = ROLLCON_RIGHT);
+  ~Wheel();
+  Wheel(const Wheel&) = delete;
+  Wheel& operator=(const Wheel&) = delete;
+
+  /// Solves at this lateral shift, with a yaw of 2.4 mrad for each millimetre, and height (or the load). The status.
+  std::int32_t step(double y, double z, double roll = 0, double rate = -4.3459);
+
+  struct Result {
+    std::array<double, 2> force{};  ///< on the wheel in the track, along and across
+    double moment = 0;              ///< spin moments of the patches, by their shares
+    double radius = 0;              ///< of the circle with the area of all patches
+  };
+  Result result() const;
+  double stat(const char* name) const;
+  /// |dF| / (mu Fn), |dM| / (mu Fn radius)
+  static std::array<double, 2> errors(const Result& found, const Result& expected);
+
+ private:
+  double patch_stat(std::int32_t patch, const char* name) const;
+
+  rollcon_context* context_ = nullptr;
+  rollcon_body* body_[2] = {};
+  rollcon_table* table_ = nullptr;
+  rollcon_wheelrail* wheel_ = nullptr;
+};
+
+double thread_seconds();  ///< processor time of this thread
+
+}  // namespace rollcon::bench
