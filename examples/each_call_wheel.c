@@ -91,8 +91,8 @@ static rollcon_wheelrail* wheel_on_rail(rollcon_context* context, rollcon_body* 
 static void wheels(rollcon_context* context) {
   const double position[6] = {0, 3, 0, 0, 0, 0}, velocity[6] = {30000, 0, 0, 0, 0, -65.2};
   const double lower[3] = {0, 0.5, 0}, still[3] = {0, 0, 0}, shift[2] = {0, 3}, amplitude[2] = {2, 4};
-  double force[3], moment[3], force_rate[3], moment_rate[3], z_rate, pressure, totals[9], points[26], conicity[2],
-      wavelength[2];
+  double force[3], moment[3], point[2], origin[3], axes[9], force_rate[3], moment_rate[3], z_rate, pressure, totals[9],
+      points[26], conicity[2], wavelength[2];
   const double by_angle[4] = {-1, 0.1, -0.2, 0.3};
   const char* law = "archard";
   const double i = 1e-9; /* mm^2/N */
@@ -110,6 +110,8 @@ static void wheels(rollcon_context* context) {
   must(rollcon_wheelrail_set_velocity(right, velocity));
   must(rollcon_wheelrail_solve(right));
   must(rollcon_wheelrail_get_resultant(right, ROLLCON_IN_TRACK, force, moment));
+  must(rollcon_wheelrail_get_patch_axes(right, 0, origin, axes));
+  must(rollcon_wheelrail_get_profile_point(right, 1, 0, point)); /* the flange's end, in the track */
   must(rollcon_wheelrail_get_derivative(right, 1, force_rate, moment_rate, &z_rate)); /* by the lateral shift */
   printf("lateral force: %.0f N, %.0f N more per millimetre of shift\n", force[1], force_rate[1]);
   printf("on the rail %.0f N\n", fabs(force[2]));

@@ -109,7 +109,7 @@ static void print_patches(FILE* out, const rollcon_wheelrail* wheel, double y, i
 }
 
 int main(int argc, char** argv) {
-  const double cant = atan(1.0 / 40), last = 8, step = 0.5;
+  const double cant = atan(1.0 / 40), last = 10, step = 0.5;
   rollcon_context* context;
   rollcon_body *tread, *rail;
   rollcon_wheelrail* wheel[sides];

@@ -1855,6 +1855,17 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_stat_name
 
+    function rollcon_wheelrail_get_profile_point(wheelrail, body, share, point) &
+        result(rc) bind(C, name="rollcon_wheelrail_get_profile_point")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int32_t), value :: body
+      real(c_double), value :: share
+      real(c_double), intent(out) :: point(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_get_profile_point
+
     function rollcon_wheelrail_get_patch_stat(wheelrail, patch, name, value) &
         result(rc) bind(C, name="rollcon_wheelrail_get_patch_stat")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
@@ -1883,6 +1894,17 @@ module rollcon_c
       integer(c_int64_t), intent(inout) :: needed
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_patch_stat_name
+
+    function rollcon_wheelrail_get_patch_axes(wheelrail, patch, origin, axes) &
+        result(rc) bind(C, name="rollcon_wheelrail_get_patch_axes")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int32_t), value :: patch
+      real(c_double), intent(out) :: origin(*)
+      real(c_double), intent(out) :: axes(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_get_patch_axes
 
     function rollcon_wheelrail_get_contact(wheelrail, patch, contact) &
         result(rc) bind(C, name="rollcon_wheelrail_get_contact")

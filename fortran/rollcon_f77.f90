@@ -1762,6 +1762,15 @@ subroutine rcwstn(i, text, ierr)
   call give_text(c_null_ptr, 'RCWSTN', buffer, text, ierr)
 end subroutine
 
+!> Where a point of the wheel's or the rail's profile stood in the last solve, in the track.
+subroutine rcwppt(iwr, ibody, share, point, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ibody, ierr
+  double precision :: share, point(2)
+  ierr = rollcon_wheelrail_get_profile_point(wheelrail_of(iwr), narrow(ibody), share, point)
+end subroutine
+
 !> One number about a patch.
 subroutine rcwpst(iwr, ipatch, name, value, ierr)
   use rollcon_f77_support
@@ -1800,6 +1809,15 @@ subroutine rcwpsn(i, text, ierr)
     ierr = rollcon_wheelrail_patch_stat_name(narrow(i - 1), capacity, buffer, needed)
   end if
   call give_text(c_null_ptr, 'RCWPSN', buffer, text, ierr)
+end subroutine
+
+!> Origin and axes of the contact of a patch (rollcon_wheelrail_get_contact) in the track.
+subroutine rcwpax(iwr, ipatch, origin, axes, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ipatch, ierr
+  double precision :: origin(3), axes(9)
+  ierr = rollcon_wheelrail_get_patch_axes(wheelrail_of(iwr), narrow(ipatch - 1), origin, axes)
 end subroutine
 
 !> The contact of a patch.

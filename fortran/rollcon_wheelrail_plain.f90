@@ -40,7 +40,9 @@ module rollcon_wheelrail_plain
     procedure :: get_resultant => wheelrail_get_resultant
     procedure :: get_derivative => wheelrail_get_derivative
     procedure :: get_stat => wheelrail_get_stat
+    procedure :: get_profile_point => wheelrail_get_profile_point
     procedure :: get_patch_stat => wheelrail_get_patch_stat
+    procedure :: get_patch_axes => wheelrail_get_patch_axes
     procedure :: free => release
     procedure :: from_id
     procedure :: id
@@ -363,6 +365,20 @@ contains
     call finish(rollcon_wheelrail_get_stat(self%p, c_text(name), value), self%p, 'rc_wheelrail%get_stat', stat, errmsg)
   end subroutine
 
+  !> Where a point of the wheel's or the rail's profile stood in the last solve, in the track: for pictures. The wheel's
+  !> profile is that in the plane of its axle, below it.
+  subroutine wheelrail_get_profile_point(self, body, share, point, stat, errmsg)
+    class(rc_wheelrail_plain), intent(in) :: self
+    integer, intent(in) :: body
+    real(rc_real), intent(in) :: share
+    real(rc_real), intent(out) :: point(2)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    point = 0
+    call finish(rollcon_wheelrail_get_profile_point(self%p, int(body, rc_int), share, point), self%p, &
+      'rc_wheelrail%get_profile_point', stat, errmsg)
+  end subroutine
+
   !> One number about a patch: position, angle, rolling radius, creepages, forces, status. Names:
   !> rollcon_wheelrail_patch_stat_name; meanings: docs/wheelrail.md.
   subroutine wheelrail_get_patch_stat(self, patch, name, value, stat, errmsg)
@@ -375,6 +391,21 @@ contains
     value = 0
     call finish(rollcon_wheelrail_get_patch_stat(self%p, int(patch - 1, rc_int), c_text(name), value), self%p, &
       'rc_wheelrail%get_patch_stat', stat, errmsg)
+  end subroutine
+
+  !> Origin and axes of the contact of a patch (rollcon_wheelrail_get_contact) in the track: a node at (x, y, z) of the
+  !> contact is at origin + x t1 + y t2 + z n. Those of a left wheel are a mirror image: a left-handed triple.
+  subroutine wheelrail_get_patch_axes(self, patch, origin, axes, stat, errmsg)
+    class(rc_wheelrail_plain), intent(in) :: self
+    integer, intent(in) :: patch
+    real(rc_real), intent(out) :: origin(3)
+    real(rc_real), intent(out) :: axes(9)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    origin = 0
+    axes = 0
+    call finish(rollcon_wheelrail_get_patch_axes(self%p, int(patch - 1, rc_int), origin, axes), self%p, &
+      'rc_wheelrail%get_patch_axes', stat, errmsg)
   end subroutine
 
 end module rollcon_wheelrail_plain

@@ -2430,6 +2430,17 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_stat_name(int32_t i, i
     char *text, int64_t *needed);
 
 /*
+ * Where a point of the wheel's or the rail's profile stood in the last solve, in the track: for
+ * pictures. The wheel's profile is that in the plane of its axle, below it.
+ *   body       1: wheel, 2: rail
+ *   share      0 to 1: of the length of that body's profile, from the end where y is less
+ *   point      [2], out; y and z, length
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_get_profile_point(
+    const rollcon_wheelrail *wheelrail, int32_t body, double share, double *point);
+
+/*
  * One number about a patch: position, angle, rolling radius, creepages, forces, status. Names:
  * rollcon_wheelrail_patch_stat_name; meanings: docs/wheelrail.md.
  *   patch      0 to rollcon_wheelrail_get_patch_count - 1
@@ -2453,6 +2464,20 @@ ROLLCON_API int32_t ROLLCON_CALL rollcon_wheelrail_patch_stat_count(void);
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_patch_stat_name(int32_t i,
     int64_t capacity, char *text, int64_t *needed);
+
+/*
+ * Origin and axes of the contact of a patch (rollcon_wheelrail_get_contact) in the track: a node
+ * at (x, y, z) of the contact is at origin + x t1 + y t2 + z n. Those of a left wheel are a
+ * mirror image: a left-handed triple.
+ *   patch      0 to rollcon_wheelrail_get_patch_count - 1
+ *   origin     [3], out, may be NULL; the middle of its frame; x counts from the wheelset's, as
+ *              the statistic, length
+ *   axes       [9], out, may be NULL; unit vectors t1 (the rolling direction), t2 (across), n
+ *              (into the rail)
+ * Also returns: ROLLCON_ERR_STATE.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_get_patch_axes(
+    const rollcon_wheelrail *wheelrail, int32_t patch, double *origin, double *axes);
 
 /*
  * The contact of a patch: body 1 is the wheel, body 2 the rail, and all its results are in the

@@ -2070,6 +2070,20 @@ static void call_wheelrail_stat_name(call *self) {
   finish(self, rc);
 }
 
+static void call_wheelrail_get_profile_point(call *self) {
+  int32_t rc = 0;
+  rollcon_wheelrail *wheelrail = rollcon_wheelrail_from_id(take_handle(self, "wheelrail"));
+  const int32_t body = take_enumerator(self, "body", no_names, 0);
+  const double share = take_real(self, "share");
+  double *point = NULL;
+  no_more(self);
+  point = room(1 * (2), sizeof *point);
+  rc = rollcon_wheelrail_get_profile_point(wheelrail, body, share, point);
+  if (rc < 0) finish(self, rc);
+  give_reals(self, point, 1, 2);
+  finish(self, rc);
+}
+
 static void call_wheelrail_get_patch_stat(call *self) {
   int32_t rc = 0;
   rollcon_wheelrail *wheelrail = rollcon_wheelrail_from_id(take_handle(self, "wheelrail"));
@@ -2102,6 +2116,22 @@ static void call_wheelrail_patch_stat_name(call *self) {
   rc = rollcon_wheelrail_patch_stat_name(i, capacity, text_buffer, &need);
   if (rc < 0) finish(self, rc);
   give_text(self, text_buffer);
+  finish(self, rc);
+}
+
+static void call_wheelrail_get_patch_axes(call *self) {
+  int32_t rc = 0;
+  rollcon_wheelrail *wheelrail = rollcon_wheelrail_from_id(take_handle(self, "wheelrail"));
+  const int32_t patch = (int32_t)take_integer(self, "patch") - 1;
+  double *origin = NULL;
+  double *axes = NULL;
+  no_more(self);
+  origin = room(1 * (3), sizeof *origin);
+  axes = room(1 * (9), sizeof *axes);
+  rc = rollcon_wheelrail_get_patch_axes(wheelrail, patch, origin, axes);
+  if (rc < 0) finish(self, rc);
+  give_reals(self, origin, 1, 3);
+  give_reals(self, axes, 1, 9);
   finish(self, rc);
 }
 
@@ -2513,9 +2543,11 @@ const entry calls[] = {
   {"wheelrail_get_stat", call_wheelrail_get_stat, 1},
   {"wheelrail_stat_count", call_wheelrail_stat_count, 1},
   {"wheelrail_stat_name", call_wheelrail_stat_name, 1},
+  {"wheelrail_get_profile_point", call_wheelrail_get_profile_point, 1},
   {"wheelrail_get_patch_stat", call_wheelrail_get_patch_stat, 1},
   {"wheelrail_patch_stat_count", call_wheelrail_patch_stat_count, 1},
   {"wheelrail_patch_stat_name", call_wheelrail_patch_stat_name, 1},
+  {"wheelrail_get_patch_axes", call_wheelrail_get_patch_axes, 2},
   {"wheelrail_get_contact", call_wheelrail_get_contact, 1},
   {"wheelrail_find_contact_points", call_wheelrail_find_contact_points, 1},
   {"wheelrail_find_conicity", call_wheelrail_find_conicity, 2},

@@ -107,6 +107,25 @@ rollcon_status rollcon_wheelrail_get_resultant(const rollcon_wheelrail* wheelrai
   });
 }
 
+rollcon_status rollcon_wheelrail_get_patch_axes(const rollcon_wheelrail* wheelrail, int32_t patch, double* origin,
+                                                double* axes) {
+  return with_wheelrail(__func__, wheelrail, [&](const WheelRail& w) {
+    const Axes a = w.patch_axes(patch);
+    if (origin) std::copy(a.origin.begin(), a.origin.end(), origin);
+    if (!axes) return;
+    for (const Vec3* v : {&a.t1, &a.t2, &a.n}) axes = std::copy(v->begin(), v->end(), axes);
+  });
+}
+
+rollcon_status rollcon_wheelrail_get_profile_point(const rollcon_wheelrail* wheelrail, int32_t body, double share,
+                                                   double* point) {
+  return with_wheelrail(__func__, wheelrail, [&](const WheelRail& w) {
+    require_pointer(point, "point");
+    const auto x = w.profile_point(body, share);
+    std::copy(x.begin(), x.end(), point);
+  });
+}
+
 rollcon_status rollcon_wheelrail_get_derivative(rollcon_wheelrail* wheelrail, int32_t entry, double* force,
                                                 double* moment, double* z) {
   return with_wheelrail(__func__, wheelrail, [&](WheelRail& w) {

@@ -91,6 +91,11 @@ class WheelRail {
   std::shared_ptr<Contact> contact(std::int64_t i) const;
   /// On the wheel, in the axes of the track or of the wheelset; the moment about the wheelset's centre.
   void resultant(bool of_wheelset, double* force, double* moment) const;
+  /// Of a patch's contact, in the track; of a left wheel's a mirror image.
+  Axes patch_axes(std::int64_t patch) const;
+  /// y and z in the track of a point of the wheel's (1) or the rail's profile, at this share of its length, as last
+  /// solved.
+  std::array<double, 2> profile_point(std::int32_t body, double share) const;
   /// How totals of the last solve change with entry i of its position (0 to 5) or velocity (6 to 11): in the track, and
   /// z of the wheelset. err_state: that solve did not converge; err_singular: patches begin or end there.
   struct Derivative {

@@ -141,4 +141,30 @@ void WheelRail::resultant(bool of_wheelset, double* force, double* moment) const
   if (moment) std::copy(axial.begin(), axial.end(), moment);
 }
 
+Axes WheelRail::patch_axes(std::int64_t patch) const {
+  const Axes& own = active(patch).contact.axes();
+  const Pose rail = rail_pose(solved_->deviation);
+  const auto back = [&](const Vec3& v) { return Vec3{v[0], side_ * v[1], v[2]}; };
+  Axes axes;
+  axes.origin = back(rail.place(own.origin) + Vec3{solved_->position.x, 0, 0});
+  axes.t1 = back(rail.turn(own.t1));
+  axes.t2 = back(rail.turn(own.t2));
+  axes.n = back(rail.turn(own.n));
+  return axes;
+}
+
+std::array<double, 2> WheelRail::profile_point(std::int32_t body, double share) const {
+  require_solved();
+  require_finite(share, "share");
+  if (body != 1 && body != 2) fail(Status::err_argument, "body is %d; allowed: 1 (wheel), 2 (rail)", body);
+  const ProfileCurve& curve = *(body == 1 ? given_wheel_ : given_rail_)->profile();
+  if (!(share >= 0 && share <= 1)) fail(Status::err_argument, "share is %g; allowed: 0 to 1", share);
+  const Vec2 at = curve.at(share * curve.length()).x;
+  const RailShape& r = rail_shape_;
+  const Vec3 x = body == 1
+                     ? wheel_pose(solved_->position, solved_->z).place({0, at[0], at[1]})
+                     : rail_pose(solved_->deviation).place(r.origin + at[0] * cross(r.down, r.along) + at[1] * r.down);
+  return {side_ * x[1], x[2]};
+}
+
 }  // namespace rollcon

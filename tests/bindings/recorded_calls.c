@@ -173,9 +173,11 @@ const char* const recorded_names[] = {
   "wheelrail_get_stat",
   "wheelrail_stat_count",
   "wheelrail_stat_name",
+  "wheelrail_get_profile_point",
   "wheelrail_get_patch_stat",
   "wheelrail_patch_stat_count",
   "wheelrail_patch_stat_name",
+  "wheelrail_get_patch_axes",
   "wheelrail_get_contact",
   "wheelrail_find_contact_points",
   "wheelrail_find_conicity",
@@ -206,7 +208,7 @@ const char* const recorded_names[] = {
   "table_evaluate_contact",
 };
 
-const int recorded_number = 199;
+const int recorded_number = 201;
 
 enum {
   recorded_rollcon_version,
@@ -377,9 +379,11 @@ enum {
   recorded_rollcon_wheelrail_get_stat,
   recorded_rollcon_wheelrail_stat_count,
   recorded_rollcon_wheelrail_stat_name,
+  recorded_rollcon_wheelrail_get_profile_point,
   recorded_rollcon_wheelrail_get_patch_stat,
   recorded_rollcon_wheelrail_patch_stat_count,
   recorded_rollcon_wheelrail_patch_stat_name,
+  recorded_rollcon_wheelrail_get_patch_axes,
   recorded_rollcon_wheelrail_get_contact,
   recorded_rollcon_wheelrail_find_contact_points,
   recorded_rollcon_wheelrail_find_conicity,
@@ -2009,6 +2013,17 @@ rollcon_status rollcon_wheelrail_stat_name(int32_t i, int64_t capacity, char *te
   return record_end();
 }
 
+rollcon_status rollcon_wheelrail_get_profile_point(const rollcon_wheelrail *wheelrail,
+    int32_t body, double share, double *point) {
+  record_begin(recorded_rollcon_wheelrail_get_profile_point);
+  record_handle(wheelrail);
+  record_integer(body);
+  record_real(share);
+  record_room(point);
+  give_reals(point, 2, 3);
+  return record_end();
+}
+
 rollcon_status rollcon_wheelrail_get_patch_stat(const rollcon_wheelrail *wheelrail,
     int32_t patch, const char *name, double *value) {
   record_begin(recorded_rollcon_wheelrail_get_patch_stat);
@@ -2033,6 +2048,18 @@ rollcon_status rollcon_wheelrail_patch_stat_name(int32_t i, int64_t capacity, ch
   record_room(text);
   record_room(needed);
   give_text(text, capacity, needed, recorded_rollcon_wheelrail_patch_stat_name);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_get_patch_axes(const rollcon_wheelrail *wheelrail,
+    int32_t patch, double *origin, double *axes) {
+  record_begin(recorded_rollcon_wheelrail_get_patch_axes);
+  record_handle(wheelrail);
+  record_integer(patch);
+  record_room(origin);
+  record_room(axes);
+  give_reals(origin, 3, 2);
+  give_reals(axes, 9, 3);
   return record_end();
 }
 

@@ -325,8 +325,12 @@ void with_each_wheelrail_call(const void* handle, Check&& check) {
         rollcon_wheelrail_get_derivative(object, 1, a.out, a.out, a.out));
   check("rollcon_wheelrail_get_stat", false,
         rollcon_wheelrail_get_stat(object, "never_written", a.out));
+  check("rollcon_wheelrail_get_profile_point", false,
+        rollcon_wheelrail_get_profile_point(object, 1, 1, a.out));
   check("rollcon_wheelrail_get_patch_stat", false,
         rollcon_wheelrail_get_patch_stat(object, 1, "never_written", a.out));
+  check("rollcon_wheelrail_get_patch_axes", false,
+        rollcon_wheelrail_get_patch_axes(object, 1, a.out, a.out));
   check("rollcon_wheelrail_get_contact", false,
         rollcon_wheelrail_get_contact(object, 1, &a.contact));
   check("rollcon_wheelrail_find_contact_points", false,

@@ -109,6 +109,74 @@ TEST_F(wheelrail, manchester_at_2_mm) {
                std::hypot(force[0], force[1], force[2]) / std::hypot(turned[0], turned[1], turned[2]) - 1, 1e-12);
 }
 
+// Forces of the contact turned into the track, and the moment that the place of its axes gives them about the wheelset.
+TEST_F(wheelrail, axes_of_a_patch_put_its_contact_into_the_track) {
+  for (const double side : {1.0, -1.0}) {
+    rollcon_wheelrail* w = made(side > 0 ? ROLLCON_RIGHT : ROLLCON_LEFT);
+    give(w, side);
+    ASSERT_OK(rollcon_wheelrail_solve(w));
+    rollcon_contact* contact = nullptr;
+    double own_force[3], own_moment[3], force[3], moment[3], origin[3], axes[9];
+    ASSERT_OK(rollcon_wheelrail_get_contact(w, 0, &contact));
+    ASSERT_OK(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, own_force, own_moment));
+    ASSERT_OK(rollcon_wheelrail_get_resultant(w, ROLLCON_IN_TRACK, force, moment));
+    ASSERT_OK(rollcon_wheelrail_get_patch_axes(w, 0, origin, axes));
+    double f[3] = {0, 0, 0}, m[3] = {0, 0, 0};
+    for (int k = 0; k < 3; ++k)
+      for (int i = 0; i < 3; ++i)
+        f[i] += own_force[k] * axes[3 * k + i], m[i] += side * own_moment[k] * axes[3 * k + i];
+    const double arm[3] = {origin[0], origin[1] - side * 2, origin[2] - stat(w, "z") + 460};
+    for (int i = 0; i < 3; ++i) m[i] += arm[(i + 1) % 3] * f[(i + 2) % 3] - arm[(i + 2) % 3] * f[(i + 1) % 3];
+    for (int i = 0; i < 3; ++i) {
+      expect_error("force, N", f[i] - force[i], 1e-8);
+      expect_error("moment, N mm", m[i] - moment[i], 1e-5);
+    }
+    EXPECT_EQ(rollcon_wheelrail_get_patch_axes(w, 1, origin, axes), ROLLCON_ERR_ARGUMENT);
+    rollcon_contact_release(contact);
+    rollcon_wheelrail_release(w);
+  }
+  EXPECT_EQ(rollcon_wheelrail_get_patch_axes(right, 0, nullptr, nullptr), ROLLCON_ERR_STATE);
+}
+
+// The patch lies on the rail's outline, and the wheel's is as deep below it as both overlap; without yaw, where the
+// outline of the wheel is its profile.
+TEST_F(wheelrail, profiles_stand_where_the_patch_is) {
+  for (const double side : {1.0, -1.0}) {
+    rollcon_wheelrail* w = made(side > 0 ? ROLLCON_RIGHT : ROLLCON_LEFT);
+    give(w, side);
+    const double position[6] = {0, side * 2, 0.1529, side * -1.128e-4, 0, 0}, deviation[3] = {side * 0.7, -0.3, 0};
+    const double still[3] = {0, 0, 0};
+    ASSERT_OK(rollcon_wheelrail_set_position(w, position));
+    ASSERT_OK(rollcon_wheelrail_set_rail_deviation(w, deviation, still));
+    ASSERT_OK(rollcon_wheelrail_prescribe_vertical(w, ROLLCON_BY_FORCE, 10000));
+    ASSERT_OK(rollcon_wheelrail_solve(w));
+    const double y = patch_stat(w, "y"), z = patch_stat(w, "z");
+    double above[2] = {1e9, 1e9};
+    for (const std::int32_t body : {1, 2}) {
+      double p[2], before[2] = {0, 0};
+      constexpr int parts = 20000;
+      for (int i = 0; i <= parts; ++i) {
+        ASSERT_OK(rollcon_wheelrail_get_profile_point(w, body, static_cast<double>(i) / parts, p));
+        const double t = (y - before[0]) / (p[0] - before[0]), there = before[1] + t * (p[1] - before[1]) - z;
+        if (i > 0 && t >= 0 && t <= 1 && std::abs(there) < std::abs(above[body - 1])) above[body - 1] = there;
+        std::copy(p, p + 2, before);
+      }
+    }
+    expect_error("rail's outline at the patch, mm", above[1], 1e-6);
+    expect_error("wheel's outline, of the overlap",
+                 above[0] * std::cos(patch_stat(w, "angle")) / patch_stat(w, "overlap") - 1, 0.01);
+    double p[2] = {5, 5};
+    EXPECT_EQ(rollcon_wheelrail_get_profile_point(w, 3, 0, p), ROLLCON_ERR_ARGUMENT);
+    EXPECT_STREQ(rollcon_last_error(), "rollcon_wheelrail_get_profile_point: body is 3; allowed: 1 (wheel), 2 (rail)");
+    EXPECT_EQ(rollcon_wheelrail_get_profile_point(w, 2, -1, p), ROLLCON_ERR_ARGUMENT);
+    EXPECT_EQ(rollcon_wheelrail_get_profile_point(w, 2, NAN, p), ROLLCON_ERR_NONFINITE);
+    EXPECT_EQ(p[0], 5);
+    rollcon_wheelrail_release(w);
+  }
+  double p[2];
+  EXPECT_EQ(rollcon_wheelrail_get_profile_point(right, 1, 0, p), ROLLCON_ERR_STATE);
+}
+
 TEST_F(wheelrail, left_is_the_mirror_image) {
   rollcon_wheelrail* left = made(ROLLCON_LEFT);
   give(right);

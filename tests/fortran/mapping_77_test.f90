@@ -149,8 +149,10 @@ program mapping_77_test
   call test_rcwder()
   call test_rcwsta()
   call test_rcwstn()
+  call test_rcwppt()
   call test_rcwpst()
   call test_rcwpsn()
+  call test_rcwpax()
   call test_rcwcon()
   call test_rcwpts()
   call test_rcwcnc()
@@ -2306,6 +2308,21 @@ contains
     call failed('wheelrail_stat_name', stat, message)
   end subroutine
 
+  subroutine test_rcwppt()
+    double precision :: point(2)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwppt(iwr, 11, 2.5d0, point, stat)
+    call told('wheelrail_get_profile_point', 'wheelrail1 11 2.5 room', stat)
+    call gave_reals('point', point, 300.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwppt(iwr, 11, 2.5d0, point, stat)
+    call rclerr(message)
+    call failed('wheelrail_get_profile_point', stat, message)
+  end subroutine
+
   subroutine test_rcwpst()
     double precision :: value
     integer :: stat
@@ -2334,6 +2351,23 @@ contains
     call rcwpsn(1, text, stat)
     call rclerr(message)
     call failed('wheelrail_patch_stat_name', stat, message)
+  end subroutine
+
+  subroutine test_rcwpax()
+    double precision :: origin(3)
+    double precision :: axes(9)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwpax(iwr, 11, origin, axes, stat)
+    call told('wheelrail_get_patch_axes', 'wheelrail1 10 room room', stat)
+    call gave_reals('origin', origin, 200.5_rc_real)
+    call gave_reals('axes', axes, 300.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwpax(iwr, 11, origin, axes, stat)
+    call rclerr(message)
+    call failed('wheelrail_get_patch_axes', stat, message)
   end subroutine
 
   subroutine test_rcwcon()

@@ -88,7 +88,9 @@ program mapping_test
   call wheelrail_get_resultant()
   call wheelrail_get_derivative()
   call wheelrail_get_stat()
+  call wheelrail_get_profile_point()
   call wheelrail_get_patch_stat()
+  call wheelrail_get_patch_axes()
   call table_set_ratios()
   call table_set_resolution()
   call table_set_frame()
@@ -1211,6 +1213,20 @@ contains
     call failed('wheelrail_get_stat', stat, message)
   end subroutine
 
+  subroutine wheelrail_get_profile_point()
+    real(rc_real) :: point(2)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call wheelrail%get_profile_point(11, 2.5_rc_real, point, stat, message)
+    call told('wheelrail_get_profile_point', 'wheelrail1 11 2.5 room', stat)
+    call gave_reals('point', point, 300.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call wheelrail%get_profile_point(11, 2.5_rc_real, point, stat, message)
+    call failed('wheelrail_get_profile_point', stat, message)
+  end subroutine
+
   subroutine wheelrail_get_patch_stat()
     real(rc_real) :: value
     integer :: stat
@@ -1223,6 +1239,22 @@ contains
     message = ''
     call wheelrail%get_patch_stat(11, 'text 2', value, stat, message)
     call failed('wheelrail_get_patch_stat', stat, message)
+  end subroutine
+
+  subroutine wheelrail_get_patch_axes()
+    real(rc_real) :: origin(3)
+    real(rc_real) :: axes(9)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call wheelrail%get_patch_axes(11, origin, axes, stat, message)
+    call told('wheelrail_get_patch_axes', 'wheelrail1 10 room room', stat)
+    call gave_reals('origin', origin, 200.5_rc_real)
+    call gave_reals('axes', axes, 300.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call wheelrail%get_patch_axes(11, origin, axes, stat, message)
+    call failed('wheelrail_get_patch_axes', stat, message)
   end subroutine
 
   subroutine table_set_ratios()

@@ -425,9 +425,15 @@ FUNCTIONS = {
     "rollcon_wheelrail_get_stat": (c_int32, [c_void_p, c_char_p, POINTER(c_double)]),
     "rollcon_wheelrail_stat_count": (c_int32, []),
     "rollcon_wheelrail_stat_name": (c_int32, [c_int32, c_int64, c_char_p, POINTER(c_int64)]),
+    "rollcon_wheelrail_get_profile_point": (c_int32, [
+        c_void_p, c_int32,
+        c_double, POINTER(c_double)]),
     "rollcon_wheelrail_get_patch_stat": (c_int32, [c_void_p, c_int32, c_char_p, POINTER(c_double)]),
     "rollcon_wheelrail_patch_stat_count": (c_int32, []),
     "rollcon_wheelrail_patch_stat_name": (c_int32, [c_int32, c_int64, c_char_p, POINTER(c_int64)]),
+    "rollcon_wheelrail_get_patch_axes": (c_int32, [
+        c_void_p, c_int32,
+        POINTER(c_double), POINTER(c_double)]),
     "rollcon_wheelrail_get_contact": (c_int32, [c_void_p, c_int32, POINTER(c_void_p)]),
     "rollcon_wheelrail_find_contact_points": (c_int32, [
         c_void_p, c_void_p, c_int64,
@@ -808,12 +814,18 @@ ARGUMENTS = {
     "rollcon_wheelrail_get_stat": [("wheelrail", ""), ("name", ""), ("value", "")],
     "rollcon_wheelrail_stat_count": [],
     "rollcon_wheelrail_stat_name": [("i", ""), ("capacity", ""), ("text", ""), ("needed", "")],
+    "rollcon_wheelrail_get_profile_point": [
+        ("wheelrail", ""), ("body", ""), ("share", ""), ("point", "")
+    ],
     "rollcon_wheelrail_get_patch_stat": [
         ("wheelrail", ""), ("patch", ""), ("name", ""), ("value", "")
     ],
     "rollcon_wheelrail_patch_stat_count": [],
     "rollcon_wheelrail_patch_stat_name": [
         ("i", ""), ("capacity", ""), ("text", ""), ("needed", "")
+    ],
+    "rollcon_wheelrail_get_patch_axes": [
+        ("wheelrail", ""), ("patch", ""), ("origin", ""), ("axes", "")
     ],
     "rollcon_wheelrail_get_contact": [("wheelrail", ""), ("patch", ""), ("contact", "")],
     "rollcon_wheelrail_find_contact_points": [

@@ -967,6 +967,18 @@ class WheelrailPlain:
         self._call("get_stat", c_text(name, "name"), byref(value))
         return value.value
 
+    def profile_point(self, body: int, share: float) -> ndarray:
+        """Where a point of the wheel's or the rail's profile stood in the last solve, in the
+        track: for pictures. The wheel's profile is that in the plane of its axle, below it.
+
+        body: 1: wheel, 2: rail.
+        share: 0 to 1: of the length of that body's profile, from the end where y is less.
+        point: y and z, length.
+        """
+        point, point_at = room(2)
+        self._call("get_profile_point", body, share, point_at)
+        return point
+
     def patch_stat(self, patch: int, name: str) -> float:
         """One number about a patch: position, angle, rolling radius, creepages, forces, status.
         Names: patch_stat_name(); meanings: docs/wheelrail.md.
@@ -976,6 +988,20 @@ class WheelrailPlain:
         value = c_double()
         self._call("get_patch_stat", patch, c_text(name, "name"), byref(value))
         return value.value
+
+    def patch_axes(self, patch: int) -> tuple[ndarray, ndarray]:
+        """Origin and axes of the contact of a patch (contact()) in the track: a node at (x, y, z)
+        of the contact is at origin + x t1 + y t2 + z n. Those of a left wheel are a mirror image:
+        a left-handed triple.
+
+        patch: 0 to rollcon_wheelrail_get_patch_count - 1.
+        origin: the middle of its frame; x counts from the wheelset's, as the statistic, length.
+        axes: unit vectors t1 (the rolling direction), t2 (across), n (into the rail).
+        """
+        origin, origin_at = room(3)
+        axes, axes_at = room(9)
+        self._call("get_patch_axes", patch, origin_at, axes_at)
+        return origin, axes
 
 
 class TablePlain:

@@ -6,8 +6,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from . import _api
-from ._library import enumerator
+from . import _api, wheelrail as wheelrail_module
+from ._library import RollconError, enumerator
 
 STICK_COLOUR, SLIP_COLOUR = "#1f4e9c", "#c8442b"
 
@@ -155,20 +155,92 @@ def profile(body, ax=None, points=400, **line):
     return ax
 
 
-def patches(wheelrail, ax=None):
-    """Where the wheel touches: each patch at its place in the track, y to the right and z down, at the end of a line along
-    its normal, as long as its force; the legend has the numbers."""
+def patches(wheelrail, ax=None, points=2000):
+    """Wheel and rail in the track where they touch, y to the right and z down. Along the rail the largest pressure of each
+    line of nodes of a patch, as a height over its tangent; a patch without nodes (Hertzian) is a line along its normal.
+    The legend has the numbers."""
     ax = _axes(ax)
-    force = [wheelrail.patch_stat(k, "normal_force") for k in range(wheelrail.patch_count)]
-    for k, normal in enumerate(force):
-        y, z, angle = (wheelrail.patch_stat(k, name) for name in ("y", "z", "angle"))
-        length = 10 * normal / max(force)
-        ax.plot([y + length * np.sin(angle), y], [z - length * np.cos(angle), z], "-", marker=".", markevery=[1],
-                label=f"patch {k}: {normal:.4g}, angle {angle:.3f}")
+    count = wheelrail.patch_count
+    stat = [{name: wheelrail.patch_stat(k, name) for name in ("y", "z", "angle", "normal_force", "max_pressure")}
+            for k in range(count)]
+    across = [_pressure_across(wheelrail, k) for k in range(count)]
+    y = np.concatenate([[s["y"] for s in stat], *[a[0][:, 0] for a in across]])
+    width = max(2.5 * np.ptp(y), 1e-2 * np.abs(y).max())
+    low, high = y.min() + y.max() - width, y.min() + y.max() + width
+    outlines = []
+    for body, colour, name in ((1, "0.45", "wheel"), (2, "k", "rail")):
+        at = np.array([wheelrail.profile_point(body, share) for share in np.linspace(0, 1, points)])
+        ax.plot(at[:, 0], at[:, 1], "-", color=colour, lw=1.2, label=name)
+        outlines.append(at[(at[:, 0] > low / 2) & (at[:, 0] < high / 2)])
+    greatest = max((s["max_pressure"] for s in stat), default=0)
+    for k, (s, (place, p, up)) in enumerate(zip(stat, across)):
+        height = 0.25 * width
+        if len(p):
+            tip = place + height * (p / greatest)[:, None] * up
+        else:
+            place = np.array([[s["y"], s["z"]]] * 2)
+            tip = place + np.array([[0], [height * s["max_pressure"] / greatest]]) * [np.sin(s["angle"]),
+                                                                                  -np.cos(s["angle"])]
+        ax.fill(*np.concatenate([place, tip[::-1]]).T, alpha=0.6, lw=1.5, color=f"C{k}",
+                label=f"patch {k}: {s['normal_force']:.4g}, pressure {s['max_pressure']:.4g}, angle {s['angle']:.3f}")
+    z = np.concatenate([o[:, 1] for o in outlines])
+    ax.set_xlim(low / 2, high / 2)
+    ax.set_ylim(z.max() + 0.05 * width, min(z.min(), min((s["z"] for s in stat), default=0) - 0.3 * width))
+    ax.set_aspect("equal", adjustable="box")
     ax.set_xlabel("y in the track")
     ax.set_ylabel("z, down")
-    ax.set_aspect("equal", adjustable="datalim")
-    ax.margins(0.4)
-    ax.invert_yaxis()
     ax.legend(fontsize="small")
+    return ax
+
+
+def _pressure_across(wheelrail, patch):
+    """Places in the track of the lines of nodes across a patch, the largest pressure of each, and the direction out of the
+    rail."""
+    origin, axes = wheelrail.patch_axes(patch)
+    t2, n = np.reshape(axes, (3, 3))[1:, 1:]
+    contact = wheelrail.contact(patch)
+    try:
+        y, p = contact.field("point")[:, 1], contact.field("pressure")
+    except RollconError:
+        return np.empty((0, 2)), np.empty(0), -n
+    lines, line = np.unique(y.round(9), return_inverse=True)
+    greatest = np.zeros(len(lines))
+    np.maximum.at(greatest, line, p)
+    return np.asarray(origin)[1:] + lines[:, None] * t2, greatest, -n
+
+
+def contact_points(left, right, shift, ax=None):
+    """Where both wheels of a wheelset touch, y on their profiles, over its lateral shift[n]."""
+    ax = _axes(ax)
+    found = wheelrail_module.contact_points(left, right, shift)
+    for touch, marker, name in ((found.left, "<", "left"), (found.right, ">", "right")):
+        ax.plot(found.shift, touch.wheel_y, marker, ms=3, label=f"{name} wheel")
+    ax.set_ylabel("y on the wheel's profile")
+    return _over_shift(ax)
+
+
+def rolling_radius_difference(left, right, shift, ax=None):
+    """Rolling radius on the right less that on the left, over the wheelset's lateral shift[n]."""
+    ax = _axes(ax)
+    found = wheelrail_module.contact_points(left, right, shift)
+    ax.plot(found.shift, found.difference, "k-", label="right less left")
+    ax.set_ylabel("rolling-radius difference")
+    return _over_shift(ax)
+
+
+def _over_shift(ax):
+    ax.set_xlabel("lateral shift of the wheelset")
+    ax.grid(alpha=0.3)
+    ax.legend(fontsize="small")
+    return ax
+
+
+def conicity(left, right, amplitude, ax=None):
+    """Equivalent conicity (EN 15302) over the amplitude[n] of the wheelset's motion."""
+    ax = _axes(ax)
+    ax.plot(np.asarray(amplitude), wheelrail_module.conicity(left, right, amplitude)[0], "k.-")
+    ax.set_xlabel("amplitude of the lateral motion")
+    ax.set_ylabel("equivalent conicity")
+    ax.set_ylim(bottom=0)
+    ax.grid(alpha=0.3)
     return ax

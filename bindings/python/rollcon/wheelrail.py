@@ -158,6 +158,6 @@ class WheelRail(WheelrailPlain, Handle):
         return f"{count} patch{'es' if count != 1 else ''}, force on the wheel {shown(force)}"
 
     def plot_patches(self, ax=None):
-        """Draws where the wheel touches, and how hard; the axes of matplotlib. See rollcon.plots."""
+        """Draws wheel and rail where they touch, and the pressures; the axes of matplotlib. See rollcon.plots."""
         from . import plots
         return plots.patches(self, ax)
