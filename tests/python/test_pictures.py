@@ -11,6 +11,7 @@ import unittest
 
 import numpy as np
 import rollcon as rc
+from rollcon import plots
 from scene import LOAD, MU, Scene
 
 import matplotlib
@@ -74,7 +75,26 @@ class Pictures(Scene):
         wheel.set_velocity([2000, 0, 0, 0, 0, -2000 / 460])
         self.assertIn("not solved", repr(wheel))
         self.assertIn(wheel.solve(), (rc.OK, rc.COARSE))
-        self.assertEqual(len(wheel.plot_patches().lines), wheel.patch_count)
+        ax = wheel.plot_patches()
+        self.assertEqual([line.get_label() for line in ax.lines], ["wheel", "rail"])
+        self.assertEqual(len(ax.patches), wheel.patch_count)
+        # Where pressures are drawn, the patch is; y and z of its reference.
+        for k, drawn in enumerate(ax.patches):
+            corners = drawn.get_xy()
+            self.assertLess(corners[:, 0].min(), wheel.patch_stat(k, "y"))
+            self.assertGreater(corners[:, 0].max(), wheel.patch_stat(k, "y"))
+        left = rc.WheelRail(self.context, *bodies, "left")
+        left.set_track(1435, 14, 1 / 40)
+        left.set_wheelset(1360, -70, 460)
+        shift = [-2.0, 0.0, 2.0]
+        points = rc.contact_points(left, wheel, shift)
+        lines = plots.contact_points(left, wheel, shift).lines
+        np.testing.assert_array_equal(lines[0].get_ydata(), points.left.wheel_y)
+        np.testing.assert_array_equal(lines[1].get_ydata(), points.right.wheel_y)
+        line = plots.rolling_radius_difference(left, wheel, shift).lines[0]
+        np.testing.assert_array_equal(line.get_ydata(), points.difference)
+        line = plots.conicity(left, wheel, [2.0, 3.0]).lines[0]
+        np.testing.assert_array_equal(line.get_ydata(), rc.conicity(left, wheel, [2.0, 3.0])[0])
         self.assertIn("-10000", repr(wheel))
 
     def test_nothing_solved(self):

@@ -156,9 +156,9 @@ def profile(body, ax=None, points=400, **line):
 
 
 def patches(wheelrail, ax=None, points=2000):
-    """Wheel and rail in the track where they touch, y to the right and z down. Along the rail the largest pressure of each
-    line of nodes of a patch, as a height over its tangent; a patch without nodes (Hertzian) is a line along its normal.
-    The legend has the numbers."""
+    """Wheel and rail in the track where they touch, y to the right and z down. Along the rail the largest pressure of
+    each line of nodes of a patch, as a height over its tangent; a patch without nodes (Hertzian) is a line along its
+    normal. The legend has the numbers."""
     ax = _axes(ax)
     count = wheelrail.patch_count
     stat = [{name: wheelrail.patch_stat(k, name) for name in ("y", "z", "angle", "normal_force", "max_pressure")}
@@ -189,13 +189,13 @@ def patches(wheelrail, ax=None, points=2000):
     ax.set_aspect("equal", adjustable="box")
     ax.set_xlabel("y in the track")
     ax.set_ylabel("z, down")
-    ax.legend(fontsize="small")
+    ax.legend(fontsize="small", loc="upper center", bbox_to_anchor=(0.5, -0.15))
     return ax
 
 
 def _pressure_across(wheelrail, patch):
-    """Places in the track of the lines of nodes across a patch, the largest pressure of each, and the direction out of the
-    rail."""
+    """Places in the track of the lines of nodes across a patch, the largest pressure of each, and the direction out of
+    the rail."""
     origin, axes = wheelrail.patch_axes(patch)
     t2, n = np.reshape(axes, (3, 3))[1:, 1:]
     contact = wheelrail.contact(patch)
