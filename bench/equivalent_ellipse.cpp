@@ -3,25 +3,16 @@
 // Manchester benchmark's shifts, yaw and speeds about those of free rolling.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "bench.hpp"
-#include "rollcon.h"
 #include "statistics.hpp"
 #include "support/frames.hpp"
+#include "wheels.hpp"
 
 namespace rollcon::bench {
 namespace {
-
-constexpr double mu = 0.3, load = 10000, shear = 82000, poisson = 0.28, speed = 2000, radius = 460;
-
-void must(std::int32_t status) {
-  if (status < 0) throw std::runtime_error(rollcon_last_error());
-}
 
 struct Errors {
   const char* patches;
@@ -33,26 +24,8 @@ class Comparison {
   Comparison() {
     must(rollcon_context_create(ROLLCON_ABI, &context_));
     must(rollcon_table_standard(context_, &table_));
-    const double unit = 1;
-    const char* shape[] = {"s1002", "60e1"};
-    for (std::size_t b = 0; b < 2; ++b) {
-      must(rollcon_body_create(context_, ROLLCON_BODY_HALFSPACE, &body_[b]));
-      must(rollcon_body_set_elastic(body_[b], 0, 2 * shear * (1 + poisson), poisson));
-      must(rollcon_body_set_profile_shape(body_[b], shape[b], 1, &unit));
-    }
-    for (std::size_t side = 0; side < 2; ++side) {
-      must(rollcon_wheelrail_create(context_, body_[0], body_[1], side == 0 ? ROLLCON_RIGHT : ROLLCON_LEFT,
-                                    &wheel_[side]));
-      must(rollcon_wheelrail_set_track(wheel_[side], 1435, 14, std::atan(1.0 / 40)));
-      must(rollcon_wheelrail_set_wheelset(wheel_[side], 1360, -70, radius));
-      must(rollcon_wheelrail_set_friction(wheel_[side], mu));
-      must(rollcon_wheelrail_set_accuracy(wheel_[side], 0.005));
-      must(rollcon_wheelrail_prescribe_vertical(wheel_[side], ROLLCON_BY_FORCE, load));
-    }
   }
   ~Comparison() {
-    for (rollcon_wheelrail* wheel : wheel_) rollcon_wheelrail_release(wheel);
-    for (rollcon_body* body : body_) rollcon_body_release(body);
     rollcon_table_release(table_);
     rollcon_context_release(context_);
   }
@@ -61,17 +34,16 @@ class Comparison {
 
   /// Both wheels at a shift with creepages of their own.
   void add(double y, frames::Random& random, std::vector<Errors>& errors, std::int64_t& refused) {
-    for (rollcon_wheelrail* wheel : wheel_) {
+    for (Wheel* wheel : {&right_, &left_}) {
       const double position[6] = {0, y, 0, 0, 2.4e-3 * y + 2e-3 * random(), 0};
-      const double velocity[6] = {speed, 0, 0, 0, 1e-3 * random(), -speed / radius * (1 + 2e-3 * random())};
-      must(rollcon_wheelrail_set_position(wheel, position));
-      must(rollcon_wheelrail_set_velocity(wheel, velocity));
-      if (rollcon_wheelrail_solve(wheel) != ROLLCON_OK) continue;
+      const double velocity[6] = {
+          Wheel::speed, 0, 0, 0, 1e-3 * random(), -Wheel::speed / Wheel::radius * (1 + 2e-3 * random())};
+      if (wheel->solve(position, velocity) != ROLLCON_OK) continue;
       std::int64_t patches = 0;
-      must(rollcon_wheelrail_get_patch_count(wheel, &patches));
+      must(rollcon_wheelrail_get_patch_count(wheel->handle(), &patches));
       for (std::int64_t i = 0; i < patches; ++i) {
         rollcon_contact* contact = nullptr;
-        must(rollcon_wheelrail_get_contact(wheel, i, &contact));
+        must(rollcon_wheelrail_get_contact(wheel->handle(), i, &contact));
         if (!compare(contact, errors)) ++refused;
         rollcon_contact_release(contact);
       }
@@ -94,8 +66,7 @@ class Comparison {
 
   rollcon_context* context_ = nullptr;
   rollcon_table* table_ = nullptr;
-  rollcon_body* body_[2] = {};
-  rollcon_wheelrail* wheel_[2] = {};
+  Wheel right_{0.005, true, CreepForces::solved}, left_{0.005, true, CreepForces::solved, ROLLCON_LEFT};
 };
 
 void run(Runner& runner) {

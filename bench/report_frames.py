@@ -52,7 +52,8 @@ than second order.
 ## A vehicle's time loop
 
 Load ± 30 %, radius of curvature across from 150 to 550 mm, creepages and spin, each with a period of its own; every step
-sets all of them; `tolerance` 1e-6. Errors are root mean squares over 50 steps; jump: the largest second difference of any component.
+sets all of them; `tolerance` 1e-6. Errors are root mean squares over 50 steps; jump: the largest second difference of
+any component.
 
 {loop}
 """
@@ -75,7 +76,8 @@ def main():
     first = table(["bodies", "`frame_accuracy`", "scenes", "force, mean / worst", "moment, mean / worst",
                    "estimate, mean", "cold, mean / median", "warm, mean / median", "`INACCURATE`"], rows)
     rows = [[r["mesh"].split()[1], f"{r['extra']['steps']:.0f}", f"{r['nodes']}", magnitude(r["extra"]["rms_x"]),
-             magnitude(r["extra"]["rms_y"]), magnitude(r["extra"]["rms_moment"]), magnitude(r["extra"]["second_difference"]),
+             magnitude(r["extra"]["rms_y"]), magnitude(r["extra"]["rms_moment"]),
+             magnitude(r["extra"]["second_difference"]),
              f"{ms(r['extra']['seconds_mean'])} / {ms(r['extra']['seconds_99'])}",
              f"{r['extra']['allocations']:.0f}"] for r in loop]
     second = table(["`frame_accuracy`", "steps", "nodes of the finer frame", "Fx", "Fy", "moment", "jump",

@@ -37,8 +37,9 @@ has their pressures' second moments.
 {patches}
 """
 UNLIKE = """
-{cases} random cases of each pair at μ = 0.3, drawn as those above, ν = 0.28 in either body, beside frames that the library makes
-(`frame_accuracy` 0.003, themselves known to 0.2 or 0.3 %): the standard table for mean flexibilities alone, the same with the mean strain under the pressure as longitudinal creepage (what
+{cases} random cases of each pair at μ = 0.3, drawn as those above, ν = 0.28 in either body, beside frames that the
+library makes (`frame_accuracy` 0.003, themselves known to 0.2 or 0.3 %): the standard table for mean flexibilities
+alone, the same with the mean strain under the pressure as longitudinal creepage (what
 `rollcon_table_evaluate_contact` does), and a table of the pair, made for a/b from 1/5 to 5 in 6 intervals and this
 coefficient of friction. Made by `{command}` on
 {processor}.
@@ -89,7 +90,8 @@ def write_errors(everything, docs, command):
     frames = next(r for r in steel if r["method"] == REFERENCE)
     methods = table(["", *HEAD, "time of a case"], [[r["method"], force(r), moment(r), time(r)] for r in whole])
     regions = table(["region", "cases", *HEAD],
-                    [[r["mesh"], f"{r['extra']['cases']:.0f}", force(r), moment(r)] for r in steel if r not in whole and r is not frames])
+                    [[r["mesh"], f"{r['extra']['cases']:.0f}", force(r), moment(r)]
+                     for r in steel if r not in whole and r is not frames])
     patches = table(["patches", "", "force, median / rms / 90 % / worst", "moment, likewise"],
                     [[r["mesh"], f"{r['extra']['patches']:.0f}", of_patches(r, "force", r["error"]),
                       of_patches(r, "moment", r["moment_error"])] for r in of_case(everything, "equivalent_ellipse")])
@@ -104,9 +106,9 @@ def write_errors(everything, docs, command):
 
 def write_unlike(records, docs, command):
     rows = [[r["model"], r["method"], r["mesh"], f"{r['extra']['cases']:.0f}", force(r), moment(r)] for r in records]
-    put_part(f"{docs}/tables.md", "unlike bodies", UNLIKE.format(cases=f"{records[0]['extra']['cases']:.0f}", command=command,
-                                              processor=processor(), unlike=table(
-                                                  ["bodies", "", "a/b", "cases", *HEAD], rows)))
+    put_part(f"{docs}/tables.md", "unlike bodies", UNLIKE.format(
+        cases=f"{records[0]['extra']['cases']:.0f}", command=command, processor=processor(),
+        unlike=table(["bodies", "", "a/b", "cases", *HEAD], rows)))
 
 
 def main():

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <vector>
 
@@ -88,7 +87,7 @@ Record record_of(const Method& method, bool by_force, const char* model, const E
   return record;
 }
 
-/// Both wheels of one scene have the same errors, whether height or force is given.
+/// Under the load; at the heights that carry it the errors are the same.
 Errors errors_of(const Method& method, const Expected& expected) {
   Errors errors;
   Wheel wheel(method.accuracy, true, method.by);

@@ -10,11 +10,11 @@ namespace {
 
 constexpr double shear = 82000, poisson = 0.28;
 
+}  // namespace
+
 void must(std::int32_t status) {
   if (status < 0) throw std::runtime_error(rollcon_last_error());
 }
-
-}  // namespace
 
 double thread_seconds() {
   std::timespec t{};
@@ -34,7 +34,7 @@ Wheel::Wheel(double accuracy, bool by_force, CreepForces by, std::int32_t side) 
   }
   must(rollcon_wheelrail_create(context_, body_[0], body_[1], side, &wheel_));
   must(rollcon_wheelrail_set_track(wheel_, 1435, 14, std::atan(1.0 / 40)));
-  must(rollcon_wheelrail_set_wheelset(wheel_, 1360, -70, 460));
+  must(rollcon_wheelrail_set_wheelset(wheel_, 1360, -70, radius));
   must(rollcon_wheelrail_set_friction(wheel_, mu));
   must(rollcon_wheelrail_set_accuracy(wheel_, accuracy));
   must(rollcon_wheelrail_prescribe_vertical(wheel_, by_force ? ROLLCON_BY_FORCE : ROLLCON_BY_MOTION, load));
@@ -53,6 +53,10 @@ Wheel::~Wheel() {
 
 std::int32_t Wheel::step(double y, double z, double roll, double rate) {
   const double position[6] = {0, y, z, roll, 2.4e-3 * y, 0}, velocity[6] = {speed, 0, 0, 0, 0, rate};
+  return solve(position, velocity);
+}
+
+std::int32_t Wheel::solve(const double (&position)[6], const double (&velocity)[6]) {
   must(rollcon_wheelrail_set_position(wheel_, position));
   must(rollcon_wheelrail_set_velocity(wheel_, velocity));
   const std::int32_t status = rollcon_wheelrail_solve(wheel_);

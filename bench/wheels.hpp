@@ -13,9 +13,8 @@ enum class CreepForces { solved, table, table_on_ellipses };  ///< how a wheel's
 
 class Wheel {
  public:
-  static constexpr double mu = 0.3, load = 10000, speed = 2000;
+  static constexpr double mu = 0.3, load = 10000, speed = 2000, radius = 460;
 
-  /// Throws std::runtime_error with the library's text if anything is refused.
   Wheel(double accuracy, bool by_force, CreepForces by, std::int32_t side = ROLLCON_RIGHT);
   ~Wheel();
   Wheel(const Wheel&) = delete;
@@ -23,6 +22,7 @@ class Wheel {
 
   /// Solves at this lateral shift, with a yaw of 2.4 mrad for each millimetre, and height (or the load). The status.
   std::int32_t step(double y, double z, double roll = 0, double rate = -4.3459);
+  std::int32_t solve(const double (&position)[6], const double (&velocity)[6]);
 
   struct Result {
     std::array<double, 2> force{};  ///< on the wheel in the track, along and across
@@ -31,6 +31,7 @@ class Wheel {
   };
   Result result() const;
   double stat(const char* name) const;
+  rollcon_wheelrail* handle() const { return wheel_; }
   /// |dF| / (mu Fn), |dM| / (mu Fn radius)
   static std::array<double, 2> errors(const Result& found, const Result& expected);
 
@@ -44,5 +45,8 @@ class Wheel {
 };
 
 double thread_seconds();  ///< processor time of this thread
+
+/// Throws std::runtime_error with the library's text where a call fails.
+void must(std::int32_t status);
 
 }  // namespace rollcon::bench

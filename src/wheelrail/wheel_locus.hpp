@@ -34,7 +34,7 @@ class WheelLocus {
 
   /// nullopt: no point of that circle looks down without a component along x.
   std::optional<LocusPoint> at(const VisiblePoint& p) const;
-  /// y, z and slope of the outline alone, from those of the profile; false as above.
+  /// What `at` says of y, z and slope of the outline, for scans of all of a profile. false: as nullopt there.
   bool outline(double y, double z, double slope, std::array<double, 3>& at) const {
     const double s = slope * tilt_, square = s * s, r = radius_ + z;
     if (!(square < most_turned)) return false;

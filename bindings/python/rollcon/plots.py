@@ -161,20 +161,23 @@ def patches(wheelrail, ax=None, points=2000):
     normal. The legend has the numbers."""
     ax = _axes(ax)
     count = wheelrail.patch_count
+    if not count:
+        raise ValueError("nothing to draw: the wheel has no patch; solve it first, where it touches its rail")
     stat = [{name: wheelrail.patch_stat(k, name) for name in ("y", "z", "angle", "normal_force", "max_pressure")}
             for k in range(count)]
     across = [_pressure_across(wheelrail, k) for k in range(count)]
     y = np.concatenate([[s["y"] for s in stat], *[a[0][:, 0] for a in across]])
-    width = max(2.5 * np.ptp(y), 1e-2 * np.abs(y).max())
-    low, high = y.min() + y.max() - width, y.min() + y.max() + width
+    half = max(1.25 * np.ptp(y), 5e-3 * np.abs(y).max())  # of what is drawn
+    middle = (y.min() + y.max()) / 2
+    low, high = middle - half, middle + half
     outlines = []
     for body, colour, name in ((1, "0.45", "wheel"), (2, "k", "rail")):
         at = np.array([wheelrail.profile_point(body, share) for share in np.linspace(0, 1, points)])
         ax.plot(at[:, 0], at[:, 1], "-", color=colour, lw=1.2, label=name)
-        outlines.append(at[(at[:, 0] > low / 2) & (at[:, 0] < high / 2)])
-    greatest = max((s["max_pressure"] for s in stat), default=0)
+        outlines.append(at[(at[:, 0] > low) & (at[:, 0] < high)])
+    greatest = max(s["max_pressure"] for s in stat)
     for k, (s, (place, p, up)) in enumerate(zip(stat, across)):
-        height = 0.25 * width
+        height = 0.5 * half
         if len(p):
             tip = place + height * (p / greatest)[:, None] * up
         else:
@@ -184,12 +187,12 @@ def patches(wheelrail, ax=None, points=2000):
         ax.fill(*np.concatenate([place, tip[::-1]]).T, alpha=0.6, lw=1.5, color=f"C{k}",
                 label=f"patch {k}: {s['normal_force']:.4g}, pressure {s['max_pressure']:.4g}, angle {s['angle']:.3f}")
     z = np.concatenate([o[:, 1] for o in outlines])
-    ax.set_xlim(low / 2, high / 2)
-    ax.set_ylim(z.max() + 0.05 * width, min(z.min(), min((s["z"] for s in stat), default=0) - 0.3 * width))
+    ax.set_xlim(low, high)
+    ax.set_ylim(z.max() + 0.1 * half, min(z.min(), min(s["z"] for s in stat) - 0.6 * half))
     ax.set_aspect("equal", adjustable="box")
     ax.set_xlabel("y in the track")
     ax.set_ylabel("z, down")
-    ax.legend(fontsize="small", loc="upper center", bbox_to_anchor=(0.5, -0.15))
+    ax.legend(fontsize="small", loc="lower center", bbox_to_anchor=(0.5, 1.02))
     return ax
 
 
@@ -203,7 +206,9 @@ def _pressure_across(wheelrail, patch):
         y, p = contact.field("point")[:, 1], contact.field("pressure")
     except RollconError:
         return np.empty((0, 2)), np.empty(0), -n
-    lines, line = np.unique(y.round(9), return_inverse=True)
+    spacing = 1e-9 * np.ptp(y)
+    lines, line = np.unique(np.round(y / spacing), return_inverse=True)
+    lines = lines * spacing
     greatest = np.zeros(len(lines))
     np.maximum.at(greatest, line, p)
     return np.asarray(origin)[1:] + lines[:, None] * t2, greatest, -n
