@@ -10,22 +10,23 @@ from report import load, magnitude, of_case, processor, table
 
 TEXT = """# Frames made by the library: errors and times
 
-Contacts whose caller gave no frame ([theory.md](theory.md), section 4). Made by `{command}` on {processor}, one thread,
-whose dgemm does {speed:.0f} Gflop/s. Times are of the processor for everything from the first call to the resultants;
-other work ran on the machine.
+This page has errors and times of contacts whose caller gave no frame ([theory.md](theory.md), section 4). It is made by
+`{command}` on {processor}, one thread, on which dgemm does {speed:.0f} Gflop/s. Times are processor times for
+everything from the first call to the resultants; other work ran on the machine.
 
-Errors are |(ΔFx, ΔFy)| over μFn and |ΔMz| over μFn √(ab), beside the same scene on the library's finest frames. These
-are 0.16 % and 0.20 % of the force off the limits that CONTACT extrapolates to in cases (a) and (b) of
-[accuracy.md](accuracy.md), the standard ones 0.01 % and 0.24 %; beside fine lattices they are off by 0.05 to 0.08 % on
-average where bodies are unlike ([theory.md](theory.md), section 4). Where the tables show less than 0.2 %, they show how
-well frames agree, not how well they are known to be right. Where the friction force is far below μFn, its error relative
-to itself is larger.
+Errors are |(ΔFx, ΔFy)| over μFn and |ΔMz| over μFn √(ab), compared with the same scene on the library's finest frames.
+The finest frames are 0.16 % and 0.20 % of the force off the limits that CONTACT extrapolates to in cases (a) and (b) of
+[accuracy.md](accuracy.md), the standard frames 0.01 % and 0.24 %. Where bodies are unlike, the finest frames differ
+from fine lattices by 0.05 to 0.08 % on average ([theory.md](theory.md), section 4). Where the tables show less than 0.2
+%, they show how well frames agree, not how well they are known to be right. Where the friction force is far below μFn,
+its error relative to itself is larger.
 
 ## Cells and shape
 
 Where the pole of sliding lies on the longer axis of an ellipse that is wider than long, forces depend on how many
-strips lie beside it. Root mean square errors of the force over μFn of extrapolated pairs, 8 random directions of
-creepages and spin with 14 magnitudes each up to full sliding (coarser frame; beside pairs from 16 × 24 or 24 × 16):
+strips lie beside it. The table gives root mean square errors of the force over μFn of extrapolated pairs, for 8 random
+directions of creepages and spin with 14 magnitudes each up to full sliding. Its columns name the coarser frame of the
+pair; the pairs are compared with those from 16 × 24 or 24 × 16:
 
 | a/b | 12 × 8 | 10 × 10 | 6 × 16 | 6 × 24 |
 | --- | --- | --- | --- | --- |
@@ -35,15 +36,15 @@ creepages and spin with 14 magnitudes each up to full sliding (coarser frame; be
 | 0.1 | 0.84 % | 0.83 % | 0.37 % | 0.12 % |
 | 0.04 | 0.82 % | 0.78 % | 0.31 % | 0.14 % |
 
-Creep-force tables are made on cells that follow the shape so. Frames that the library makes have the same cells under
-all ellipses: half as many elements along the rolling direction cost accuracy where there is no spin. At a/b = 0.5 the
-creepage found for a force was then off by up to 0.26 %, with the cells that are used by 0.09 %.
+So creep-force tables are made on cells that follow the shape. Frames that the library makes have the same cells under
+all ellipses, since half as many elements along the rolling direction cost accuracy where there is no spin. At a/b = 0.5
+the creepage found for a force was then off by up to 0.26 %; with the cells that are used it is off by 0.09 %.
 
 ## Random Hertzian scenes
 
-Ellipses of ratio 0.2 to 5; creepages whose linear theory asks for 0.2 to 2.5 μFn, two of three with spin. Cold: from
-nothing to the resultants; warm: the median of steps that change load and creepages by 0.3 %. Means are pulled up by
-scenes that need a finer pair than the first.
+The scenes have ellipses of ratio 0.2 to 5, and creepages for which linear theory gives 0.2 to 2.5 μFn; two of three
+have spin. Cold times are from nothing to the resultants. Warm times are the median of steps that change load and
+creepages by 0.3 %. Scenes that need a finer pair than the first raise the means.
 
 {scenes}
 A body on a rigid one is the worst case of unlike bodies: pressure strains one of them alone, and convergence is slower
@@ -51,9 +52,9 @@ than second order.
 
 ## A vehicle's time loop
 
-Load ± 30 %, radius of curvature across from 150 to 550 mm, creepages and spin, each with a period of its own; every step
-sets all of them; `tolerance` 1e-6. Errors are root mean squares over 50 steps; jump: the largest second difference of
-any component.
+The load (± 30 %), the radius of curvature across (150 to 550 mm), creepages and spin vary, each with a period of its
+own. Every step sets all of them; `tolerance` is 1e-6. Errors are root mean squares over 50 steps. Jump is the largest
+second difference of any component.
 
 {loop}
 """

@@ -56,12 +56,12 @@ def lattice(records, docs):
     bytes_image = plot(f"{docs}/images/speed_lattice_memory.png", "Memory of a contact", "nodes", "MB",
                        memory)
     return ("## Regular frames on half-spaces\n\n"
-            "Cases (a) (longitudinal creepage) and (b) (with spin) of [accuracy.md](accuracy.md) on grids of N x N nodes, to a\n"
-            "tolerance of 1e-6, from the caller's arrays to the solution: operators, coarser grids and all. \"On rigid\": one body\n"
-            "carries all of the compliance, normal and tangential problem are coupled. \"Forces\": longitudinal and lateral force given\n"
-            "instead of the creepages, and their time over that of given creepages. Warm: after a change of creepage by 1 %. CONTACT's\n"
-            "times are for its fastest solver, warm, on a core of this kind (it solves unlike bodies in about 3, given forces in about 9\n"
-            "times as long).\n\n"
+            "The table is for cases (a) (longitudinal creepage) and (b) (with spin) of [accuracy.md](accuracy.md) on grids of N x N\n"
+            "nodes, to a tolerance of 1e-6. Cold times are from the caller's arrays to the solution, with operators and coarser\n"
+            "grids; warm times are after a change of creepage by 1 %. \"On rigid\" means that one body has all of the compliance, so\n"
+            "normal and tangential problem are coupled. \"Forces\" means that longitudinal and lateral force are given instead of the\n"
+            "creepages; the column \"forces / creepages\" has the ratio of both times. CONTACT's times are for its fastest solver,\n"
+            "warm, on a core of this kind. It takes about 3 times as long for unlike bodies, and about 9 times for given forces.\n\n"
             + table(["case", "grid", "operators", "cold", "warm", "forces / creepages", "CONTACT", "Newton iterations",
                      "applications", "memory", "bytes per node"], rows)
             + (f"\n![Time over nodes]({image})\n" if image else "")
@@ -74,7 +74,7 @@ def resolve(records):
         return ""
     steps = [r for r in found if "newton_ms" in r["extra"]]
     derived = [r for r in found if "sensitivity_ms" in r["extra"]]
-    text = "## Solving again\n\nWarm solves after a change of creepage, dense operators, without prediction. LAPACK: dgetrf and dgetrs of the system of one Newton iteration\nbefore sliding unknowns are eliminated.\n\n"
+    text = "## Solving again\n\nThese are warm solves after a change of creepage, with dense operators and without prediction. LAPACK is the time of\ndgetrf and dgetrs of the system of one Newton iteration before sliding unknowns are eliminated.\n\n"
     text += rows_of(steps, {
         "scene": lambda r: r["model"], "frame": lambda r: r["mesh"],
         "change": lambda r: r["quantity"].replace("seconds of a re-solve after ", ""),
@@ -83,7 +83,7 @@ def resolve(records):
         "factorisations": extra("factorizations_mean"), "LAPACK": milliseconds("lapack_ms"),
         "iteration / LAPACK": extra("iteration_over_lapack", 2)})
     if derived:
-        text += "\nAll five derivatives after such a solve, in Newton iterations of it:\n\n"
+        text += "\nThe next table compares the time of all five derivatives after such a solve with that of one Newton iteration:\n\n"
         text += rows_of(derived, {
             "scene": lambda r: r["model"], "frame": lambda r: r["mesh"],
             "time": milliseconds("sensitivity_ms"), "one Newton iteration": milliseconds("iteration_ms"),
@@ -103,7 +103,7 @@ def tables(records):
             "slowest": milliseconds("slowest_ms"), "failures": extra("failures")}) + "\n"
     found = of_case(records, "many")
     if found:
-        text += "## A list of cases in one call\n\n`rollcon_contact_solve_many` beside a loop of solves.\n\n" + rows_of(found, {
+        text += "## A list of cases in one call\n\nThe table compares `rollcon_contact_solve_many` with a loop of solves.\n\n" + rows_of(found, {
             "list": lambda r: r["mesh"], "method": lambda r: r["method"], "threads": lambda r: r["threads"],
             "cases": extra("cases", 5), "per case": lambda r: f"{r['value']:.3g} ms",
             "Newton iterations": extra("iterations_per_case"), "time / one by one": extra("seconds_over_one_by_one", 2),
@@ -115,8 +115,8 @@ def loops(records):
     text = ""
     found = of_case(records, "time_loop")
     if found:
-        text += ("## The time loop of a vehicle\n\nA wheelset's oscillation: load ±30 %, lateral creepage and spin vary slowly; creepages or "
-                 "the traction given. After 2000 steps.\n\n" + rows_of(found, {
+        text += ("## The time loop of a vehicle\n\nIn a wheelset's oscillation the load (±30 %), lateral creepage and spin vary slowly; creepages "
+                 "or the traction are given. Numbers are those after 2000 steps.\n\n" + rows_of(found, {
                      "drive": lambda r: r["model"], "elements": lambda r: r["mesh"], "solves": extra("solves", 6),
                      "per solve": milliseconds("milliseconds_per_solve"),
                      "first, last tenth": lambda r: f"{r['extra']['milliseconds_first_tenth']:.3g}, {r['extra']['milliseconds_last_tenth']:.3g} ms",
@@ -126,7 +126,7 @@ def loops(records):
                      "not converged": extra("not_converged"), "failed": extra("failed")}) + "\n")
     found = of_case(records, "loop")
     if found:
-        text += "Prediction along a loop of small steps:\n\n" + rows_of(found, {
+        text += "The next table shows what prediction saves along a loop of small steps:\n\n" + rows_of(found, {
             "bodies": lambda r: r["model"], "prediction": lambda r: "yes" if r["method"] else "no",
             "tolerance": lambda r: r["quantity"].rsplit(" ", 1)[-1], "per step": milliseconds("ms_per_step"),
             "Newton iterations": lambda r: number(r["value"]), "most": extra("most_iterations"),
@@ -145,9 +145,9 @@ def stresses(records):
     if not found:
         return ""
     return ("## Stresses inside half-spaces\n\n"
-            "Stresses and displacements to the standard accuracy, 1e-5 of the largest traction, below a solved contact of radius 1\n"
-            "whose frame reaches to 1.1; `rollcon-bench run stresses` alone makes these. Blocks of points that have the\n"
-            "places of a regular frame, layer by layer, go by FFT.\n\n"
+            "The table is for stresses and displacements to the standard accuracy, 1e-5 of the largest traction, below a solved\n"
+            "contact of radius 1 whose frame reaches to 1.1. `rollcon-bench run stresses` alone makes it. Blocks of points that have\n"
+            "the places of a regular frame, layer by layer, are computed by FFT.\n\n"
             + rows_of(found, {
                 "frame": lambda r: r["mesh"], "points": lambda r: r["model"], "number": extra("points", 7),
                 "time": lambda r: seconds(r["seconds"]["wall"]), "per point": lambda r: f"{r['extra']['us_per_point']:.3g} µs",
@@ -171,8 +171,8 @@ def main():
     records = load(path)
     os.makedirs(f"{docs}/images", exist_ok=True)
     text = ("# Regular frames and repeated solves: time and memory\n\n"
-            f"Made by `{command}` on one core of {processor()}. Times are of single runs or the least of a few, on a shared machine good\n"
-            "to a few ten per cent; ratios are within one run. What each shortcut saves by itself is in [thrift.md](thrift.md).\n\n"
+            f"This page is made by `{command}` on one core of {processor()}. Times are of single runs or the least of a few, on a\n"
+            "shared machine, and good to a few ten per cent. Ratios are within one run. What each shortcut saves by itself is in [thrift.md](thrift.md).\n\n"
             + lattice(records, docs) + stresses(records) + resolve(records) + tables(records) + loops(records) + saved(records))
     with open(f"{docs}/speed.md", "w", encoding="utf-8") as out:
         out.write(text.rstrip() + "\n")
