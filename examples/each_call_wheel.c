@@ -152,6 +152,11 @@ static void wheels(rollcon_context* context) {
   printf("without solving for pressures: %s\n", looked_up == 1 ? "yes" : "no");
   must(rollcon_wheelrail_set_hertzian(right, 0));
   must(rollcon_wheelrail_forget_table(right));
+  must(rollcon_wheelrail_set_conformal(right, 1)); /* frames along the profiles */
+  must(rollcon_wheelrail_solve(right));
+  must(rollcon_wheelrail_get_resultant(right, ROLLCON_IN_TRACK, force, moment));
+  printf("conformal: %.1f kN on the rail\n", -force[2] / 1000);
+  must(rollcon_wheelrail_set_conformal(right, 0));
   must(rollcon_wheelrail_set_friction_by_angle(right, 2, by_angle)); /* a lubricated gauge face */
   must(rollcon_wheelrail_find_contact_points(left, right, 2, shift, points));
   must(rollcon_wheelrail_find_conicity(left, right, 2, amplitude, conicity, wavelength));

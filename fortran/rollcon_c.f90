@@ -1694,6 +1694,15 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_set_hertzian
 
+    function rollcon_wheelrail_set_conformal(wheelrail, on) &
+        result(rc) bind(C, name="rollcon_wheelrail_set_conformal")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int32_t), value :: on
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_set_conformal
+
     function rollcon_wheelrail_set_friction_by_angle(wheelrail, n, points) &
         result(rc) bind(C, name="rollcon_wheelrail_set_friction_by_angle")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr

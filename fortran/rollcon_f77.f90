@@ -1595,6 +1595,14 @@ subroutine rcwhtz(iwr, ion, ierr)
   ierr = rollcon_wheelrail_set_hertzian(wheelrail_of(iwr), narrow(ion))
 end subroutine
 
+!> Lays the frame of each patch on the profiles, with normals that turn across it, instead of in one plane.
+subroutine rcwcnf(iwr, ion, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ion, ierr
+  ierr = rollcon_wheelrail_set_conformal(wheelrail_of(iwr), narrow(ion))
+end subroutine
+
 !> Sets coefficients by the inclination of the rail's surface, linear between points and constant beyond them, in.
 subroutine rcwfra(iwr, n, points, ierr)
   use rollcon_f77_support

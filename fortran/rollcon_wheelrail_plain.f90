@@ -29,6 +29,7 @@ module rollcon_wheelrail_plain
     procedure :: set_friction => wheelrail_set_friction
     procedure :: forget_table => wheelrail_forget_table
     procedure :: set_hertzian => wheelrail_set_hertzian
+    procedure :: set_conformal => wheelrail_set_conformal
     procedure :: set_friction_by_angle => wheelrail_set_friction_by_angle
     procedure :: set_accuracy => wheelrail_set_accuracy
     procedure :: solve => wheelrail_solve
@@ -221,6 +222,20 @@ contains
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
     call finish(rollcon_wheelrail_set_hertzian(self%p, int(on, rc_int)), self%p, 'rc_wheelrail%set_hertzian', stat, &
+      errmsg)
+  end subroutine
+
+  !> Lays the frame of each patch on the profiles, with normals that turn across it, instead of in one plane: for worn
+  !> profiles and flange roots, where normals turn by more than a few degrees within a patch. Its compliance is that of
+  !> half-spaces on the frame unrolled (docs/theory.md, section 11), its operators are made anew at every position, so
+  !> that a step takes tens of milliseconds, and derivatives of the totals are differences of solves. Creep-force tables
+  !> are left aside: statistic by_table of a patch is 0.
+  subroutine wheelrail_set_conformal(self, on, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    integer, intent(in) :: on
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_wheelrail_set_conformal(self%p, int(on, rc_int)), self%p, 'rc_wheelrail%set_conformal', stat, &
       errmsg)
   end subroutine
 

@@ -2227,6 +2227,19 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_hertzian(
     rollcon_wheelrail *wheelrail, int32_t on);
 
 /*
+ * Lays the frame of each patch on the profiles, with normals that turn across it, instead of in
+ * one plane: for worn profiles and flange roots, where normals turn by more than a few degrees
+ * within a patch. Its compliance is that of half-spaces on the frame unrolled (docs/theory.md,
+ * section 11), its operators are made anew at every position, so that a step takes tens of
+ * milliseconds, and derivatives of the totals are differences of solves. Creep-force tables are
+ * left aside: statistic by_table of a patch is 0.
+ *   on         1: along the profiles; 0: in a plane, as in a new handle
+ * Source: docs/wheelrail.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_conformal(
+    rollcon_wheelrail *wheelrail, int32_t on);
+
+/*
  * Sets coefficients by the inclination of the rail's surface, linear between points and constant
  * beyond them, in place of that of rollcon_wheelrail_set_friction: lubricated gauge faces under
  * dry heads. The inclination is atan dz/dy of a right rail with y to the right and z down, its

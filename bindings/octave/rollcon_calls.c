@@ -1861,6 +1861,16 @@ static void call_wheelrail_set_hertzian(call *self) {
   finish(self, rc);
 }
 
+static void call_wheelrail_set_conformal(call *self) {
+  int32_t rc = 0;
+  rollcon_wheelrail *wheelrail = rollcon_wheelrail_from_id(take_handle(self, "wheelrail"));
+  const int32_t on = take_enumerator(self, "on", no_names, 0);
+  no_more(self);
+  rc = rollcon_wheelrail_set_conformal(wheelrail, on);
+  if (rc < 0) finish(self, rc);
+  finish(self, rc);
+}
+
 static void call_wheelrail_set_friction_by_angle(call *self) {
   int32_t rc = 0;
   int64_t n = -1;
@@ -2527,6 +2537,7 @@ const entry calls[] = {
   {"wheelrail_set_table", call_wheelrail_set_table, 1},
   {"wheelrail_forget_table", call_wheelrail_forget_table, 1},
   {"wheelrail_set_hertzian", call_wheelrail_set_hertzian, 1},
+  {"wheelrail_set_conformal", call_wheelrail_set_conformal, 1},
   {"wheelrail_set_friction_by_angle", call_wheelrail_set_friction_by_angle, 1},
   {"wheelrail_set_accuracy", call_wheelrail_set_accuracy, 1},
   {"wheelrail_solve", call_wheelrail_solve, 1},

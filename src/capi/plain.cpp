@@ -470,6 +470,12 @@ rollcon_status rollcon_wheelrail_set_hertzian(rollcon_wheelrail *wheelrail, int3
   });
 }
 
+rollcon_status rollcon_wheelrail_set_conformal(rollcon_wheelrail *wheelrail, int32_t on) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    self.set_conformal(on);
+  });
+}
+
 rollcon_status rollcon_wheelrail_set_friction_by_angle(rollcon_wheelrail *wheelrail, int64_t n,
     const double *points) {
   return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {

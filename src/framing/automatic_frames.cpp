@@ -113,6 +113,7 @@ class AutomaticFrames final : public FrameMaker {
            "rollcon_contact_frame_ellipse, rollcon_contact_set_frame_nodes or rollcon_contact_frame_from_body");
     const Load& normal = scene.load(Direction::normal);
     Found now{scene.revision.gap, contact.modulus(), normal.how, normal.value};
+    now.conformal = scene.options.conformal != 0 && !contact.meshed();
     if (!scene.has_gap() || contact.meshed()) {
       now.pose = scene.revision.pose;
       now.axes = scene.revision.axes;
@@ -123,8 +124,9 @@ class AutomaticFrames final : public FrameMaker {
                                                    now.modulus, normal.how == How::by_force, normal.value});
     shape_.outline = patches.outline;
     constexpr double too_hollow = 0.1;
-    shape_.lattice = std::any_of(shape_.outline.begin(), shape_.outline.end(),
-                                 [](const Outline& outline) { return outline.hollow() > too_hollow; });
+    // Outlines are those in the plane of the axes: a conformal contact ends elsewhere.
+    shape_.lattice = now.conformal || std::any_of(shape_.outline.begin(), shape_.outline.end(),
+                                                  [](const Outline& outline) { return outline.hollow() > too_hollow; });
     shape_.stretch = usual_stretch;
     shape_.at_body_ends = contact.surfaces_deform() ? AtBodyEnds::even : AtBodyEnds::closer;
     beyond_bounds_ = patches.at_bounds ? gap_->beyond_bounds() : nullptr;
@@ -314,6 +316,7 @@ class AutomaticFrames final : public FrameMaker {
     double value = 0;
     std::array<std::int64_t, 2> pose{-1, -1};
     std::int64_t axes = -1;
+    bool conformal = false;
     bool operator==(const Found&) const = default;
   };
   struct Made {

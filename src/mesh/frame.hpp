@@ -1,13 +1,15 @@
 #pragma once
 /// The contact frame: the mesh on which tractions live. Its nodes are given in space; their projection on the tangent
 /// plane of the axes (t1, t2) gives the coordinates x, y of the surface, so a frame may be curved as long as it
-/// projects without folding. Half-spaces see the projection alone. Bodies with a mesh give every node a local triad
-/// (curve_frame).
+/// projects without folding. Half-spaces see the projection alone, or the frame unrolled where it has a section. Bodies
+/// with a mesh give every node a local triad (curve_frame).
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "mesh/section_line.hpp"
 #include "mesh/surface_mesh.hpp"
 
 namespace rollcon {
@@ -41,6 +43,8 @@ struct Frame {
   double area = 0;                 ///< of the projected frame, of a curved one of the surface
   /// Local triads of a curved frame; empty: flat, the axes' triad everywhere.
   std::vector<Vec3> t1, t2, n;
+  /// Of a curved frame under half-spaces: what it was laid on. Null: bodies with a mesh curve it, or it is flat.
+  std::shared_ptr<const SectionLine> section;
 
   std::int64_t nodes() const { return mesh.nodes(); }
   std::int64_t elements() const { return mesh.elements(); }

@@ -51,11 +51,11 @@ std::optional<TouchPoint> ContactSearch::touch(const Pose& wheel) const {
                     side_ * p.y, shape_.radius + p.z};
 }
 
-void ContactSearch::find(const Pose& wheel, std::vector<OverlapPatch>& patch) {
+void ContactSearch::find(const Pose& wheel, std::vector<OverlapPatch>& patch, bool planar) {
   const ProfileGap gap(wheel_, rail_, locus_of(wheel));
   find_overlaps(gap, overlap_);
   for (Overlap& o : overlap_) measure(gap, o);
-  gather(gap, overlap_, side_, shape_.radius, patch);
+  gather(gap, overlap_, planar, side_, shape_.radius, patch);
 }
 
 double ContactSearch::rail_angle(double y) const {

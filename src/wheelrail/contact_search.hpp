@@ -47,8 +47,8 @@ class ContactSearch {
   double first_touch(const Pose& wheel) const;
   /// The point that does; nullopt where it is not above the rail. Of several, or a line, the first by y.
   std::optional<TouchPoint> touch(const Pose& wheel) const;
-  /// In the order of y; overwritten. Allocates nothing once it has seen as many patches.
-  void find(const Pose& wheel, std::vector<OverlapPatch>& patch);
+  /// In the order of y; overwritten. planar: each has one normal. Allocates nothing once it has seen as many patches.
+  void find(const Pose& wheel, std::vector<OverlapPatch>& patch, bool planar = true);
   /// Of the rail at y (where it ends: there): atan dz/dy.
   double rail_angle(double y) const;
 

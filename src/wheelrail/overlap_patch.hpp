@@ -57,8 +57,9 @@ struct Overlap {
 
 void measure(const ProfileGap& gap, Overlap& overlap);
 
-/// Overlaps in the order of s. side: -1 where the profile's y points to the left; radius: of the wheel at z = 0.
-void gather(const ProfileGap& gap, const std::vector<Overlap>& overlap, double side, double radius,
+/// Overlaps in the order of s. planar: normals that differ set them apart. side: -1 where the profile's y points to the
+/// left; radius: of the wheel at z = 0.
+void gather(const ProfileGap& gap, const std::vector<Overlap>& overlap, bool planar, double side, double radius,
             std::vector<OverlapPatch>& patch);
 
 }  // namespace rollcon

@@ -271,6 +271,7 @@ void PatchContact::put_frame(const LatticeSize& size, const FramePlace& place) {
   Scene& scene = contact_->scene;
   now_.place = place;
   if (!(size == now_.size)) {
+    scene.options.set_int("conformal", size.conformal ? 1 : 0);
     const bool in_steps = true;
     scene.set_placed_frame(rectangle_mesh({}, ElementType::quad4, size.along, size.across, {-1, 1, -1, 1}), place,
                            in_steps);

@@ -17,6 +17,7 @@ namespace rollcon {
 /// Intervals of the lattice along and across the rolling direction.
 struct LatticeSize {
   std::int64_t along = 0, across = 0;
+  bool conformal = false;  ///< the lattice follows the profiles across
   bool operator==(const LatticeSize&) const = default;
 };
 

@@ -31,10 +31,15 @@ struct Fineness {
 };
 constexpr Fineness fineness[] = {{0.02, {8, 16}}, {0.01, {12, 24}}, {0.005, {24, 48}}};
 
-LatticeSize size_for(double accuracy) {
+LatticeSize size_for(double accuracy, bool conformal) {
+  LatticeSize size = std::end(fineness)[-1].size;
   for (const Fineness& f : fineness)
-    if (f.accuracy <= accuracy) return f.size;
-  return std::end(fineness)[-1].size;
+    if (f.accuracy <= accuracy) {
+      size = f.size;
+      break;
+    }
+  size.conformal = conformal;
+  return size;
 }
 
 double depth_of(const OverlapPatch& patch) {
@@ -152,7 +157,7 @@ WheelRail::Slot& WheelRail::slot_for(const OverlapPatch& patch) {
 Status WheelRail::solve_at(double z) {
   z_ = z;
   const WheelMotion motion = motion_at(z);
-  search_->find(motion.pose, found_);
+  search_->find(motion.pose, found_, !in_.conformal);
   for (const auto& slot : slot_) slot->taken = false;
   active_.clear();
   double deepest = 0;
@@ -178,7 +183,7 @@ Status WheelRail::solve_at(double z) {
       break;
     }
     for (std::size_t i = 0; i < active_.size() && !cancelled(); ++i)
-      active_[i]->contact.solve(found_[i], motion, friction_of(found_[i]), size_for(in_.accuracy),
+      active_[i]->contact.solve(found_[i], motion, friction_of(found_[i]), size_for(in_.accuracy, in_.conformal),
                                 active_[i]->give_way);
     double change = 0;
     if (active_.size() > 1)
@@ -201,7 +206,8 @@ Status WheelRail::solve_at(double z) {
 
 // Where inclinations are given: at places across the overlap.
 PatchFriction WheelRail::friction_of(const OverlapPatch& patch) const {
-  PatchFriction friction{.mu = in_.friction, .table = in_.table.get(), .hertzian = in_.hertzian};
+  PatchFriction friction{
+      .mu = in_.friction, .table = in_.conformal ? nullptr : in_.table.get(), .hertzian = in_.hertzian};
   if (in_.friction_angle.empty()) return friction;
   friction.mu = linear_between(in_.friction_angle, in_.friction_at_angle, search_->rail_angle(patch.reference[1]));
   friction.points = PatchFriction::most;
@@ -243,7 +249,7 @@ double WheelRail::vertical_force() const {
 // Hertz's approach under the load, for the curvatures where the wheel touches first.
 double WheelRail::first_sink(double touch) {
   const double little = 1e-6 * radius_;
-  search_->find(motion_at(touch + little).pose, found_);
+  search_->find(motion_at(touch + little).pose, found_, !in_.conformal);
   if (found_.empty()) return little;
   const OverlapPatch& patch = *std::max_element(found_.begin(), found_.end(),
                                                 [](const auto& a, const auto& b) { return depth_of(a) < depth_of(b); });

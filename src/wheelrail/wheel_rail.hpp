@@ -44,6 +44,8 @@ class WheelRail {
   void forget_table() { in_.table.reset(); }
   /// With a table: pressures are Hertz's for each overlap, from now on or (0) no longer.
   void set_hertzian(std::int32_t on);
+  /// Frames follow the profiles across the rolling direction, from now on or (0) no longer; tables are left aside.
+  void set_conformal(std::int32_t on);
   /// err_state, with what they are wanted for: contacts of patches have none where a table gives the forces.
   void require_solved_friction(const char* wanted) const;
   /// By the inclination of the rail, linear between points (angle, mu) with ascending angles; n = 0: that of
@@ -136,7 +138,7 @@ class WheelRail {
     WheelsetState position, velocity;
     RailDeviation deviation, rate;
     bool position_given = false, velocity_given = false, friction_given = false, by_force = false;
-    bool hertzian = false;
+    bool hertzian = false, conformal = false;
     double load = 0, friction = 0, accuracy = 0.01;
     std::shared_ptr<const ForceTable> table;
     std::vector<double> friction_angle, friction_at_angle;

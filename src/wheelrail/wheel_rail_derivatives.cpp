@@ -101,7 +101,7 @@ void WheelRail::differentiate(const Inputs& in, std::size_t entry, double step, 
   }
 }
 
-// Tables: differences of solves, with frames that keep their shapes.
+// Tables and conformal contacts: differences of solves, with frames that keep their shapes.
 void WheelRail::differentiate_by_solves(const Inputs& in, std::size_t entry, double step, Totals& rate) {
   Totals at[2];
   for (std::size_t s = 0; s < 2; ++s) {
@@ -124,19 +124,19 @@ WheelRail::Derivative WheelRail::derivative(std::int32_t i) {
     fail(Status::err_state, "the last solve did not converge: only a converged solution has derivatives");
   if (derived_) return derivative_[static_cast<std::size_t>(i)];
   const Inputs in = solved_inputs();
-  const bool by_table =
-      std::any_of(active_.begin(), active_.end(), [](const Slot* slot) { return slot->contact.by_table(); });
+  const bool by_solves = in.conformal || std::any_of(active_.begin(), active_.end(),
+                                                     [](const Slot* slot) { return slot->contact.by_table(); });
   std::array<Totals, entries> rate{};
-  const std::shared_ptr<Kept> here = by_table ? keep_here() : nullptr;
+  const std::shared_ptr<Kept> here = by_solves ? keep_here() : nullptr;
   const double speed = std::abs(in.velocity.x);
-  // Gaps and slip are smooth to rounding; tables' pressures are solved to less.
-  const double small = by_table ? 2e-6 : 1e-7;
+  // Gaps and slip are smooth to rounding; what is solved again is so to less.
+  const double small = by_solves ? 2e-6 : 1e-7;
   for (std::size_t k = 0; k < entries && !active_.empty(); ++k) {
     const std::size_t of = k % 6;
     if (k == 0 || k == 5) continue;  // rails are straight, wheels round
     const double unit = of < 3 ? radius_ : 1;
     const double step = k < 6 ? small * unit : 1e-5 * speed * (of < 3 ? 1 : 1 / radius_);
-    if (!by_table) {
+    if (!by_solves) {
       differentiate(in, k, step, rate[k]);
       continue;
     }
@@ -147,7 +147,7 @@ WheelRail::Derivative WheelRail::derivative(std::int32_t i) {
       throw;
     }
   }
-  if (by_table) return_to(*here);
+  if (by_solves) return_to(*here);
   constexpr std::size_t z = 2;
   for (std::size_t k = 0; k < entries; ++k) {
     Totals r = rate[k];

@@ -112,8 +112,13 @@ void WheelRail::set_hertzian(std::int32_t on) {
   in_.hertzian = on == 1;
 }
 
+void WheelRail::set_conformal(std::int32_t on) {
+  if (on != 0 && on != 1) fail(Status::err_argument, "on is %d; allowed: 0, 1", on);
+  in_.conformal = on == 1;
+}
+
 void WheelRail::require_solved_friction(const char* wanted) const {
-  if (in_.table)
+  if (in_.table && !in_.conformal)
     fail(Status::err_state,
          "forces along the surfaces come from a table, which has no tractions and no slip: %s needs a solution; call "
          "rollcon_wheelrail_forget_table first",

@@ -157,6 +157,7 @@ const char* const recorded_names[] = {
   "wheelrail_set_table",
   "wheelrail_forget_table",
   "wheelrail_set_hertzian",
+  "wheelrail_set_conformal",
   "wheelrail_set_friction_by_angle",
   "wheelrail_set_accuracy",
   "wheelrail_solve",
@@ -208,7 +209,7 @@ const char* const recorded_names[] = {
   "table_evaluate_contact",
 };
 
-const int recorded_number = 201;
+const int recorded_number = 202;
 
 enum {
   recorded_rollcon_version,
@@ -363,6 +364,7 @@ enum {
   recorded_rollcon_wheelrail_set_table,
   recorded_rollcon_wheelrail_forget_table,
   recorded_rollcon_wheelrail_set_hertzian,
+  recorded_rollcon_wheelrail_set_conformal,
   recorded_rollcon_wheelrail_set_friction_by_angle,
   recorded_rollcon_wheelrail_set_accuracy,
   recorded_rollcon_wheelrail_solve,
@@ -1851,6 +1853,13 @@ rollcon_status rollcon_wheelrail_forget_table(rollcon_wheelrail *wheelrail) {
 
 rollcon_status rollcon_wheelrail_set_hertzian(rollcon_wheelrail *wheelrail, int32_t on) {
   record_begin(recorded_rollcon_wheelrail_set_hertzian);
+  record_handle(wheelrail);
+  record_integer(on);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_set_conformal(rollcon_wheelrail *wheelrail, int32_t on) {
+  record_begin(recorded_rollcon_wheelrail_set_conformal);
   record_handle(wheelrail);
   record_integer(on);
   return record_end();

@@ -297,6 +297,8 @@ void with_each_wheelrail_call(const void* handle, Check&& check) {
         rollcon_wheelrail_forget_table(object));
   check("rollcon_wheelrail_set_hertzian", false,
         rollcon_wheelrail_set_hertzian(object, 1));
+  check("rollcon_wheelrail_set_conformal", false,
+        rollcon_wheelrail_set_conformal(object, 1));
   check("rollcon_wheelrail_set_friction_by_angle", false,
         rollcon_wheelrail_set_friction_by_angle(object, 1, a.reals));
   check("rollcon_wheelrail_set_accuracy", false,

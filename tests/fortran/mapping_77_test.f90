@@ -134,6 +134,7 @@ program mapping_77_test
   call test_rcwtab()
   call test_rcwnot()
   call test_rcwhtz()
+  call test_rcwcnf()
   call test_rcwfra()
   call test_rcwacc()
   call test_rcwslv()
@@ -2067,6 +2068,19 @@ contains
     call rcwhtz(iwr, 11, stat)
     call rclerr(message)
     call failed('wheelrail_set_hertzian', stat, message)
+  end subroutine
+
+  subroutine test_rcwcnf()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwcnf(iwr, 11, stat)
+    call told('wheelrail_set_conformal', 'wheelrail1 11', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwcnf(iwr, 11, stat)
+    call rclerr(message)
+    call failed('wheelrail_set_conformal', stat, message)
   end subroutine
 
   subroutine test_rcwfra()

@@ -77,6 +77,7 @@ program mapping_test
   call wheelrail_set_friction()
   call wheelrail_forget_table()
   call wheelrail_set_hertzian()
+  call wheelrail_set_conformal()
   call wheelrail_set_friction_by_angle()
   call wheelrail_set_accuracy()
   call wheelrail_solve()
@@ -1060,6 +1061,18 @@ contains
     message = ''
     call wheelrail%set_hertzian(11, stat, message)
     call failed('wheelrail_set_hertzian', stat, message)
+  end subroutine
+
+  subroutine wheelrail_set_conformal()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call wheelrail%set_conformal(11, stat, message)
+    call told('wheelrail_set_conformal', 'wheelrail1 11', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call wheelrail%set_conformal(11, stat, message)
+    call failed('wheelrail_set_conformal', stat, message)
   end subroutine
 
   subroutine wheelrail_set_friction_by_angle()

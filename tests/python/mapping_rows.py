@@ -92,6 +92,7 @@ ROWS = list(starmap(Row, [
     ('wheelrail', 'set_friction', False, (1.5,), 'wheelrail_set_friction', 'wheelrail1 1.5', None),
     ('wheelrail', 'forget_table', False, (), 'wheelrail_forget_table', 'wheelrail1', None),
     ('wheelrail', 'set_hertzian', False, (11,), 'wheelrail_set_hertzian', 'wheelrail1 11', None),
+    ('wheelrail', 'set_conformal', False, (11,), 'wheelrail_set_conformal', 'wheelrail1 11', None),
     ('wheelrail', 'set_friction_by_angle', False, ([[2.125, 2.25], [2.375, 2.5]],), 'wheelrail_set_friction_by_angle', 'wheelrail1 2 [2.125 2.25 2.375 2.5]', None),
     ('wheelrail', 'set_friction_by_angle', False, (None,), 'wheelrail_set_friction_by_angle', 'wheelrail1 0 null', None),
     ('wheelrail', 'set_accuracy', False, (1.5,), 'wheelrail_set_accuracy', 'wheelrail1 1.5', None),

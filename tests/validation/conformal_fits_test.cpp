@@ -1,6 +1,5 @@
 // Contact that turns by up to 60 degrees, against closed forms without friction: a bore lined with a thin layer, where
-// every point yields by its own pressure, and an elastic pin in an elastic plate (Persson 1964; Ciavarella and Decuzzi,
-// Int. J. Solids Struct. 38 (2001) 4507-4523).
+// every point yields by its own pressure, and an elastic pin in an elastic plate.
 
 #include <cmath>
 #include <numbers>
@@ -8,6 +7,7 @@
 #include <vector>
 
 #include "support/extreme_bodies.hpp"
+#include "support/persson.hpp"
 #include "validation/scenes.hpp"
 
 namespace rollcon::validation {
@@ -59,23 +59,6 @@ TEST(ConformalFits, a_lined_bore) {
   for (const extremes::Model model : {extremes::Model::fem, extremes::Model::bem})
     for (const double wall : {0.04, 0.02}) press_into_a_layer(model, wall);
 }
-
-/// Persson's pressure times radius over load per length, and clearance E / (1 - nu^2) over it.
-struct Persson {
-  double b;  ///< tangent of half the angle of contact
-  explicit Persson(double angle) : b(std::tan(angle / 2)) {}
-  double clearance() const {
-    const double bb = b * b;
-    return (2 * (1 - bb) - std::log(1 + bb) / (1 + bb)) / (std::numbers::pi * bb);
-  }
-  double pressure(double angle) const {
-    const double t = std::tan(angle / 2), c = std::sqrt(1 + b * b);
-    if (!(std::abs(t) < b)) return 0;
-    const double s = std::sqrt(b * b - t * t);
-    return 2 * s / (std::numbers::pi * c * (1 + t * t)) +
-           std::log((c + s) / (c - s)) / (2 * std::numbers::pi * c * c * b * b);
-  }
-};
 
 constexpr double half_length = 0.02;
 

@@ -855,6 +855,18 @@ class WheelrailPlain:
         """
         self._call("set_hertzian", on)
 
+    def set_conformal(self, on: int) -> None:
+        """Lays the frame of each patch on the profiles, with normals that turn across it, instead
+        of in one plane: for worn profiles and flange roots, where normals turn by more than a few
+        degrees within a patch. Its compliance is that of half-spaces on the frame unrolled
+        (docs/theory.md, section 11), its operators are made anew at every position, so that a
+        step takes tens of milliseconds, and derivatives of the totals are differences of solves.
+        Creep-force tables are left aside: statistic by_table of a patch is 0.
+
+        on: 1: along the profiles; 0: in a plane, as in a new handle.
+        """
+        self._call("set_conformal", on)
+
     def set_friction_by_angle(self, points: ArrayLike | None) -> None:
         """Sets coefficients by the inclination of the rail's surface, linear between points and
         constant beyond them, in place of that of set_friction(): lubricated gauge faces under dry

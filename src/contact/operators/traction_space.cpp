@@ -120,6 +120,7 @@ TractionSpace coarse_space(const Frame& fine) {
       space.frame.t2.push_back(fine.t2[at(k)]);
       space.frame.n.push_back(fine.n[at(k)]);
     }
+  space.frame.section = fine.section;
   std::vector<std::int32_t> place(fine.used.size(), -1);
   for (std::size_t i = 0; i < coarse.node.size(); ++i) place[at(coarse.node[i])] = static_cast<std::int32_t>(i);
   space.fine.start = {0};

@@ -47,8 +47,8 @@ struct Preparation {
   /// The operators of `made` where their rows are formed: more can be added. Else null.
   std::shared_ptr<DenseOperators> dense = std::make_shared<DenseOperators>();
   Revision mesh = -1;  ///< of the frame
-  /// mesh, place if it cannot follow that, axes, poses that turn or move it, gap if bodies end there
-  Stage<Revision, Revision, Revision, Poses, Poses> frame;
+  /// mesh, place if it cannot follow that, axes, poses that turn or move it, gap if bodies end there, conformal
+  Stage<Revision, Revision, Revision, Poses, Poses, bool> frame;
   Stage<Revision, Revision> place;             ///< frame, revision
   Stage<Revision, Poses, Poses> rim;           ///< frame, poses of bodies with a mesh, where the gap ends
   Stage<Revision, double, double> compliance;  ///< frame, accuracy, layer

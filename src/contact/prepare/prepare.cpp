@@ -8,6 +8,7 @@
 #include "contact/prepare/preparation.hpp"
 #include "contact/prepare/rigid_slip.hpp"
 #include "contact/prepare/time_step.hpp"
+#include "contact/scene/conformal.hpp"
 #include "contact/scene/geometry.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"
@@ -31,8 +32,13 @@ Poses where_gap_ends(const Scene& scene, const PairOfBodies& pair) {
   return scene.has_gap() ? Poses{scene.revision.gap, -1} : poses_of_surfaces(scene, pair);
 }
 
+bool is_conformal(const Scene& scene, const PairOfBodies& pair) {
+  return scene.options.conformal != 0 && has_section(pair);
+}
+
 // That of a rigid body which neither carries the frame nor gives its normals changes the gap alone.
 Poses poses_of_frame(const Scene& scene, const PairOfBodies& pair) {
+  if (is_conformal(scene, pair)) return poses_of_surfaces(scene, pair);
   Poses poses = poses_of_meshes(scene, pair);
   for (int b = 0; b < 2; ++b) {
     const auto k = static_cast<std::size_t>(b);
@@ -76,8 +82,8 @@ void refuse_too_many_nodes(const SolverState& state, const SurfaceMesh& mesh) {
   op.require_memory_for({{false, false, false}, {false, false, false}, {false, false, true}});
 }
 
-bool follows_its_place(const PairOfBodies& pair) {
-  return !pair.meshed();
+bool follows_its_place(const Scene& scene, const PairOfBodies& pair) {
+  return !pair.meshed() && !is_conformal(scene, pair);
 }
 
 void put_in_place(SolverState& state, const Scene& scene) {
@@ -113,11 +119,13 @@ void take_unit_frame(Preparation& preparation, const Scene& scene) {
 void build_frame_part(SolverState& state, const Scene& scene) {
   Preparation& preparation = *state.preparation;
   Prepared& on = *preparation.made;
-  const auto placed = follows_its_place(on.pair) ? 0 : scene.revision.place;
+  const bool conformal = is_conformal(scene, on.pair);
+  const auto placed = follows_its_place(scene, on.pair) ? 0 : scene.revision.place;
   // Nodes at which a body ends carry tractions, unless their frame follows the contact.
   const bool known = is_gap_known(scene, on.pair);
   const Poses ends = scene.ends_at_edge() && !scene.placed() && known ? where_gap_ends(scene, on.pair) : Poses{-1, -1};
-  if (preparation.frame.enter(scene.revision.mesh, placed, scene.revision.axes, poses_of_frame(scene, on.pair), ends)) {
+  if (preparation.frame.enter(scene.revision.mesh, placed, scene.revision.axes, poses_of_frame(scene, on.pair), ends,
+                              conformal)) {
     refuse_too_many_nodes(state, scene.mesh());
     ++state.work.frames;
     Frame frame = build_frame(scene.mesh(), scene.axes());
@@ -128,6 +136,7 @@ void build_frame_part(SolverState& state, const Scene& scene) {
       for (std::size_t k = 0; k < frame.used.size(); ++k) frame.used[k] &= frame.rim[k] == 0;
     }
     if (normal_source(on.pair) >= 0) curve_frame(frame, surface_normals(frame, on.frame_source, on.pair));
+    if (conformal) follow_section(frame, on.pair);
     const bool same_size = preparation.mesh == scene.revision.mesh
                                ? frame.nodes() == on.frame.nodes()
                                : scene.ends_at_edge() && frame.mesh.connectivity == on.frame.mesh.connectivity;

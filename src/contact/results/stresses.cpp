@@ -61,6 +61,10 @@ void find_stresses(const SolverState& state, std::int32_t body, const PointsInsi
   const Prepared& on = *state.prepared;
   const Body& which = *on.pair.body[at(body - 1)];
   require_halfspace(which, body);
+  if (on.frame.section)
+    fail(Status::err_unsupported,
+         "stresses inside half-spaces are those under a contact in a plane, and this one is conformal (option "
+         "conformal is 1)");
   require_inside(points, body);
   // Depth points into the body: along -n into body 1, whose tractions are lambda, along n into body 2, which has
   // -lambda. A mirrored body obeys the same laws.

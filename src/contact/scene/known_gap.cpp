@@ -46,20 +46,30 @@ class GapOfSurfaces final : public KnownGap {
       : axes_(axes), pair_(pair), given_(given) {}
 
   double operator()(double x, double y) const override {
-    const Vec3 point = plane_point(axes_, x, y);
+    const double gap = along(plane_point(axes_, x, y), axes_.n);
+    return given_ && std::isfinite(gap) ? (*given_)[0] * x * x + (*given_)[1] * y * y + (*given_)[2] * x * y : gap;
+  }
+
+  /// From body 1 to body 2 along a line through a point.
+  double along(const Vec3& point, const Vec3& n) const {
     double gap = 0;
     for (std::size_t b = 0; b < 2; ++b) {
       const Surface* const surface = pair_.body[b]->surface();
-      if (!surface) continue;  // the axes' plane
+      if (!surface) {  // the axes' plane
+        const double met = dot(axes_.origin - point, axes_.n) / dot(n, axes_.n);
+        gap += b == 0 ? -met : met;
+        continue;
+      }
       const Pose& pose = pair_.pose[b];
-      const Vec3 direction = pose.turn_back(axes_.n);
+      const Vec3 direction = pose.turn_back(n);
       const auto met =
           surface->distance_near(pose.to_body(point), direction, (b == 0 ? 1.0 : -1.0) * direction, met_[b]);
       if (!met) return INFINITY;
       gap += b == 0 ? -*met : *met;
     }
-    return given_ ? (*given_)[0] * x * x + (*given_)[1] * y * y + (*given_)[2] * x * y : gap;
+    return gap;
   }
+  bool measured() const { return !given_; }
 
   // An edge, whatever its direction, is passed by one of the diagonals.
   bool ends_at(double x, double y, double size) const override {
@@ -142,13 +152,14 @@ class GapOfSurfaces final : public KnownGap {
   mutable std::array<SurfaceHint, 2> met_;      ///< by the point before
 };
 
-// Frames made by the library cover holes of a body: nothing touches there.
-void fill(const KnownGap& known, const Frame& frame, std::vector<double>& gap) {
+// Frames made by the library cover holes of a body: nothing touches there. at(k): at node k.
+template <class At>
+void fill(const KnownGap& known, const Frame& frame, At at, std::vector<double>& gap) {
   gap.resize(frame.x.size());
   double greatest = 0;
   bool holes = false;
   for (std::size_t k = 0; k < gap.size(); ++k) {
-    gap[k] = known(frame.x[k], frame.y[k]);
+    gap[k] = at(k);
     if (std::isfinite(gap[k]))
       greatest = std::max(greatest, gap[k]);
     else
@@ -177,10 +188,20 @@ std::unique_ptr<KnownGap> known_gap(const Scene& scene, const PairOfBodies& pair
 
 bool fill_known_gap(const Scene& scene, const PairOfBodies& pair, const Frame& frame, std::vector<double>& gap) {
   if (!is_gap_known(scene, pair)) return false;
-  if (const HeightGrid* const grid = scene.gap_grid())
-    fill(GapOnGrid(*grid), frame, gap);
+  const auto above = [&](const KnownGap& known) {
+    fill(
+        known, frame, [&](std::size_t k) { return known(frame.x[k], frame.y[k]); }, gap);
+  };
+  if (const HeightGrid* const grid = scene.gap_grid()) {
+    above(GapOnGrid(*grid));
+    return true;
+  }
+  const GapOfSurfaces surfaces(scene.axes(), pair, scene.quadratic_gap());
+  if (frame.section && surfaces.measured())
+    fill(
+        surfaces, frame, [&](std::size_t k) { return surfaces.along(frame.mesh.node[k], frame.n[k]); }, gap);
   else
-    fill(GapOfSurfaces(scene.axes(), pair, scene.quadratic_gap()), frame, gap);
+    above(surfaces);
   return true;
 }
 

@@ -15,6 +15,9 @@ const SettingTable<Options>& table() {
        "Error that stresses inside half-spaces may have, relative to the largest traction."},
       {"frame_accuracy", &Options::frame_accuracy, 1e-4, 1,
        "Error that frames made by the library may leave in force and spin moment, relative to the force."},
+      {"conformal", &Options::conformal, 0, 1,
+       "1: frames on half-spaces with profiles follow these across the rolling direction, with normals that turn; 0: "
+       "they lie in the plane of the axes."},
       {"convection", &Options::convection, "characteristic|least_squares|godunov",
        "Scheme of the convective derivative in the slip."},
       {"linear_solver", &Options::linear_solver, "auto|lu|gmres|gmres_adaptive",

@@ -18,6 +18,7 @@ struct Options {
   double accuracy = 1e-6;                     // "accuracy": of the half-space integrals
   double stress_accuracy = 1e-5;              // "stress_accuracy": of stresses inside half-spaces
   double frame_accuracy = 0.005;              // "frame_accuracy"
+  std::int64_t conformal = 0;                 // "conformal"
   std::string convection = "characteristic";  // "convection"
   std::string linear_solver = "auto";         // "linear_solver"
   std::int64_t warm_start = 2;                // "warm_start"

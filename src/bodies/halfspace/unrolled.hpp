@@ -1,0 +1,16 @@
+#pragma once
+/// Half-spaces under a conformal contact: the frame is unrolled into a plane, where the compliance is that of
+/// half-spaces, and both tractions and displacements are turned by half the angle between the tangents at their two
+/// places. docs/theory.md, section 11.
+
+#include <memory>
+
+#include "bodies/halfspace/halfspace.hpp"
+
+namespace rollcon {
+
+/// frame: with a section; it need not outlive the compliance. The rest as make_halfspace_compliance.
+std::unique_ptr<Compliance> make_unrolled_compliance(const Frame& frame, HalfspaceConstants c, double tolerance,
+                                                     int threads);
+
+}  // namespace rollcon

@@ -1,0 +1,33 @@
+#pragma once
+/// The line in which the plane across the rolling direction meets the surface of a conformal contact.
+
+#include <cstddef>
+#include <vector>
+
+namespace rollcon {
+
+class SectionLine {
+ public:
+  /// One of its points: where, how high above the plane of the axes, and the angle of its tangent with that plane,
+  /// about the rolling direction, from t2 towards n.
+  struct Place {
+    double y = 0, height = 0, angle = 0;
+  };
+  /// At least one place, y ascending, angles less than a right one. Between two of them it is a circular arc, beyond
+  /// the ends it goes on straight.
+  explicit SectionLine(std::vector<Place> place);
+
+  struct Point {
+    double arc = 0;  ///< length from the first place
+    double angle = 0;
+  };
+  Point at(double y) const;
+
+ private:
+  std::vector<Place> place_;
+  std::vector<double> arc_;
+
+  double arc_from(std::size_t i, double y, double& angle) const;
+};
+
+}  // namespace rollcon
