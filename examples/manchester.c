@@ -5,13 +5,15 @@
    about the axle. Units: mm, N, s; axes: x forward, y to the right, z down. Forces are those on the rails.
    docs/wheelrail.md.
 
-   manchester [FOLDER]: writes manchester.txt there, for plot_manchester.gp. */
+   manchester [FOLDER]: writes manchester.txt there, with the wheels at three shifts and the equivalent conicity beside
+   it, for plot_manchester.gp. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "rollcon.h"
+#include "wheel_picture.h"
 
 static const double shear = 82000, poisson = 0.28, mu = 0.3, load = 10000, speed = 2000;
 static const double gauge = 1435, gauge_height = 14, back_to_back = 1360, flange_back = -70, radius = 460;
@@ -108,6 +110,38 @@ static void print_patches(FILE* out, const rollcon_wheelrail* wheel, double y, i
   }
 }
 
+static FILE* open_in(const char* folder, const char* name) {
+  char path[1024];
+  FILE* file;
+  snprintf(path, sizeof path, "%s/%s", folder, name);
+  file = fopen(path, "w");
+  if (file) return file;
+  fprintf(stderr, "cannot write %s\n", path);
+  exit(1);
+}
+
+/* The right wheel on its rail, pressures 4 mm high for each 1000 MPa. */
+static void draw(const char* folder, const rollcon_wheelrail* wheel, double y) {
+  const double height = 0.004;
+  char name[64];
+  FILE* file;
+  snprintf(name, sizeof name, "manchester_%.1f.txt", y);
+  file = open_in(folder, name);
+  must(write_wheel_on_rail(file, wheel, height));
+  fclose(file);
+}
+
+static void write_conicity(const char* folder, rollcon_wheelrail* wheel[sides]) {
+  enum { STEPS = 32 };
+  double amplitude[STEPS], conicity[STEPS], wavelength[STEPS];
+  FILE* file = open_in(folder, "manchester_conicity.txt");
+  int i;
+  for (i = 0; i < STEPS; ++i) amplitude[i] = 0.25 * (i + 1);
+  must(rollcon_wheelrail_find_conicity(wheel[left], wheel[right], STEPS, amplitude, conicity, wavelength));
+  for (i = 0; i < STEPS; ++i) fprintf(file, "%.2f %.6f\n", amplitude[i], conicity[i]);
+  fclose(file);
+}
+
 int main(int argc, char** argv) {
   const double cant = atan(1.0 / 40), last = 10, step = 0.5;
   rollcon_context* context;
@@ -116,15 +150,8 @@ int main(int argc, char** argv) {
   double y, roll = 0, rate = -speed / radius;
   FILE* file = NULL;
   int side;
-  if (argc > 1) {
-    char path[1024];
-    snprintf(path, sizeof path, "%s/manchester.txt", argv[1]);
-    file = fopen(path, "w");
-    if (!file) {
-      fprintf(stderr, "cannot write %s\n", path);
-      return 1;
-    }
-  }
+  const char* folder = argc > 1 ? argv[1] : NULL;
+  if (folder) file = open_in(folder, "manchester.txt");
   must(rollcon_context_create(ROLLCON_ABI, &context));
   tread = with_profile(context, "s1002");
   rail = with_profile(context, "60e1");
@@ -148,11 +175,13 @@ int main(int argc, char** argv) {
       if (file) print_patches(file, wheel[side], y, side);
       radius_of[side] = patch_stat(wheel[side], 0, "rolling_radius");
     }
+    if (folder && (y == 0 || y == 5 || y == 6.5)) draw(folder, wheel[right], y);
     if (file)
       fprintf(file, "%5.1f set %.6f %.6e %.8f %.5f\n", y, stat(wheel[right], "z"), roll, rate,
               radius_of[right] - radius_of[left]);
   }
   if (file) fclose(file);
+  if (folder) write_conicity(folder, wheel);
   for (side = 0; side < sides; ++side) rollcon_wheelrail_release(wheel[side]);
   rollcon_body_release(rail);
   rollcon_body_release(tread);

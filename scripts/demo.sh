@@ -33,4 +33,4 @@ run wheel_on_rail wheel_on_rail.png plot_wheel.gp plot_wheel_fields.gp
 run sphere_on_plane sphere_on_plane.png plot_contact.gp
 run ring_on_halfspace ring_on_halfspace.png plot_ring_on_halfspace.gp
 run manchester manchester.png plot_manchester.gp
-say "pictures: $out/wheel_on_rail.png (and manchester.png, wheel_on_rail_fields.png, ring_on_halfspace.png, sphere_on_plane.png)"
+say "pictures: $out/wheel_on_rail.png (and manchester.png, manchester_profiles.png, wheel_on_rail_fields.png, ring_on_halfspace.png, sphere_on_plane.png)"

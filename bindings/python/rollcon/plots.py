@@ -197,21 +197,23 @@ def patches(wheelrail, ax=None, points=2000):
 
 
 def _pressure_across(wheelrail, patch):
-    """Places in the track of the lines of nodes across a patch, the largest pressure of each, and the direction out of
-    the rail."""
+    """Places in the track of the lines of nodes across a patch, the largest pressure of each, and the directions out of
+    the rail: the lines of a conformal patch lie along the profiles."""
     origin, axes = wheelrail.patch_axes(patch)
     t2, n = np.reshape(axes, (3, 3))[1:, 1:]
     contact = wheelrail.contact(patch)
     try:
-        y, p = contact.field("point")[:, 1], contact.field("pressure")
+        (y, z), p = contact.field("point")[:, 1:].T, contact.field("pressure")
     except RollconError:
-        return np.empty((0, 2)), np.empty(0), -n
+        return np.empty((0, 2)), np.empty(0), np.empty((0, 2))
     spacing = 1e-9 * np.ptp(y)
-    lines, line = np.unique(np.round(y / spacing), return_inverse=True)
-    lines = lines * spacing
+    lines, first, line = np.unique(np.round(y / spacing), return_index=True, return_inverse=True)
+    lines, z = lines * spacing, z[first]
     greatest = np.zeros(len(lines))
     np.maximum.at(greatest, line, p)
-    return np.asarray(origin)[1:] + lines[:, None] * t2, greatest, -n
+    slope = np.gradient(z, lines)[:, None]
+    up = (slope * t2 - n) / np.hypot(slope, 1)
+    return np.asarray(origin)[1:] + lines[:, None] * t2 + z[:, None] * n, greatest, up
 
 
 def contact_points(left, right, shift, ax=None):
