@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "support/independent_layer.hpp"
 #include "support/independent_results.hpp"
 
 namespace rollcon::laws {
@@ -111,6 +112,18 @@ class Checker {
       laws_.finite = laws_.finite && std::isfinite(u_[k]) && std::isfinite(u2[k]);
       largest_u_ = std::max({largest_u_, std::abs(u_[k]), std::abs(u2[k])});
       u_[k] -= u2[k];
+    }
+    if (given_.layer > 0) add_layer(xy);
+  }
+
+  void add_layer(const std::vector<double>& xy) {
+    const TractionsBetween between(given_.frame, at_);
+    for (std::size_t p = 0; 2 * p < xy.size(); ++p) {
+      const auto q = between(result_.traction, xy[2 * p], xy[2 * p + 1]);
+      for (std::size_t c = 0; c < 2; ++c) {
+        u_[3 * p + c] += given_.layer * q[c];
+        largest_u_ = std::max(largest_u_, given_.layer * std::abs(q[c]));
+      }
     }
   }
 

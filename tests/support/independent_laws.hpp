@@ -36,6 +36,7 @@ struct Given {
   std::vector<double> creep_field;    ///< empty, or pairs for each node
   Scheme scheme = Scheme::characteristic;
   std::optional<TimeStep> in_time;
+  double layer = 0;      ///< between the bodies: slip has the layer's shear, displacement over traction
   double step = 0.6;     ///< of the characteristic scheme, over the spacing
   bool regular = false;  ///< a full grid of equal quad4 cells, 3 x 3 nodes or more
   double rounding = 64;  ///< in eps, allowed of the terms that gaps and slips are differences of

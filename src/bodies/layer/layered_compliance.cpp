@@ -5,7 +5,8 @@
 #include <utility>
 
 #include "bodies/model/translation.hpp"
-#include "mesh/stream_lines.hpp"
+#include "geometry/surface_search.hpp"
+#include "mesh/shape.hpp"
 #include "support/index.hpp"
 
 namespace rollcon {
@@ -20,7 +21,7 @@ double hat(double x, double h, Hat which) {
 // Values of hats are 1 and 0 at nodes, whatever rounding of offsets says.
 double rounded(double value) {
   constexpr double rounding = 1e-12;
-  return value < rounding ? 0 : value > 1 - rounding ? 1 : value;
+  return std::abs(value) < rounding ? 0 : std::abs(value - 1) < rounding ? 1 : value;
 }
 
 class LayeredRows final : public LatticeRows {
@@ -74,7 +75,7 @@ class LayeredKernel final : public TranslationKernel {
 class LayeredCompliance final : public Compliance {
  public:
   LayeredCompliance(const Frame& frame, std::unique_ptr<Compliance> bodies, double flexibility)
-      : bodies_(std::move(bodies)), lines_(frame), flexibility_(flexibility) {}
+      : bodies_(std::move(bodies)), frame_(frame), search_(frame.mesh, {}), flexibility_(flexibility) {}
 
   std::int64_t nodes() const override { return bodies_->nodes(); }
   bool couples() const override { return bodies_->couples(); }
@@ -108,27 +109,22 @@ class LayeredCompliance final : public Compliance {
   /// Calls f(point, node, shape function there); points beside the frame have none.
   template <class F>
   void at_nodes(Points points, F f) const {
-    std::vector<LinePiece> pieces;
+    const Axes& axes = frame_.axes;
+    Shape shape;
     for (std::size_t p = 0; p < points.size(); ++p) {
-      if (p == 0 || points.y[p] != points.y[p - 1]) lines_.cut(points.y[p], pieces);
-      const double x = points.x[p];
-      const auto piece = std::find_if(pieces.begin(), pieces.end(), [&](const LinePiece& c) {
-        const double rounding = 1e-9 * c.length();
-        return x <= c.upstream.x + rounding && x >= c.downstream.x - rounding;
-      });
-      if (piece == pieces.end()) continue;
-      const double part = rounded(std::clamp((x - piece->downstream.x) / piece->length(), 0.0, 1.0));
-      const auto add = [&](const LinePiece::End& end, double value) {
-        f(p, end.node[0], value * rounded(1 - end.part));
-        f(p, end.node[1], value * rounded(end.part));
-      };
-      add(piece->upstream, part);
-      add(piece->downstream, 1 - part);
+      const Vec3 point = axes.origin + points.x[p] * axes.t1 + points.y[p] * axes.t2;
+      const auto found = search_.along(point, axes.n, axes.n);
+      if (!found) continue;
+      const auto nodes = frame_.mesh.element(found->element);
+      evaluate_shape(frame_.mesh.type[at(found->element)], found->xi, found->eta, shape);
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        if (const double value = rounded(shape.value[i]); value != 0) f(p, nodes[i], value);
     }
   }
 
   std::unique_ptr<Compliance> bodies_;
-  StreamLines lines_;
+  const Frame& frame_;
+  SurfaceSearch search_;
   double flexibility_;
 };
 
