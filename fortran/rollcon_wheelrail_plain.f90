@@ -271,7 +271,8 @@ contains
   !> of a profile, or is not within its frame), COARSE, NO_CONTACT (the wheel is lifted), OK; the log has the numbers.
   !> ROLLCON_ERR_STATE names the call that is missing. ROLLCON_ERR_ARGUMENT: with this z wheel and rail overlap by more
   !> than a tenth of the wheel's radius. ROLLCON_ERR_LOAD: with this y no height brings the wheel on the rail, or no
-  !> overlap up to a tenth of the radius carries the vertical force.
+  !> overlap up to a tenth of the radius carries the vertical force. ROLLCON_ERR_MESH: a conformal patch
+  !> (rollcon_wheelrail_set_conformal) turns by more than 60 degrees to a side.
   subroutine wheelrail_solve(self, stat, errmsg)
     class(rc_wheelrail_plain), intent(inout) :: self
     integer, intent(out), optional :: stat

@@ -2269,11 +2269,12 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_accuracy(
  * COARSE, NO_CONTACT (the wheel is lifted), OK; the log has the numbers. ROLLCON_ERR_STATE names
  * the call that is missing. ROLLCON_ERR_ARGUMENT: with this z wheel and rail overlap by more than
  * a tenth of the wheel's radius. ROLLCON_ERR_LOAD: with this y no height brings the wheel on the
- * rail, or no overlap up to a tenth of the radius carries the vertical force.
+ * rail, or no overlap up to a tenth of the radius carries the vertical force. ROLLCON_ERR_MESH: a
+ * conformal patch (rollcon_wheelrail_set_conformal) turns by more than 60 degrees to a side.
  * Also returns: ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
  *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_TOO_DEEP, ROLLCON_DERAILED,
  *   ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY,
- *   ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_LOAD.
+ *   ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_LOAD, ROLLCON_ERR_MESH.
  * Source: docs/wheelrail.md.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_solve(rollcon_wheelrail *wheelrail);
@@ -2303,7 +2304,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_request_cancel(
  *   status      [n], out, may be NULL; as rollcon_wheelrail_solve would return
  * Also returns: ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
  *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_TOO_DEEP, ROLLCON_DERAILED, ROLLCON_ERR_STATE,
- *   ROLLCON_ERR_MEMORY.
+ *   ROLLCON_ERR_MEMORY, ROLLCON_ERR_MESH.
  * Source: docs/wheelrail.md.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_solve_many(

@@ -113,7 +113,7 @@ class AutomaticFrames final : public FrameMaker {
            "rollcon_contact_frame_ellipse, rollcon_contact_set_frame_nodes or rollcon_contact_frame_from_body");
     const Load& normal = scene.load(Direction::normal);
     Found now{scene.revision.gap, contact.modulus(), normal.how, normal.value};
-    now.conformal = scene.options.conformal != 0 && !contact.meshed();
+    now.conformal = scene.options.conformal != 0 && !scene.has_gap() && !contact.meshed();
     if (!scene.has_gap() || contact.meshed()) {
       now.pose = scene.revision.pose;
       now.axes = scene.revision.axes;

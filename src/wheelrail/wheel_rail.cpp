@@ -182,9 +182,7 @@ Status WheelRail::solve_at(double z) {
       worst = Status::not_converged;
       break;
     }
-    for (std::size_t i = 0; i < active_.size() && !cancelled(); ++i)
-      active_[i]->contact.solve(found_[i], motion, friction_of(found_[i]), size_for(in_.accuracy, in_.conformal),
-                                active_[i]->give_way);
+    for (std::size_t i = 0; i < active_.size() && !cancelled(); ++i) solve_patch(*active_[i], found_[i], motion);
     double change = 0;
     if (active_.size() > 1)
       for (Slot* slot : active_) {
@@ -202,6 +200,18 @@ Status WheelRail::solve_at(double z) {
   ++solves_;
   if (cancelled()) worst = Status::cancelled;
   return worst;
+}
+
+void WheelRail::solve_patch(Slot& slot, const OverlapPatch& patch, const WheelMotion& motion) const {
+  try {
+    slot.contact.solve(patch, motion, friction_of(patch), size_for(in_.accuracy, in_.conformal), slot.give_way);
+  } catch (const Error& e) {
+    if (!in_.conformal || e.status() != Status::err_mesh) throw;
+    fail(Status::err_mesh,
+         "the patch at y = %g of the wheel's profile turns by more than 60 degrees from its mean normal to a side, "
+         "which conformal frames do not: check load and profiles, or call rollcon_wheelrail_set_conformal with 0",
+         patch.wheel_y);
+  }
 }
 
 // Where inclinations are given: at places across the overlap.

@@ -155,6 +155,7 @@ class WheelRail {
   WheelMotion motion_at(double z) const { return motion_at(z, in_); }
   WheelMotion motion_at(double z, const Inputs& in) const;
   Status solve_at(double z);
+  void solve_patch(Slot& slot, const OverlapPatch& patch, const WheelMotion& motion) const;
   PatchFriction friction_of(const OverlapPatch& patch) const;
   Status meet_force();
   void tell(Status status) const;

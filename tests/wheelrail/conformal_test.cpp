@@ -124,7 +124,7 @@ TEST(conformal_pin, in_a_plate_as_in_closed_form) {
     double sunk, reach, bound, flat;
   };
   // Planar frames have a twentieth too little at 36 degrees.
-  for (const auto& [sunk, reach, bound, flat] : {Case{0.03, 6.8, 0.006, 0.01}, Case{0.06, 8.2, 0.006, 0.045}}) {
+  for (const auto& [sunk, reach, bound, flat] : {Case{0.03, 6.8, 0.002, 0.02}, Case{0.06, 8.2, 0.002, 0.045}}) {
     expect_error("largest pressure, conformal", pressure_of_a_pin(context, true, sunk, reach), bound);
     EXPECT_LT(pressure_of_a_pin(context, false, sunk, reach), -flat);
   }
@@ -137,8 +137,8 @@ TEST_F(conformal, wheel_in_a_groove_beside_contact) {
     double groove, z, pitch_rate, power;
     double z_bound, slip_bound, power_bound;
   };
-  for (const Reference& r : {Reference{10.25, 0.0224, -1.0002301, 83.95, 0.01, 0.06, 0.2},
-                             {10.05, 0.0174, -1.0006495, 644.4, 0.03, 0.04, 0.15}}) {
+  for (const Reference& r : {Reference{10.25, 0.0224, -1.0002301, 83.95, 0.01, 0.05, 0.18},
+                             {10.05, 0.0174, -1.0006495, 644.4, 0.025, 0.01, 0.12}}) {
     auto w = in_groove(r.groove);
     w->set_accuracy(0.01);
     const double rate = roll_freely(*w);
@@ -161,9 +161,9 @@ TEST_F(conformal, agrees_with_a_plane_where_normals_hardly_turn) {
     w->resultant(false, total[on], total[on] + 3);
     pressure[on] = w->patch_stat(0, "max_pressure");
   }
-  expect_error("y = 2 mm: longitudinal force over mu N", (total[1][0] - total[0][0]) / (mu * 10000), 0.02);
-  expect_error("y = 2 mm: lateral force over mu N", (total[1][1] - total[0][1]) / (mu * 10000), 0.01);
-  expect_error("y = 2 mm: largest pressure", relative(pressure[1], pressure[0]), 0.01);
+  expect_error("y = 2 mm: longitudinal force over mu N", (total[1][0] - total[0][0]) / (mu * 10000), 1e-3);
+  expect_error("y = 2 mm: lateral force over mu N", (total[1][1] - total[0][1]) / (mu * 10000), 1e-3);
+  expect_error("y = 2 mm: largest pressure", relative(pressure[1], pressure[0]), 1e-3);
   EXPECT_NE(total[1][0], total[0][0]);
 }
 
@@ -213,7 +213,7 @@ TEST_F(conformal, derivatives_are_those_of_differences) {
   const double step = 2e-4, difference = (lateral(0.08 + step) - lateral(0.08 - step)) / (2 * step);
   lateral(0.08);
   const WheelRail::Derivative d = w->derivative(1);
-  expect_error("lateral force by y", relative(d.force[1], difference), 0.03);
+  expect_error("lateral force by y", relative(d.force[1], difference), 0.015);
   EXPECT_GT(std::abs(difference), 100);
 }
 
@@ -227,4 +227,36 @@ TEST_F(conformal, tables_are_left_aside_and_stresses_inside_refused) {
   refused([&] { w->contact(0)->stresses_at(1, 1, point, stress, nullptr); }, Status::err_unsupported,
           {"conformal", "plane"});
   refused([&] { w->set_conformal(2); }, Status::err_argument, {"on is 2", "0, 1"});
+}
+
+TEST_F(conformal, patches_too_steep_are_named_and_the_wheel_goes_on) {
+  auto w = in_groove(10.05);
+  move(*w, -1.0005);
+  w->prescribe_vertical(static_cast<std::int32_t>(How::by_force), 8e4);
+  refused([&] { w->solve(); }, Status::err_mesh, {"60 degrees", "rollcon_wheelrail_set_conformal", "y = "});
+  w->prescribe_vertical(static_cast<std::int32_t>(How::by_force), 1e4);
+  EXPECT_EQ(w->solve(), Status::ok);
+}
+
+// The flange's contact turns by a few degrees, and its rolling radius by the same path.
+TEST_F(conformal, goes_through_flange_contact) {
+  auto plane = make(), along = make();
+  along->set_conformal(1);
+  double worst = 0, pressure = 0;
+  for (double y = 0; y <= 10; y += 1) {
+    double f[2][6], p[2] = {};
+    for (const std::size_t i : {0U, 1U}) {
+      WheelRail& w = i == 0 ? *plane : *along;
+      w.set_accuracy(0.02);
+      w.prescribe_vertical(static_cast<std::int32_t>(How::by_force), 10000);
+      place(w, y);
+      EXPECT_EQ(w.solve(), Status::ok) << y;
+      w.resultant(false, f[i], f[i] + 3);
+      for (std::int64_t k = 0; k < w.patches(); ++k) p[i] = std::max(p[i], w.patch_stat(k, "max_pressure"));
+    }
+    worst = std::max({worst, std::abs(f[1][0] - f[0][0]), std::abs(f[1][1] - f[0][1])});
+    pressure = std::max(pressure, relative(p[1], p[0]));
+  }
+  expect_error("0 to 10 mm: forces beside those in a plane, over mu N", worst / (mu * 10000), 0.04);
+  expect_error("0 to 10 mm: largest pressures", pressure, 0.005);
 }

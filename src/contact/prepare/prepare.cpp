@@ -32,10 +32,6 @@ Poses where_gap_ends(const Scene& scene, const PairOfBodies& pair) {
   return scene.has_gap() ? Poses{scene.revision.gap, -1} : poses_of_surfaces(scene, pair);
 }
 
-bool is_conformal(const Scene& scene, const PairOfBodies& pair) {
-  return scene.options.conformal != 0 && has_section(pair);
-}
-
 // That of a rigid body which neither carries the frame nor gives its normals changes the gap alone.
 Poses poses_of_frame(const Scene& scene, const PairOfBodies& pair) {
   if (is_conformal(scene, pair)) return poses_of_surfaces(scene, pair);

@@ -72,8 +72,8 @@ std::vector<double> distinct(std::vector<double> y) {
 
 }  // namespace
 
-bool has_section(const PairOfBodies& pair) {
-  return !pair.meshed() && (pair.body[0]->surface() || pair.body[1]->surface());
+bool is_conformal(const Scene& scene, const PairOfBodies& pair) {
+  return scene.options.conformal != 0 && !pair.meshed() && (pair.body[0]->surface() || pair.body[1]->surface());
 }
 
 void follow_section(Frame& frame, const PairOfBodies& pair) {

@@ -2,12 +2,13 @@
 /// Frames that follow profiles across the rolling direction, for half-spaces whose normals turn within their contact.
 
 #include "bodies/contact_surface.hpp"
+#include "contact/scene/scene.hpp"
 #include "mesh/frame.hpp"
 
 namespace rollcon {
 
-/// Whether there are profiles to follow, and no mesh that does so by itself.
-bool has_section(const PairOfBodies& pair);
+/// Whether it is asked for, and there are profiles to follow and no mesh that does so by itself.
+bool is_conformal(const Scene& scene, const PairOfBodies& pair);
 
 /// Lifts the nodes onto the surface between both bodies, a section through the axes' origin moved along the rolling
 /// direction, gives them its normals, and the frame its section. The surface lies nearer to the stiffer body, as that
