@@ -39,7 +39,7 @@ filter() {
   # Valgrind has its own operator new, knows no floating-point traps and no flushed subnormals, and
   # takes address space for itself.
   support) more='QuietFloatingPoint.*:HostFloatingPoint.*:MemoryLimit.*' ;;
-  capi) more='MemoryLimits.*:floating_point.*:allocation*:body_save.damaged_files_*:'\
+  capi) more='MemoryLimits.*:floating_point.*:allocation*:out_of_memory*:body_save.damaged_files_*:'\
 'fem_tags_and_frames.going_back_*:procedure_statuses.*:procedures.*:time_loop.every_step_*:'\
 'cancel_preparation.stops_a_solve_*:solve_many_threads.*' ;;
   # Valgrind computes long double with the digits of double, too few for the first of these.

@@ -1,83 +1,13 @@
-/// A wheel on its rail through the public interface: the Manchester benchmark, missing and bad inputs, lives of
-/// handles.
+/// A wheel on its rail through the public interface: the Manchester benchmark, missing and bad inputs, geometry,
+/// states.
 
 #include <cstring>
 
-#include "every_call.hpp"
-#include "fixture.hpp"
+#include "wheelrail_fixture.hpp"
 
 using namespace capi_test;
 
-namespace {
-
-/// Wheel S1002 and rail 60E1 of the benchmark, case; mm, N, s.
-class wheelrail : public ::testing::Test {
- protected:
-  void SetUp() override {
-    const double unit = 1;
-    ASSERT_OK(rollcon_context_create(ROLLCON_ABI, &context));
-    for (rollcon_body** body : {&wheel, &rail}) {
-      ASSERT_OK(rollcon_body_create(context, ROLLCON_BODY_HALFSPACE, body));
-      ASSERT_OK(rollcon_body_set_elastic(*body, 0, 2 * 82000 * 1.28, 0.28));
-    }
-    ASSERT_OK(rollcon_body_set_profile_shape(wheel, "s1002", 1, &unit));
-    ASSERT_OK(rollcon_body_set_profile_shape(rail, "60e1", 1, &unit));
-    right = made(ROLLCON_RIGHT);
-  }
-
-  void TearDown() override {
-    rollcon_wheelrail_release(right);
-    rollcon_body_release(rail);
-    rollcon_body_release(wheel);
-    rollcon_context_release(context);
-  }
-
-  rollcon_wheelrail* made(std::int32_t side) {
-    rollcon_wheelrail* w = nullptr;
-    EXPECT_OK(rollcon_wheelrail_create(context, wheel, rail, side, &w));
-    return w;
-  }
-
-  /// The row y = 2 mm; of a left wheel its mirror image.
-  static void give(rollcon_wheelrail* w, double side = 1) {
-    const double position[6] = {0, side * 2, 0.1529, side * -1.128e-4, side * 4.8e-3, 0};
-    const double velocity[6] = {2000, 0, 0, 0, 0, -4.3459197};
-    ASSERT_OK(rollcon_wheelrail_set_track(w, 1435, 14, std::atan(1.0 / 40)));
-    ASSERT_OK(rollcon_wheelrail_set_wheelset(w, 1360, -70, 460));
-    ASSERT_OK(rollcon_wheelrail_set_position(w, position));
-    ASSERT_OK(rollcon_wheelrail_set_velocity(w, velocity));
-    ASSERT_OK(rollcon_wheelrail_set_friction(w, 0.3));
-  }
-
-  static double patch_stat(const rollcon_wheelrail* w, const char* name) {
-    double value = NAN;
-    EXPECT_OK(rollcon_wheelrail_get_patch_stat(w, 0, name, &value));
-    return value;
-  }
-
-  static double stat(const rollcon_wheelrail* w, const char* name) {
-    double value = NAN;
-    EXPECT_OK(rollcon_wheelrail_get_stat(w, name, &value));
-    return value;
-  }
-
-  static std::int64_t patches(const rollcon_wheelrail* w) {
-    std::int64_t n = -1;
-    EXPECT_OK(rollcon_wheelrail_get_patch_count(w, &n));
-    return n;
-  }
-
-  static void expect_error(const char* what, double error, double bound) {
-    std::printf("%s: %.3g (bound %.3g)\n", what, error, bound);
-    EXPECT_LE(std::abs(error), bound) << what;
-  }
-
-  rollcon_context* context = nullptr;
-  rollcon_body *wheel = nullptr, *rail = nullptr;
-  rollcon_wheelrail* right = nullptr;
-};
-
-}  // namespace
+using wheelrail = Wheel;
 
 // CONTACT's answers are forces on the rail, and creepages of the rail relative to the wheel.
 TEST_F(wheelrail, manchester_at_2_mm) {
@@ -254,109 +184,6 @@ TEST_F(wheelrail, bad_inputs_are_named_and_change_nothing) {
   EXPECT_FAILS(rollcon_wheelrail_get_contact(right, 0, nullptr), ARGUMENT, "contact is NULL");
   EXPECT_EQ(value, -7);
   expect_error("vertical force by what was set first, N", stat(right, "vertical_force") - 10000, 100);
-}
-
-TEST_F(wheelrail, handles_of_other_kinds_make_none_and_are_none) {
-  auto* w = reinterpret_cast<rollcon_wheelrail*>(context);
-  EXPECT_FAILS(rollcon_wheelrail_create(context, nullptr, rail, ROLLCON_LEFT, &w), ARGUMENT, "wheel is NULL");
-  EXPECT_EQ(w, nullptr);
-  EXPECT_FAILS(rollcon_wheelrail_create(context, wheel, reinterpret_cast<rollcon_body*>(right), ROLLCON_LEFT, &w),
-               HANDLE, "rail");
-  EXPECT_FAILS(rollcon_wheelrail_create(context, wheel, rail, 0, &w), ARGUMENT, "side is 0", "-1 (left), 1 (right)");
-  EXPECT_FAILS(rollcon_wheelrail_create(context, wheel, rail, ROLLCON_LEFT, nullptr), ARGUMENT, "wheelrail is NULL");
-  rollcon_body* bare = nullptr;
-  ASSERT_OK(rollcon_body_create(context, ROLLCON_BODY_RIGID, &bare));
-  EXPECT_FAILS(rollcon_wheelrail_create(context, bare, rail, ROLLCON_LEFT, &w), STATE, "profile");
-  EXPECT_EQ(w, nullptr);
-  rollcon_body_release(bare);
-  const auto refused = [](std::int32_t status) {
-    return [status](const char* name, bool, std::int32_t got) {
-      EXPECT_EQ(got, status) << name;
-      expect_text_of(name, {"wheelrail"});
-    };
-  };
-  with_each_wheelrail_call(nullptr, refused(ROLLCON_ERR_ARGUMENT));
-  for (const void* other : {static_cast<void*>(context), static_cast<void*>(wheel)})
-    with_each_wheelrail_call(other, refused(ROLLCON_ERR_HANDLE));
-  with_each_contact_call(right,
-                         [](const char* name, bool, std::int32_t got) { EXPECT_EQ(got, ROLLCON_ERR_HANDLE) << name; });
-  rollcon_wheelrail* dead = made(ROLLCON_LEFT);
-  rollcon_wheelrail_release(dead);
-  with_each_wheelrail_call(dead, refused(ROLLCON_ERR_HANDLE));
-  const std::int32_t id = rollcon_id_of(right);
-  EXPECT_GT(id, 0);
-  EXPECT_EQ(rollcon_wheelrail_from_id(id), right);
-}
-
-TEST_F(wheelrail, a_contact_shows_its_patch_and_outlives_it) {
-  give(right);
-  ASSERT_OK(rollcon_wheelrail_solve(right));
-  rollcon_contact *contact = nullptr, *again = nullptr;
-  ASSERT_OK(rollcon_wheelrail_get_contact(right, 0, &contact));
-  ASSERT_OK(rollcon_wheelrail_get_contact(right, 0, &again));
-  double force[3], later[3], pressure = 0;
-  ASSERT_OK(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, force, nullptr));
-  EXPECT_NEAR(-force[2], patch_stat(right, "normal_force"), 1e-9 * 9799);
-  EXPECT_NEAR(force[0], patch_stat(right, "longitudinal_force"), 1e-9 * 9799);
-  EXPECT_NEAR(force[1], patch_stat(right, "lateral_force"), 1e-9 * 9799);
-  ASSERT_OK(rollcon_contact_get_stat(contact, "max_pressure", &pressure));
-  EXPECT_DOUBLE_EQ(pressure, patch_stat(right, "max_pressure"));
-
-  ASSERT_OK(rollcon_wheelrail_prescribe_vertical(right, ROLLCON_BY_FORCE, 20000));
-  ASSERT_OK(rollcon_wheelrail_solve(right));
-  ASSERT_OK(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, later, nullptr));
-  EXPECT_NEAR(-later[2], patch_stat(right, "normal_force"), 1e-9 * 19600);
-  EXPECT_GT(-later[2], -1.9 * force[2]);
-
-  rollcon_contact_release(again);
-  rollcon_wheelrail_release(right);
-  rollcon_body_release(wheel);
-  rollcon_body_release(rail);
-  right = nullptr;
-  wheel = rail = nullptr;
-  ASSERT_OK(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, force, nullptr));
-  EXPECT_EQ(std::memcmp(force, later, sizeof force), 0);
-  EXPECT_FAILS(rollcon_contact_solve(contact), STATE, "wheel on its rail");
-  EXPECT_FAILS(rollcon_contact_frame_rectangle(contact, ROLLCON_QUAD4, 3, 2, -1, 1, -1, 1), STATE, "wheel on its rail");
-  rollcon_contact_release(contact);
-  EXPECT_EQ(rollcon_contact_reset(contact), ROLLCON_ERR_HANDLE);
-}
-
-namespace {
-
-struct Watched {
-  rollcon_wheelrail* wheelrail;
-  rollcon_contact* contact;
-  int calls;
-};
-
-// While a patch is solved, both of its owners are busy.
-std::int32_t ROLLCON_CALL ask_owners(const rollcon_event*, void* user) {
-  auto& watched = *static_cast<Watched*>(user);
-  ++watched.calls;
-  const double mu = 0.1;
-  EXPECT_EQ(rollcon_contact_set_friction(watched.contact, "coulomb", 1, &mu), ROLLCON_ERR_BUSY);
-  EXPECT_EQ(rollcon_wheelrail_set_friction(watched.wheelrail, mu), ROLLCON_ERR_BUSY);
-  return 1;
-}
-
-}  // namespace
-
-TEST_F(wheelrail, contacts_are_busy_while_it_solves_and_may_cancel) {
-  give(right);
-  ASSERT_OK(rollcon_wheelrail_solve(right));
-  Watched watched{right, nullptr, 0};
-  ASSERT_OK(rollcon_wheelrail_get_contact(right, 0, &watched.contact));
-  ASSERT_OK(rollcon_contact_set_progress(watched.contact, ask_owners, &watched));
-  ASSERT_OK(rollcon_wheelrail_set_friction(right, 0.25));
-  EXPECT_EQ(rollcon_wheelrail_solve(right), ROLLCON_CANCELLED);
-  EXPECT_GT(watched.calls, 0);
-  // The callback belongs to the contact, however many handles it has.
-  rollcon_contact_release(watched.contact);
-  ASSERT_OK(rollcon_wheelrail_get_contact(right, 0, &watched.contact));
-  ASSERT_OK(rollcon_contact_set_progress(watched.contact, nullptr, nullptr));
-  rollcon_contact_release(watched.contact);
-  EXPECT_OK(rollcon_wheelrail_solve(right));
 }
 
 TEST_F(wheelrail, geometry_of_a_wheelset) {

@@ -25,7 +25,6 @@ class Interior final : public BodyInterior {
  private:
   /// See element_stress; stresses in the caller's unit.
   double element(std::int64_t e, const double* u, double* stress, double* xyz) const;
-  void recover(const std::vector<double>& part, double* stress, int threads) const;
   const VolumeSearch& search() const;
 
   const BodyMesh& mesh_;

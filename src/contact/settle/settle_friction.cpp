@@ -13,9 +13,8 @@ namespace {
 
 constexpr std::int64_t most_rounds = 100;
 constexpr int most_retreats = 6;
-constexpr double slack = 10;  // what solves leave open shows in the coefficients
-constexpr double rough =
-    0.1;  // of the last change: how well a solve with coefficients that will change is to be solved
+constexpr double slack = 10;   // what solves leave open shows in the coefficients
+constexpr double rough = 0.1;  // of the last change: the tolerance of a solve whose coefficients will change
 
 /// What a law or heat wants to know of a solution.
 struct AtNodes {
@@ -50,6 +49,15 @@ HeatedSurface heated(const SolverState& s, const StreamLines& lines, const AtNod
   return {lines, a.power, a.pressure, s.prepared->speed, heat};
 }
 
+/// Counts of the rounds before, which a solve's own report does not have.
+void add_counts(const NewtonReport& before, NewtonReport& report) {
+  report.normal_iterations += before.normal_iterations;
+  report.tangential_iterations += before.tangential_iterations;
+  report.full_iterations += before.full_iterations;
+  report.fallbacks += before.fallbacks;
+  report.predictions += before.predictions;
+}
+
 }  // namespace
 
 void settle_friction(SolverState& s, double tolerance, const std::function<void(double)>& solve) {
@@ -69,18 +77,15 @@ void settle_friction(SolverState& s, double tolerance, const std::function<void(
   AtNodes now;
   Mixing mixing;
   std::vector<double> wanted(n), change(n), weight(n), before = settled.share;
-  NewtonReport sum;
+  NewtonReport counted;
   int retreats = 0;
   double enough = std::max(tolerance, cold ? 1e-3 : tolerance);
   while (true) {
     ++settled.rounds;
     solve(enough);
-    const NewtonReport& last = s.report;
-    sum.normal_iterations += last.normal_iterations;
-    sum.tangential_iterations += last.tangential_iterations;
-    sum.full_iterations += last.full_iterations;
-    sum.fallbacks += last.fallbacks;
-    Outcome outcome = last.outcome;
+    add_counts(counted, s.report);
+    counted = s.report;
+    Outcome outcome = s.report.outcome;
     const bool retreat = (outcome == Outcome::not_converged || outcome == Outcome::no_solution) && settled.rounds > 1;
     if (retreat && retreats < most_retreats && settled.rounds < most_rounds) {
       // Coefficients that went too far: half the way, without what was learnt.
@@ -120,15 +125,10 @@ void settle_friction(SolverState& s, double tolerance, const std::function<void(
         outcome = Outcome::not_converged;
       }
     }
-    sum.from_nothing = cold;
-    sum.saved = last.saved;
-    sum.refuted = last.refuted;
-    sum.residual_normal = last.residual_normal;
-    sum.residual_tangential = std::max(last.residual_tangential, outcome == Outcome::converged ? 0 : settled.change);
-    sum.residual_load = last.residual_load;
-    sum.share = last.share;
-    sum.outcome = outcome;
-    s.report = sum;
+    s.report.outcome = outcome;
+    s.report.from_nothing = cold;
+    if (outcome != Outcome::converged)
+      s.report.residual_tangential = std::max(s.report.residual_tangential, settled.change);
     s.derived = false;
     return;
   }
