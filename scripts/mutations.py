@@ -4,7 +4,7 @@
     mutations.py --work DIR [--sample 170] [--seed 1] [--log FILE]    make mutants, run the tests
                  --room mesh                                          of this room, shown to its nearest program
     mutations.py --work DIR --again [--only ID...]                    survivors, or these, again
-                 --tests all                                          nightly tests as well
+                 --tests all                                          nightly tests as well; quick: no long ones
                  --least 95                                           fails where fewer per cent are noticed
     mutations.py --report FILE [--equivalent docs/testing.md]         the table of a log
     mutations.py --list                                               all mutants, one per line
@@ -140,9 +140,10 @@ def notices(work, program, names, limit):
 
 
 def baseline(work, tests):
-    """{program: [(seconds, test)]} of the unchanged library, kept in DIR; nightly suites with tests "all" alone."""
+    """{program: [(seconds, test)]} of the unchanged library, kept in DIR."""
     kept = work / f"baseline_{tests}.json"
-    wanted = ["*"] if tests == "all" else ["-*_nightly.*", "*_nightly/*"]
+    left_out = {"all": [], "change": ["nightly"], "quick": ["nightly", "long"]}[tests]
+    wanted = ["*-" + ":".join(f"*_{kind}.*:*_{kind}/*" for kind in left_out)] if left_out else ["*"]
     if kept.exists():
         return json.loads(kept.read_text())
     times = {}
@@ -259,6 +260,7 @@ def run(options):
         chosen = [known[i] for i in options.only]
     else:
         chosen = sample(mutants, options.seed, options.sample)
+        chosen.sort(key=lambda one: one[1].file.endswith(".hpp"))  # a header costs half a build: last
     part, parts = map(int, options.part.split("/"))
     chosen = chosen[part - 1::parts]
     log = options.log or work / "log.jsonl"
@@ -341,8 +343,8 @@ def main():
                         help="of the time without a mutant, then tests take far longer")
     parser.add_argument("--again", action="store_true", help="those that survived by the log")
     parser.add_argument("--only", nargs="+", metavar="ID")
-    parser.add_argument("--tests", choices=["change", "all"], default="change",
-                        help="those that run for every change, or nightly ones as well")
+    parser.add_argument("--tests", choices=["quick", "change", "all"], default="change",
+                        help="quick ones, those that run for every change, or nightly ones as well")
     parser.add_argument("--least", type=float, default=0.0, metavar="PER CENT",
                         help="fail where fewer of those that could be are noticed")
     parser.add_argument("--report", type=pathlib.Path, metavar="FILE")

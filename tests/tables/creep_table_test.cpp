@@ -161,7 +161,7 @@ TEST(creep_table, small_creepages_are_linear_and_vast_ones_slide) {
   expect_error("sliding, across", ask(in).force[1] / (in.friction * in.load) - std::sqrt(0.5), 2e-3);
 }
 
-TEST(creep_table, random_cases_are_those_of_the_solver) {
+TEST(creep_table_long, random_cases_are_those_of_the_solver) {
   frames::Random random(5);
   double sum = 0, worst = 0;
   constexpr int count = 60;

@@ -156,7 +156,7 @@ TEST(unlike_table, seams_are_smooth) {
   expect_error("their derivatives by creepages", rate, 1e-5);
 }
 
-TEST(unlike_table, random_cases_are_those_of_the_solver) {
+TEST(unlike_table_long, random_cases_are_those_of_the_solver) {
   frames::Random random(5);
   double sum = 0, worst = 0, by_mean = 0;
   constexpr int count = 40;
