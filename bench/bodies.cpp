@@ -63,10 +63,10 @@ void rings(Runner& runner) {
       record.quantity = "creepage at Ft = 0.6271 mu Fn";
       record.against = "finite elements, 36 x 12 hex20 in the zone";
       record.value = s.creep[0];
-      record.error = s.creep[0] / example1::finest_creepage - 1;
+      record.error = s.creep[0] / example1::fine_creepage - 1;
       add_body(record, *pair);
       record.extra.emplace_back("p0_mid_plane", mid_plane_pressure(s));
-      record.extra.emplace_back("p0_over_finest", mid_plane_pressure(s) / example1::finest_p0);
+      record.extra.emplace_back("p0_over_fine", mid_plane_pressure(s) / example1::fine_p0);
       record.extra.emplace_back("warm_seconds", warm_seconds(*pair, s));
       record.extra.emplace_back("warm_iterations", pair->stat("iterations"));
       runner.emit(record);

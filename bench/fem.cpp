@@ -145,9 +145,9 @@ void ring_pairs(Runner& runner) {
       record.quantity = "creepage at Ft = 0.6271 mu Fn";
       record.against = "finite elements, 36 x 12 hex20 in the zone";
       record.value = s.creep[0];
-      record.error = s.creep[0] / example1::finest_creepage - 1;
+      record.error = s.creep[0] / example1::fine_creepage - 1;
       record.extra = {{"p0", m.p0},
-                      {"p0_over_finest", m.p0 / example1::finest_p0},
+                      {"p0_over_fine", m.p0 / example1::fine_p0},
                       {"unknowns1", pair->body_stat(1, "unknowns")},
                       {"unknowns2", pair->body_stat(2, "unknowns")},
                       {"slip", m.slip}};

@@ -77,7 +77,7 @@ def rings(records, docs):
     for r in of_case(records, "rings"):
         e = r["extra"]
         rows.append([r["mesh"], r["method"].replace("_", " "), percent(r["error"]),
-                     f"{e['p0_mid_plane']:.2f}", percent(e["p0_over_finest"] - 1),
+                     f"{e['p0_mid_plane']:.2f}", percent(e["p0_over_fine"] - 1),
                      r["iterations"], seconds(r["seconds"]["assembly"]),
                      seconds(r["seconds"]["factor"]), seconds(r["seconds"]["condense"]),
                      seconds(r["seconds"]["wall"]), megabytes(r["resident_bytes"]),

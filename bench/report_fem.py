@@ -110,7 +110,7 @@ def ring_pairs(records, _docs):
     for r in of_case(records, "ring_pairs"):
         e = r["extra"]
         rows.append([r["model"], r["mesh"], f"{e['unknowns1']:.0f}", f"{e['unknowns2']:.0f}",
-                     f"{e['p0']:.2f}", percent(e["p0_over_finest"] - 1), f"{r['value']:.4e}",
+                     f"{e['p0']:.2f}", percent(e["p0_over_fine"] - 1), f"{r['value']:.4e}",
                      percent(r["error"]), r["iterations"], seconds(r["seconds"]["wall"])])
     if not rows:
         return ""

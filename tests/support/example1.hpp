@@ -19,12 +19,10 @@ inline const closed_forms::Elastic material{.shear = young / (2 * (1 + poisson))
 inline const double hertz_a =
     std::sqrt(4 * (load / width) * (radius / 2) * 2 * (1 - poisson * poisson) / (std::acos(-1.0) * young));
 inline const double hertz_p0 = 2 * (load / width) / (std::acos(-1.0) * hertz_a);
-/// At mid-plane of these rings, whose sides are free: quadratic boundary elements of 1400 to 1800 nodes (quad9, tri6,
-/// quad8) agree on it to 0.05 %.
-inline constexpr double fine_p0 = 106.7;
-/// By finite elements, 36 x 12 hex20 in the zone, 148,716 unknowns a ring. Other fine meshes (hex8 36 x 16 and 48 x 12,
-/// hex20 32 x 8 and 48 x 8) are within 0.1 % of its pressure at mid-plane and 1.6 % of its creepage.
-inline constexpr double finest_p0 = 106.45, finest_creepage = -1.505e-3;
+/// Of these rings, whose sides are free, at mid-plane and at Carter's force: finite elements, 36 x 12 hex20 in the
+/// zone, 148,716 unknowns a ring. Other fine meshes (hex8 36 x 16 and 48 x 12, hex20 32 x 8 and 48 x 8) are within 0.1
+/// % of the pressure and 1.6 % of the creepage.
+inline constexpr double fine_p0 = 106.45, fine_creepage = -1.505e-3;
 /// Of the spin moment: mean semi-axis of a contact as long as the rings are wide.
 inline const double arm = std::sqrt(hertz_a * width / 2);
 inline const double carter_creepage = -mu * hertz_a / (radius / 2) * (1 - std::sqrt(1 - force_ratio));
