@@ -8,6 +8,7 @@ Writes DOCS_DIR/speed.md and DOCS_DIR/images/speed_lattice.png (gnuplot).
 
 import os
 import sys
+import textwrap
 from collections import defaultdict
 
 from report import load, of_case, plot, processor, seconds, table
@@ -15,6 +16,10 @@ from report import load, of_case, plot, processor, seconds, table
 
 def number(x, digits=3):
     return "-" if x is None else f"{x:.{digits}g}"
+
+
+def paragraph(text):
+    return textwrap.fill(" ".join(text.split()), 120) + "\n\n"
 
 
 def rows_of(records, columns):
@@ -28,6 +33,11 @@ def extra(name, digits=3):
 
 def milliseconds(name):
     return lambda r: "-" if name not in r["extra"] else f"{r['extra'][name]:.3g} ms"
+
+
+def tenths(record):
+    first, last = (record["extra"][f"milliseconds_{which}_tenth"] for which in ("first", "last"))
+    return f"{first:.3g}, {last:.3g} ms"
 
 
 def lattice(records, docs):
@@ -56,12 +66,14 @@ def lattice(records, docs):
     bytes_image = plot(f"{docs}/images/speed_lattice_memory.png", "Memory of a contact", "nodes", "MB",
                        memory)
     return ("## Regular frames on half-spaces\n\n"
-            "The table is for cases (a) (longitudinal creepage) and (b) (with spin) of [accuracy.md](accuracy.md) on grids of N x N\n"
-            "nodes, to a tolerance of 1e-6. Cold times are from the caller's arrays to the solution, with operators and coarser\n"
-            "grids; warm times are after a change of creepage by 1 %. \"On rigid\" means that one body has all of the compliance, so\n"
-            "normal and tangential problem are coupled. \"Forces\" means that longitudinal and lateral force are given instead of the\n"
-            "creepages; the column \"forces / creepages\" has the ratio of both times. CONTACT's times are for its fastest solver,\n"
-            "warm, on a core of this kind. It takes about 3 times as long for unlike bodies, and about 9 times for given forces.\n\n"
+            + paragraph("""The table is for cases (a) (longitudinal creepage) and (b) (with spin) of
+                [accuracy.md](accuracy.md) on grids of N x N nodes, to a tolerance of 1e-6. Cold times are from the
+                caller's arrays to the solution, with operators and coarser grids; warm times are after a change of
+                creepage by 1 %. "On rigid" means that one body has all of the compliance, so normal and tangential
+                problem are coupled. "Forces" means that longitudinal and lateral force are given instead of the
+                creepages; the column "forces / creepages" has the ratio of both times. "Applications" are those of
+                an operator to a vector of tractions. CONTACT's times are for its fastest solver, warm, on a core of
+                this kind. It takes about 3 times as long for unlike bodies, and about 9 times for given forces.""")
             + table(["case", "grid", "operators", "cold", "warm", "forces / creepages", "CONTACT", "Newton iterations",
                      "applications", "memory", "bytes per node"], rows)
             + (f"\n![Time over nodes]({image})\n" if image else "")
@@ -74,7 +86,10 @@ def resolve(records):
         return ""
     steps = [r for r in found if "newton_ms" in r["extra"]]
     derived = [r for r in found if "sensitivity_ms" in r["extra"]]
-    text = "## Solving again\n\nThese are warm solves after a change of creepage, with dense operators and without prediction. LAPACK is the time of\ndgetrf and dgetrs of the system of one Newton iteration before sliding unknowns are eliminated.\n\n"
+    text = "## Solving again\n\n" + paragraph("""These are warm solves after a change of creepage, with dense
+        operators and without prediction. "Pairs" are those in contact. "GMRES" and "factorisations" are the linear
+        iterations and the LU factorisations of a solve; means over many, like Newton's iterations. LAPACK is the
+        time of dgetrf and dgetrs of the system of one Newton iteration before sliding unknowns are eliminated.""")
     text += rows_of(steps, {
         "scene": lambda r: r["model"], "frame": lambda r: r["mesh"],
         "change": lambda r: r["quantity"].replace("seconds of a re-solve after ", ""),
@@ -83,7 +98,8 @@ def resolve(records):
         "factorisations": extra("factorizations_mean"), "LAPACK": milliseconds("lapack_ms"),
         "iteration / LAPACK": extra("iteration_over_lapack", 2)})
     if derived:
-        text += "\nThe next table compares the time of all five derivatives after such a solve with that of one Newton iteration:\n\n"
+        text += "\n" + paragraph("""The next table compares the time of all five derivatives after such a solve with
+            that of one Newton iteration:""")
         text += rows_of(derived, {
             "scene": lambda r: r["model"], "frame": lambda r: r["mesh"],
             "time": milliseconds("sensitivity_ms"), "one Newton iteration": milliseconds("iteration_ms"),
@@ -96,14 +112,21 @@ def tables(records):
     text = ""
     found = of_case(records, "table")
     if found:
-        text += "## A table of 3000 creepages\n\n" + rows_of(found, {
-            "bodies": lambda r: r["model"], "frame": lambda r: r["mesh"], "method": lambda r: r["method"],
-            "per scene": lambda r: f"{r['value']:.3g}", "in": lambda r: r["quantity"],
+        text += "## A table of 3000 creepages\n\n" + paragraph("""Longitudinal and lateral creepage and spin on a
+            grid, solved one after the other, warm. "Turning" goes through the grid to and fro, so that neighbours
+            differ in one creepage; "rewinding" begins each line at the same end. Iterations of Newton and of GMRES
+            are means of a scene.""")
+        text += rows_of(found, {
+            "bodies": lambda r: r["model"], "frame": lambda r: r["mesh"], "order": lambda r: r["method"],
+            "tolerance": lambda r: r["quantity"].rsplit(" ", 1)[-1], "per scene": lambda r: f"{r['value']:.3g} ms",
             "Newton iterations": extra("iterations_mean"), "GMRES": extra("linear_iterations_mean"),
             "slowest": milliseconds("slowest_ms"), "failures": extra("failures")}) + "\n"
     found = of_case(records, "many")
     if found:
-        text += "## A list of cases in one call\n\nThe table compares `rollcon_contact_solve_many` with a loop of solves.\n\n" + rows_of(found, {
+        text += "## A list of cases in one call\n\n" + paragraph("""The table compares `rollcon_contact_solve_many`
+            with a loop of solves. The cases of a grid list are neighbours, those of a scattered list are drawn at
+            random.""")
+        text += rows_of(found, {
             "list": lambda r: r["mesh"], "method": lambda r: r["method"], "threads": lambda r: r["threads"],
             "cases": extra("cases", 5), "per case": lambda r: f"{r['value']:.3g} ms",
             "Newton iterations": extra("iterations_per_case"), "time / one by one": extra("seconds_over_one_by_one", 2),
@@ -115,25 +138,32 @@ def loops(records):
     text = ""
     found = of_case(records, "time_loop")
     if found:
-        text += ("## The time loop of a vehicle\n\nIn a wheelset's oscillation the load (±30 %), lateral creepage and spin vary slowly; creepages "
-                 "or the traction are given. Numbers are those after 2000 steps.\n\n" + rows_of(found, {
+        text += "## The time loop of a vehicle\n\n" + paragraph("""In a wheelset's oscillation the load (±30 %),
+            lateral creepage and spin vary slowly; creepages or the traction are given. Numbers are those after 2000
+            steps. "First, last tenth" is the time of a solve in the first and in the last tenth of the loop; "most"
+            are the iterations of the slowest solve; "fallbacks" counts what was tried beyond Newton's plain
+            iteration; "allocations" and "growth" are what the loop took from memory.""")
+        text += rows_of(found, {
                      "drive": lambda r: r["model"], "elements": lambda r: r["mesh"], "solves": extra("solves", 6),
                      "per solve": milliseconds("milliseconds_per_solve"),
-                     "first, last tenth": lambda r: f"{r['extra']['milliseconds_first_tenth']:.3g}, {r['extra']['milliseconds_last_tenth']:.3g} ms",
+                     "first, last tenth": tenths,
                      "Newton iterations": lambda r: number(r["value"]), "most": extra("most_iterations"),
                      "fallbacks": extra("fallbacks"), "allocations": extra("allocations"),
                      "growth": lambda r: f"{r['extra']['resident_growth_bytes'] / 1024:.0f} KiB",
-                     "not converged": extra("not_converged"), "failed": extra("failed")}) + "\n")
+                     "not converged": extra("not_converged"), "failed": extra("failed")}) + "\n"
     found = of_case(records, "loop")
     if found:
-        text += "The next table shows what prediction saves along a loop of small steps:\n\n" + rows_of(found, {
+        text += "The next table shows what prediction saves along a loop of small steps:\n\n"
+        text += rows_of(found, {
             "bodies": lambda r: r["model"], "prediction": lambda r: "yes" if r["method"] else "no",
             "tolerance": lambda r: r["quantity"].rsplit(" ", 1)[-1], "per step": milliseconds("ms_per_step"),
             "Newton iterations": lambda r: number(r["value"]), "most": extra("most_iterations"),
             "predictions taken": extra("predictions", 5)}) + "\n"
     found = of_case(records, "curve")
     if found:
-        text += "## Creep curve of the paper's two rings\n\n" + rows_of(found, {
+        text += "## Creep curve of the paper's two rings\n\n" + paragraph("""The creepage goes from one end of the
+            curve to the other in 100 warm solves; iterations and factorisations are means of one.""")
+        text += rows_of(found, {
             "bodies": lambda r: r["model"], "mesh": lambda r: r["mesh"], "method": lambda r: r["method"],
             "100 points": lambda r: seconds(r["seconds"]["wall"]), "Newton iterations": extra("iterations_mean"),
             "GMRES": extra("linear_iterations_mean"), "factorisations": extra("factorizations_mean")}) + "\n"
@@ -145,12 +175,15 @@ def stresses(records):
     if not found:
         return ""
     return ("## Stresses inside half-spaces\n\n"
-            "The table is for stresses and displacements to the standard accuracy, 1e-5 of the largest traction, below a solved\n"
-            "contact of radius 1 whose frame reaches to 1.1. `rollcon-bench run stresses` alone makes it. Blocks of points that have\n"
-            "the places of a regular frame, layer by layer, are computed by FFT.\n\n"
+            + paragraph("""The table is for stresses and displacements to the standard accuracy, 1e-5 of the largest
+                traction, below a solved contact of radius 1 whose frame reaches to 1.1. `rollcon-bench run
+                stresses` alone makes it. Blocks of points that have the places of a regular frame, layer by layer,
+                are computed by FFT. "Points x nodes under load" and "points x elements" are how many pairs of both
+                are dealt with in a second.""")
             + rows_of(found, {
                 "frame": lambda r: r["mesh"], "points": lambda r: r["model"], "number": extra("points", 7),
-                "time": lambda r: seconds(r["seconds"]["wall"]), "per point": lambda r: f"{r['extra']['us_per_point']:.3g} µs",
+                "time": lambda r: seconds(r["seconds"]["wall"]),
+                "per point": lambda r: f"{r['extra']['us_per_point']:.3g} µs",
                 "points x nodes under load, a second": extra("loaded_pairs_per_second", 2),
                 "points x elements, a second": extra("pairs_per_second", 2)}) + "\n")
 
@@ -161,6 +194,8 @@ def saved(records):
         return ""
     names = sorted({k for r in found for k in r["extra"]})
     return ("## Prepared bodies as files\n\n"
+            + paragraph(""""Prepared" is after `rollcon_body_prepare`; "after a solve" a body also holds what its
+                contact has asked of it.""")
             + table(["", *(f"{r['model']}, {r['mesh']}" for r in found)],
                     [[name.replace("_", " "), *(number(r["extra"].get(name), 4) for r in found)] for name in names])
             + "\n")
@@ -171,9 +206,11 @@ def main():
     records = load(path)
     os.makedirs(f"{docs}/images", exist_ok=True)
     text = ("# Regular frames and repeated solves: time and memory\n\n"
-            f"This page is made by `{command}` on one core of {processor()}. Times are of single runs or the least of a few, on a\n"
-            "shared machine, and good to a few ten per cent. Ratios are within one run. What each shortcut saves by itself is in [thrift.md](thrift.md).\n\n"
-            + lattice(records, docs) + stresses(records) + resolve(records) + tables(records) + loops(records) + saved(records))
+            + paragraph(f"""This page is made by `{command}` on one core of {processor()}. Times are of single runs
+                or the least of a few, on a shared machine, and good to a few ten per cent. Ratios are within one
+                run. What each shortcut saves by itself is in [thrift.md](thrift.md).""")
+            + lattice(records, docs) + stresses(records) + resolve(records) + tables(records) + loops(records)
+            + saved(records))
     with open(f"{docs}/speed.md", "w", encoding="utf-8") as out:
         out.write(text.rstrip() + "\n")
 

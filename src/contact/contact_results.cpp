@@ -56,6 +56,15 @@ std::int64_t components_of(Field field, InAxes axes) {
   }
 }
 
+/// Node k as its law sees it. Slip is known where the law follows it.
+FrictionPoint point_of(const SolverState& s, std::size_t k) {
+  const Problem& p = s.prepared->problem;
+  FrictionPoint point{s.given.coefficient(p.mu, k), std::max(-s.iterate.lambda[2][k], 0.0), s.iterate.lambda[0][k],
+                      s.iterate.lambda[1][k]};
+  if (p.law->falls()) point.s1 = s.slip[0][k] / s.prepared->speed, point.s2 = s.slip[1][k] / s.prepared->speed;
+  return point;
+}
+
 // Of node k; displacements apart.
 void write_value(const SolverState& s, Field field, InAxes axes, std::size_t k, double* out) {
   const Prepared& on = *s.prepared;
@@ -93,9 +102,7 @@ void write_value(const SolverState& s, Field field, InAxes axes, std::size_t k, 
       *out = p.weight[k];
       return;
     case Field::friction:
-      *out = s.frictionless || !p.law->falls() ? s.given.coefficient(p.mu, k)
-                                               : p.law->coefficient({p.mu[k], 0, 0, 0, s.slip[0][k] / s.prepared->speed,
-                                                                     s.slip[1][k] / s.prepared->speed});
+      *out = s.frictionless ? s.given.coefficient(p.mu, k) : p.law->coefficient(point_of(s, k));
       return;
     case Field::pressure:
       *out = it.lambda[2][k] < 0 ? -it.lambda[2][k] : 0.0;

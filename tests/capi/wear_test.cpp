@@ -217,6 +217,7 @@ TEST_F(wear, profiles_keep_volumes_and_steps) {
 
 TEST_F(wear, refuses_what_makes_no_sense) {
   const double mu = 0.3, i[] = {1e-6, 1e-6}, nan = std::nan(""), table[] = {2, 1e-6, 1, 1e-6};
+  const double below[] = {1, 1e-6, 2, 1e-6, 3, -1e-6};
   press(8, 8, 0.34, 0.55, 300, -5e-3);
   ASSERT_OK(rollcon_contact_set_friction(contact, "coulomb", 1, &mu));
   std::vector<double> d(y.size());
@@ -230,6 +231,8 @@ TEST_F(wear, refuses_what_makes_no_sense) {
   EXPECT_FAILS(rollcon_contact_get_wear(contact, "t_gamma", 2, i, n, y.data(), d.data(), nullptr), ARGUMENT, "pairs");
   EXPECT_FAILS(rollcon_contact_get_wear(contact, "t_gamma", 4, table, n, y.data(), d.data(), nullptr), ARGUMENT,
                "energy 1");
+  EXPECT_FAILS(rollcon_contact_get_wear(contact, "t_gamma", 6, below, n, y.data(), d.data(), nullptr), ARGUMENT,
+               "pair 2 (counting from 0) is 3, -1e-06");
   EXPECT_FAILS(rollcon_contact_get_wear(contact, "archard", 1, i, 1, y.data(), d.data(), nullptr), ARGUMENT,
                "points is 1");
   const double narrow[] = {-0.1, 0.1}, back[] = {0.5, -0.5};

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/operators/convection/convection.hpp"
 #include "contact/problem/problem.hpp"
 #include "support/error.hpp"
 #include "support/frames.hpp"
@@ -110,6 +111,32 @@ TEST(curved_frame, triads_follow_the_surface) {
     }
     std::printf("triads: error %.1e (bound 1e-14)\n", worst);
     EXPECT_LT(worst, 1e-14);
+  }
+}
+
+// Of a displacement that grows by one with the distance in the projection: along the surface by the cosine.
+TEST(curved_frame, derivatives_are_taken_along_the_surface) {
+  const Frame frame = cylinder(ElementType::quad4, 10);
+  const auto n = static_cast<std::size_t>(frame.nodes());
+  for (const Scheme scheme : {Scheme::least_squares, Scheme::characteristic}) {
+    const Convection convection = make_convection(frame, scheme, false);
+    std::vector<double> w(3 * n, 0.0), ahead(3 * n, 0.0), slip[2];
+    for (std::size_t k = 0; k < n; ++k) {
+      w[3 * k] = frame.x[k];
+      if (!convection.ahead.empty()) ahead[3 * k] = frame.x[k] + convection.ahead[k];
+    }
+    convect(convection, w.data(), ahead.data(), slip);
+    double worst = 0;
+    int rows = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      if (convection.rows.start[k] == convection.rows.start[k + 1]) continue;
+      const double sine = frame.mesh.node[k][0] / radius;
+      worst = std::max(worst, std::abs(slip[0][k] + std::sqrt(1 - sine * sine)));
+      ++rows;
+    }
+    std::printf("%s: %d rows, error %.1e (bound 1e-12)\n", name_of(scheme), rows, worst);
+    EXPECT_GE(rows, 30);
+    EXPECT_LT(worst, 1e-12);
   }
 }
 

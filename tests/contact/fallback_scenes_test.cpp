@@ -84,7 +84,7 @@ TEST(fallback_scenes, are_solved_when_solved_again) {
 }
 
 // What friction can carry is a matter of the scene, not of where its iteration began.
-TEST(fallback_scenes, are_refused_from_another_state_too) {
+TEST(fallback_scenes_long, are_refused_from_another_state_too) {
   std::vector<std::uint32_t> seeds(std::begin(refused), std::end(refused));
   seeds.insert(seeds.end(), {708, 1092});
   for (const std::uint32_t seed : seeds)

@@ -288,7 +288,7 @@ TEST(friction_limit, quad8_frames_do_not_carry_more_than_mu_fn) {
 // A node at the origin has no moment: none that is asked for is carried whatever the spin, any other is not.
 TEST(friction_limit, one_node_at_the_origin_has_no_moment) {
   for (const double young2 : {2.1e5, 1e4})
-    for (const int n : {20, 48})
+    for (const int n : {20, 32})
       for (const double moment : {0.0, 1e-5}) {
         Pair pair(2.1e5, 0.3, young2, 0.3);
         const std::vector<double> lines = frames::uniform_lines(-1.3, 1.3, n);

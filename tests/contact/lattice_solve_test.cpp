@@ -257,7 +257,7 @@ TEST(Lattice_long, ErrorEstimatesFollowTheErrors) {
 // Where the edge of the contact falls between the nodes, two lattices can agree by accident: from these two alone
 // estimates were a fifth (characteristic, 64) and a tenth (least squares, against a coarse lattice by another scheme)
 // of the errors.
-TEST(Lattice, ErrorEstimatesDoNotMissErrorsByAccident) {
+TEST(Lattice_long, ErrorEstimatesDoNotMissErrorsByAccident) {
   if (!have_fft()) GTEST_SKIP() << "built without FFTW";
   const auto solve = [&](const char* scheme, int n) {
     const scenes::Elastic hard{.shear = 2e5 / 2.6, .poisson = 0.3};

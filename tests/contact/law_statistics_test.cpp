@@ -52,5 +52,50 @@ TEST(law_statistics, of_unfinished_iterates_do_not_depend_on_units) {
   }
 }
 
+std::vector<double> field(const Pair& pair, Field which) {
+  std::vector<double> v(static_cast<std::size_t>(pair.contact->field(which, InAxes::local, 0, nullptr)));
+  pair.contact->field(which, InAxes::local, static_cast<std::int64_t>(v.size()), v.data());
+  return v;
+}
+
+// Little friction: slip counts against the greatest slip velocity. Where nodes slide, the part of it that is across
+// their traction or along it; elsewhere all of it.
+TEST(law_statistics, slip_of_unfinished_iterates_is_that_of_the_fields) {
+  double worst = 0;
+  for (const std::int64_t iterations : {1, 2, 3}) {
+    Pair pair(1e4, 0.3, 2e4, 0.1);
+    standard_scene(pair, 10);
+    pair.friction(0.05);
+    Scene& s = pair.contact->scene;
+    s.set_creep(-2e-2, 8e-3, 3e-2);
+    s.options.set_text("convection", "least_squares");
+    s.options.set_int("max_iterations", iterations);
+    pair.contact->solve();
+    const std::vector<double> t = pair.tractions(), slip = field(pair, Field::slip),
+                              rigid = field(pair, Field::rigid_slip);
+    std::vector<std::int32_t> status(t.size() / 3);
+    pair.contact->node_status(pair.contact->nodes(), status.data());
+    double fastest = 0, across = 0, along = 0, sticking = 0;
+    for (std::size_t k = 0; k < status.size(); ++k) {
+      if (!(t[3 * k + 2] < 0)) continue;
+      const double *v = &slip[2 * k], *c = &rigid[2 * k], length = std::hypot(t[3 * k], t[3 * k + 1]);
+      fastest = std::max({fastest, std::hypot(c[0], c[1]), std::hypot(v[0] - c[0], v[1] - c[1])});
+      if (status[k] != static_cast<std::int32_t>(NodeStatus::slip)) {
+        sticking = std::max(sticking, std::hypot(v[0], v[1]));
+      } else if (length > 0) {
+        across = std::max(across, std::abs(v[0] * t[3 * k + 1] - v[1] * t[3 * k]) / length);
+        along = std::max(along, (v[0] * t[3 * k] + v[1] * t[3 * k + 1]) / length);
+      }
+    }
+    const double expected = std::max({across, along, sticking}) / fastest, told = pair.contact->stat("law_slip");
+    std::printf("after %lld iterations: across %.2e, along %.2e, sticking %.2e; law_slip %.6e (%.6e)\n",
+                static_cast<long long>(iterations), across / fastest, along / fastest, sticking / fastest, told,
+                expected);
+    EXPECT_NEAR(told, expected, 1e-9);
+    worst = std::max(worst, expected);
+  }
+  EXPECT_GT(worst, 1e-3);
+}
+
 }  // namespace
 }  // namespace rollcon

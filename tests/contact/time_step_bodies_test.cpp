@@ -36,7 +36,7 @@ double worst_law(const RollingPair& pair) {
   return worst;
 }
 
-TEST(time_steps_of_bodies, shift_then_roll_to_the_steady_state) {
+TEST(time_steps_of_bodies_long, shift_then_roll_to_the_steady_state) {
   for (const bool fem : {false, true})
     for (const double bulge : {0.0, 0.05}) {
       if (!rollcon_has_feature(fem ? "fem" : "bem")) continue;

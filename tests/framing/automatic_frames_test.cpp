@@ -152,7 +152,7 @@ TEST(automatic_frames, bodies_apart_are_told) {
   EXPECT_EQ(pair.solve(), ROLLCON_OK);
 }
 
-TEST(automatic_frames, an_accuracy_beyond_the_finest_frame_is_not_called_success) {
+TEST(automatic_frames_long, an_accuracy_beyond_the_finest_frame_is_not_called_success) {
   // Pressure of a body on a rigid one strains it alone: slow convergence.
   RollingPair pair(steel, std::nullopt);
   const auto hertz = closed_forms::hertz_from_axes(1, 3, 1000, closed_forms::effective_modulus(steel));

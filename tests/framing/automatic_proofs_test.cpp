@@ -297,7 +297,7 @@ TEST(automatic_proofs_nightly, creepages_and_spin_beside_fine_lattices) {
 // ---------------------------------------------------------------------------- accuracy asked for
 
 // Approach of Hertz. The last pair of frames is twice as fine as the one before.
-TEST(automatic_proofs, frictionless_errors_fall) {
+TEST(automatic_proofs_long, frictionless_errors_fall) {
   for (const double ratio : {0.2, 1.0, 5.0}) {
     const Hertz hertz = ellipse(std::sqrt(ratio), 1 / std::sqrt(ratio), closed_forms::effective_modulus(steel, steel));
     double last = INFINITY, order = 0;

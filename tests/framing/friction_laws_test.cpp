@@ -29,7 +29,7 @@ void give(RollingPair& pair, const Tried& t) {
       << rollcon_last_error();
 }
 
-TEST(friction_laws, frames_of_the_librarys_choice_are_as_good_as_given_ones) {
+TEST(friction_laws_long, frames_of_the_librarys_choice_are_as_good_as_given_ones) {
   for (const Tried& t : tried)
     for (const bool by_force : {false, true}) {
       std::array<double, 3> answer[2];

@@ -55,7 +55,7 @@ void expect_same(const std::string& what, const Solution& found, const Solution&
 }
 
 // The faces of the block are a third of the contact's radius.
-TEST(meshed_frames, a_ball_on_a_block_of_finite_elements) {
+TEST(meshed_frames_long, a_ball_on_a_block_of_finite_elements) {
   const surfaces::ZoneBlock shape{.side = 80, .depth = 40, .zone = 6, .n = 10, .grade = 5, .deep = 7};
   RollingPair pair(block(shape), scenes::RigidBody{}, 1);
   roll(pair, 100);

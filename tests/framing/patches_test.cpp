@@ -97,7 +97,7 @@ void expect_lattice(const Scene& scene) {
   expect_error(name + ": approach", relative(found.approach, lattice.approach), 3e-3);
 }
 
-TEST(patches, shapes_that_are_no_ellipse) {
+TEST(patches_long, shapes_that_are_no_ellipse) {
   const Scene scenes[] = {
       {"fourth power",
        [](double x, double y) { return 1e-4 * std::pow((x - 0.3) * (x - 0.3) + (y + 0.2) * (y + 0.2), 2); }, 6, 121,
@@ -111,7 +111,7 @@ TEST(patches, shapes_that_are_no_ellipse) {
   for (const Scene& scene : scenes) expect_lattice(scene);
 }
 
-TEST(patches, two_bumps) {
+TEST(patches_long, two_bumps) {
   const Scene scenes[] = {
       {"beside each other, merging", [](double x, double y) { return 1e-3 * x * x + 2e-4 * std::pow(y * y - 2, 2); }, 6,
        121, 9e-3, 5e-3},

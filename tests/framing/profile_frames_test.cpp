@@ -41,7 +41,7 @@ void expect_same(const std::string& name, const RollingPair& found, const Rollin
   expect_error(name + ": approach", relative(a.approach, b.approach), approach_bound);
 }
 
-TEST(profile_frames, spheres_and_crossed_cylinders_are_those_of_a_quadratic_gap) {
+TEST(profile_frames_long, spheres_and_crossed_cylinders_are_those_of_a_quadratic_gap) {
   constexpr double r1 = 80, r2 = 300;
   for (const double angle : {-1.0, 0.0, 0.5, 1.2}) {
     const bool sphere = angle < 0;

@@ -39,7 +39,7 @@ TEST(time_steps_on_made_frames, from_cattaneo_to_carter) {
 }
 
 // Frames follow a load that comes and goes; a lattice that stays does not.
-TEST(time_steps_on_made_frames, load_that_changes) {
+TEST(time_steps_on_made_frames_long, load_that_changes) {
   RollingPair fixed(soft, soft), steps(soft, soft);
   kalker(fixed);
   kalker(steps);

@@ -263,6 +263,10 @@ TEST(stability, random_scenes_without_a_frame) {
 }
 
 TEST(stability_long, random_scenes_without_a_frame) {
+  expect_right_ends_of_seeds(60, 1);
+}
+
+TEST(stability_nightly, random_scenes_without_a_frame) {
   expect_right_ends_of_seeds(180, 1);
 }
 

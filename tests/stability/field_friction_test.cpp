@@ -233,16 +233,16 @@ TEST(field_friction, random_scenes_across) {
   expect_laws_kept(across, extremes::first_seed(), 20);
 }
 TEST(field_friction_long, random_scenes_with_memory) {
-  expect_laws_kept(memory, extremes::first_seed() + 20, 100);
+  expect_laws_kept(memory, extremes::first_seed() + 20, 40);
 }
 TEST(field_friction_long, random_scenes_of_temperature) {
-  expect_laws_kept(temperature, extremes::first_seed() + 20, 100);
+  expect_laws_kept(temperature, extremes::first_seed() + 20, 40);
 }
 TEST(field_friction_nightly, random_scenes_with_memory) {
-  expect_laws_kept(memory, extremes::first_seed() + 120, 380);
+  expect_laws_kept(memory, extremes::first_seed() + 60, 440);
 }
 TEST(field_friction_nightly, random_scenes_of_temperature) {
-  expect_laws_kept(temperature, extremes::first_seed() + 120, 380);
+  expect_laws_kept(temperature, extremes::first_seed() + 60, 440);
 }
 TEST(field_friction_nightly, random_scenes_with_layers) {
   expect_laws_kept(layer, extremes::first_seed() + 20, 480);

@@ -42,11 +42,11 @@ TEST(stability, random_scenes_end_solved_or_with_a_status) {
 }
 
 TEST(stability_long, random_scenes_end_solved_or_with_a_status) {
-  expect_right_ends(extremes::first_seed() + 40, 160, 2);
+  expect_right_ends(extremes::first_seed() + 40, 60, 1);
 }
 
 TEST(stability_nightly, random_scenes_end_solved_or_with_a_status) {
-  expect_right_ends(extremes::first_seed() + 200, 200, 3);
+  expect_right_ends(extremes::first_seed() + 100, 300, 4);
 }
 
 }  // namespace

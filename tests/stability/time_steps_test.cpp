@@ -103,11 +103,11 @@ TEST(stability_nightly, random_bodies_in_time_steps) {
 }
 
 TEST(stability_long, random_scenes_in_time_steps) {
-  expect_right_steps(extremes::first_seed() + 10, 50, false, 0.02);
+  expect_right_steps(extremes::first_seed() + 10, 20, false, 0.02);
 }
 
 TEST(stability_nightly, random_scenes_in_time_steps) {
-  expect_right_steps(extremes::first_seed() + 60, 340, false, 0.02);
+  expect_right_steps(extremes::first_seed() + 30, 370, false, 0.02);
 }
 
 }  // namespace

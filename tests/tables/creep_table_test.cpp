@@ -182,7 +182,7 @@ TEST(creep_table_long, random_cases_are_those_of_the_solver) {
 }
 
 /// Bodies that slide everywhere, the pole of sliding inside the contact, on its long axis or off it.
-TEST(creep_table, frames_suit_the_shape) {
+TEST(creep_table_long, frames_suit_the_shape) {
   const TableGrid grid;
   for (const double ratio : {0.04, 0.1, 0.3, 1.0, 4.0, 25.0}) {
     const StripsSize size = frame_of(grid, ratio);

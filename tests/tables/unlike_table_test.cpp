@@ -72,7 +72,7 @@ Answer ask(const TableInput& in) {
   return a;
 }
 
-TEST(unlike_table, derivatives_are_those_of_its_forces) {
+TEST(unlike_table_long, derivatives_are_those_of_its_forces) {
   frames::Random random(7);
   double worst = 0;
   for (int n = 0; n < 300; ++n) {
@@ -100,7 +100,7 @@ TEST(unlike_table, derivatives_are_those_of_its_forces) {
   expect_error("change of a force beside its derivative, over mu Fn", worst, 5e-7);
 }
 
-TEST(unlike_table, friction_bounds_forces_and_one_symmetry_is_exact) {
+TEST(unlike_table_long, friction_bounds_forces_and_one_symmetry_is_exact) {
   frames::Random random(11);
   double broken = 0;
   for (int n = 0; n < 20000; ++n) {
@@ -124,7 +124,7 @@ TEST(unlike_table, friction_bounds_forces_and_one_symmetry_is_exact) {
 }
 
 /// Continuous where the creepages are none, where there is no spin and where there is nothing but spin.
-TEST(unlike_table, seams_are_smooth) {
+TEST(unlike_table_long, seams_are_smooth) {
   frames::Random random(13);
   double value = 0, rate = 0;
   const auto compare = [&](const TableInput& in, const TableInput& beside) {
@@ -181,7 +181,7 @@ TEST(unlike_table_long, random_cases_are_those_of_the_solver) {
   EXPECT_GT(std::sqrt(by_mean / count), 0.08) << "like bodies of mean constants would do as well";
 }
 
-TEST(unlike_table, none_of_it_is_left_of_bodies_that_hardly_differ) {
+TEST(unlike_table_long, none_of_it_is_left_of_bodies_that_hardly_differ) {
   TableGrid grid = small_grid();
   grid.pair = {{1 - 1e-5, 1 + 1e-5}, {0.28, 0.28}, {0.3}};
   grid.poisson = {grid.pair.mean_poisson()};
@@ -204,7 +204,7 @@ TEST(unlike_table, none_of_it_is_left_of_bodies_that_hardly_differ) {
   expect_error("beside a table of like bodies", worst, 2e-5);
 }
 
-TEST(unlike_table, comes_back_from_its_file) {
+TEST(unlike_table_long, comes_back_from_its_file) {
   const std::string path = ::testing::TempDir() + "unlike_table_test.rct";
   table().save(path);
   const CreepTable again = CreepTable::load(path);

@@ -165,7 +165,9 @@ TEST_F(wheel_rail, manchester_positions_and_forces) {
   }
 }
 
-TEST_F(wheel_rail, two_patches_give_way_under_each_other) {
+using wheel_rail_long = wheel_rail;
+
+TEST_F(wheel_rail_long, two_patches_give_way_under_each_other) {
   const auto w = make(1);
   place(*w, two_patches);
   w->set_accuracy(0.005);
@@ -289,8 +291,6 @@ TEST_F(wheel_rail, results_are_those_of_the_last_solve) {
   EXPECT_EQ(moment[0], moment[1]);
   EXPECT_EQ(w->patch_stat(0, "y"), y);
 }
-
-using wheel_rail_long = wheel_rail;
 
 // From the tread through both patches on to the flange: the force follows without a jump.
 TEST_F(wheel_rail_long, forces_are_continuous) {

@@ -112,22 +112,16 @@ struct LayerYield {
 /// law: null: Coulomb's; else one that follows the whole solution.
 std::shared_ptr<const FrictionLaw> with_yield(std::shared_ptr<const FrictionLaw> law, LayerYield yield);
 
+/// Throws Error naming the parameter and what is allowed. The parameters are finite.
+using MakeFriction = GivenFriction(std::span<const double> parameters);
+
 /// What callers may name (law_names.cpp).
 struct LawName {
   const char* name;
   const char* parameters;  ///< in words
   int least, greatest;     ///< number of parameters
-  /// Throws Error naming the parameter and what is allowed. The parameters are finite.
-  GivenFriction (*make)(std::span<const double> parameters);
+  MakeFriction* make;
 };
 std::span<const LawName> law_names();
-
-GivenFriction make_coulomb(std::span<const double> parameters);
-GivenFriction make_exponential(std::span<const double> parameters);
-GivenFriction make_linear(std::span<const double> parameters);
-GivenFriction make_orthotropic(std::span<const double> parameters);
-GivenFriction make_orthotropic_collinear(std::span<const double> parameters);
-GivenFriction make_rational(std::span<const double> parameters);
-GivenFriction make_temperature(std::span<const double> parameters);
 
 }  // namespace rollcon

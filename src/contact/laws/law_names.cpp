@@ -2,6 +2,10 @@
 
 namespace rollcon {
 
+// Each in the file of its law.
+MakeFriction make_coulomb, make_exponential, make_linear, make_orthotropic, make_orthotropic_collinear, make_rational,
+    make_temperature;
+
 std::span<const LawName> law_names() {
   static constexpr const char* falling = "3 or 5 parameters: muk, mu1, s1, and mu2, s2";
   static constexpr LawName names[] = {

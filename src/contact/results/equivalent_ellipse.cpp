@@ -68,8 +68,8 @@ void add_slip(const SolverState& s, const Moments& m, EquivalentEllipse& to) {
     to.creepage[1] += share * s2;
     turning += share * ((x[k] - mean_x) * s2 - (y[k] - mean_y) * s1);
     arm += share * ((x[k] - mean_x) * (x[k] - mean_x) + (y[k] - mean_y) * (y[k] - mean_y));
-    to.friction +=
-        share * (p.law->falls() ? p.law->coefficient({p.mu[k], 0, 0, 0, s1, s2}) : s.given.coefficient(p.mu, k));
+    to.friction += share * p.law->coefficient({s.given.coefficient(p.mu, k), -s.iterate.lambda[2][k],
+                                               s.iterate.lambda[0][k], s.iterate.lambda[1][k], s1, s2});
   });
   to.creepage[2] = turning / arm;
   to.creepage[0] -= to.creepage[2] * (m.y - mean_y);

@@ -2,6 +2,7 @@
 
 #include "bodies/fem/felt_tractions.hpp"
 
+#include "geometry/surface_coupling.hpp"
 #include "support/frames.hpp"
 #include "support/testing.hpp"
 
@@ -74,6 +75,28 @@ INSTANTIATE_TEST_SUITE_P(types, FeltTractionsOf,
                          ::testing::Values(ElementType::tri3, ElementType::tri6, ElementType::quad4,
                                            ElementType::quad8),
                          [](const auto& info) { return std::to_string(node_count(info.param)); });
+
+// A frame with four spaces on a face: of its area the frame's nodes have 1/16 each, the face's own 1/1 or 1/4.
+TEST(SmoothingShares, follow_the_frames_spacing_over_the_faces_in_any_unit) {
+  for (const auto& [type, fine] : {std::pair{ElementType::quad4, 15.0 / 16}, {ElementType::quad8, 3.0 / 4 / 2}})
+    for (const double unit : {1e-6, 1.0, 1e4}) {
+      const auto coarse = frames::uniform_lines(0, 6 * unit, 6), dense = frames::uniform_lines(0, 6 * unit, 24);
+      const SurfaceMesh body = frames::rectangle(type, coarse, coarse);
+      std::vector<std::int64_t> face(static_cast<std::size_t>(body.elements()));
+      std::iota(face.begin(), face.end(), 0);
+      const TractionNodes fans = split_at_edges(body, 30);
+      const auto shares = [&](const SurfaceMesh& layer) {
+        return fem::smoothing_shares(body, fans, face, couple_layer(body, face, layer));
+      };
+      const std::size_t inside = 2 * 6 + 2;  // a face whose nodes are no ends of the frame
+      const double found = shares(frames::rectangle(ElementType::quad4, dense, dense))[inside];
+      std::printf("%d nodes per face, unit %g: %.6f (%.6f)\n", node_count(type), unit, found, fine);
+      EXPECT_NEAR(found, fine, 1e-9);
+      if (type == ElementType::quad4) {
+        EXPECT_EQ(shares(body)[inside], 0);
+      }
+    }
+}
 
 }  // namespace
 }  // namespace rollcon

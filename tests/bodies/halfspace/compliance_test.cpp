@@ -125,7 +125,7 @@ TEST(halfspace_compliance, a_row_does_not_depend_on_the_rows_beside_it) {
     EXPECT_TRUE(std::equal(row[k].begin(), row[k].end(), all[k].begin() + static_cast<std::ptrdiff_t>(p * n)));
 }
 
-TEST(halfspace_compliance, instruction_sets_agree) {
+TEST(halfspace_compliance_long, instruction_sets_agree) {
   using rollcon::InstructionSet;
   const Frame frame = mixed_frame();
   const Observers at(frame);
@@ -234,7 +234,7 @@ TEST(halfspace_constants, follow_the_materials) {
   EXPECT_EQ(halfspace_constants(1e4, 0.0, 1).cv, 0);
 }
 
-TEST(halfspace_constants, rigid_and_uncoupled_pairs) {
+TEST(halfspace_constants_long, rigid_and_uncoupled_pairs) {
   const Frame frame = mixed_frame();
   const Observers at(frame);
   const auto rigid = make_halfspace_compliance(frame, {}, 1e-6, 1);

@@ -136,6 +136,23 @@ TEST(ThickWallsMaterials, a_pressed_cavity_needs_compressible_material) {
   EXPECT_NO_THROW(body.solve());
 }
 
+TEST(ThickWallsMaterials, an_incompressible_body_needs_a_free_face) {
+  if (absent(ElementType::quad8)) GTEST_SKIP() << "not in this build";
+  const auto held_everywhere = [](ElementType type, int n, double poisson) {
+    StaticBody body = hollow_sphere(type, n, poisson);
+    body.hold_tags({1, 2}).solve();
+    return 0.0;
+  };
+  EXPECT_NO_THROW(held_everywhere(ElementType::quad8, 1, 0.4999));
+  try {
+    held_everywhere(ElementType::quad8, 1, 0.5);
+    ADD_FAILURE() << "it was taken";
+  } catch (const Error& refusal) {
+    EXPECT_EQ(refusal.status(), Status::err_unsupported);
+    EXPECT_NE(std::string(refusal.what()).find("every node of the body is held"), std::string::npos) << refusal.what();
+  }
+}
+
 TEST(ThickWallsMaterials, tet4_near_incompressibility_is_refused_and_the_better_element_named) {
   if (absent(VolumeType::tet4)) GTEST_SKIP() << "not in this build";
   for (const double poisson : {0.499, 0.5}) expect_refused("tet10", cylinder_error, VolumeType::tet4, 2, poisson);
