@@ -10,10 +10,9 @@ namespace {
 
 constexpr double side = 2, height = 1;
 
-scenes::MeshedBody block(std::int32_t held) {
-  scenes::MeshedBody body =
-      scenes::meshed(volumes::block(surfaces::brick({3, 3, 2}, {side, side, height}), VolumeType::hex8),
-                     {.shear = 1e3, .poisson = 0.3});
+scenes::MeshedBody block(std::int32_t held, VolumeType type = VolumeType::hex8) {
+  scenes::MeshedBody body = scenes::meshed(volumes::block(surfaces::brick({3, 3, 2}, {side, side, height}), type),
+                                           {.shear = 1e3, .poisson = 0.3});
   body.held_tag = {held};
   return body;
 }
@@ -53,6 +52,17 @@ TEST_F(RimAtEdges, the_edge_of_body_2_is_none) {
   pair.frame(laid(0, 0));
   EXPECT_EQ(press(pair, 0), ROLLCON_OK);
   EXPECT_EQ(pair.stat("nodes_rim"), 0);
+}
+
+// Nothing is measured then, and the edges are looked for in the mesh.
+TEST_F(RimAtEdges, a_gap_given_node_by_node_changes_nothing) {
+  for (const VolumeType type : {VolumeType::hex8, VolumeType::hex20})
+    for (const double margin : {0.0, 0.05}) {
+      scenes::RollingPair pair(block(5, type), scenes::RigidBody{}, 1);
+      pair.frame(laid(margin, height)).gap(std::vector<double>(36, 0.0));
+      EXPECT_EQ(press(pair, height), margin == 0 ? ROLLCON_OK : ROLLCON_RIM_CONTACT);
+      EXPECT_EQ(pair.stat("nodes_rim"), margin == 0 ? 0 : 20);
+    }
 }
 
 TEST_F(RimAtEdges, a_frame_that_ends_before_the_edge_has_one) {
