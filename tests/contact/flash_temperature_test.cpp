@@ -206,12 +206,13 @@ TEST(flash_temperature, refusals) {
   s.set_creep(1e-3, 0, 0);
   pair.contact->solve();
   std::vector<double> t(2 * 121);
-  const auto refused = [&](Status status, auto call) {
+  const auto refused = [&](Status status, auto call, const std::string& words = "") {
     try {
       call();
       ADD_FAILURE() << "not refused";
     } catch (const Error& e) {
       EXPECT_EQ(e.status(), status) << e.what();
+      EXPECT_NE(std::string(e.what()).find(words), std::string::npos) << e.what();
     }
   };
   refused(Status::err_state, [&] { field_of(pair, Field::temperature); });
@@ -223,8 +224,9 @@ TEST(flash_temperature, refusals) {
   refused(Status::err_state, [&] { field_of(pair, Field::temperature); });
   refused(Status::err_argument, [&] { s.set_heat(3, 1, 1, 0); });
   refused(Status::err_argument, [&] { s.set_heat(1, -1, 1, 0); });
-  const double falling[] = {20, 0.3, 100, 0.1}, unsorted[] = {20, 0.3, 20, 0.1};
-  refused(Status::err_argument, [&] { s.set_friction("temperature", 4, unsorted); });
+  const double falling[] = {20, 0.3, 100, 0.1}, unsorted[] = {20, 0.3, 50, 0.2, 50, 0.1};
+  refused(
+      Status::err_argument, [&] { s.set_friction("temperature", 6, unsorted); }, "T3 is 50; allowed: above T2");
   refused(Status::err_argument, [&] { s.set_friction("temperature", 3, falling); });
   s.set_friction("temperature", 4, falling);
   refused(Status::err_state, [&] { pair.contact->solve(); });

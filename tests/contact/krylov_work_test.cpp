@@ -32,5 +32,21 @@ TEST(krylov_work, is_no_more_than_the_tolerance_asks_for) {
   EXPECT_LE(inner, bound * outer);
 }
 
+TEST(krylov_work, follows_the_linear_tolerance_asked_for) {
+  const auto iterations = [](double linear_tolerance) {
+    Pair pair(1e4, 0.3, 1e4, 0.1);
+    standard_scene(pair, 12);
+    Scene& s = pair.contact->scene;
+    s.set_creep(-1e-3, 5e-4, 5e-4);
+    s.options.set_text("linear_solver", "gmres");
+    s.options.set_real("linear_tolerance", linear_tolerance);
+    EXPECT_EQ(pair.contact->solve(), Status::ok);
+    return pair.contact->stat("linear_iterations") / pair.contact->stat("iterations");
+  };
+  const double rough = iterations(1e-2), sharp = iterations(1e-8);
+  std::printf("linear iterations in one of Newton: %.1f to 1e-2, %.1f to 1e-8\n", rough, sharp);
+  EXPECT_GT(sharp, 2 * rough);
+}
+
 }  // namespace
 }  // namespace rollcon

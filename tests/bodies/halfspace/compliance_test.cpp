@@ -5,6 +5,7 @@
 
 #include "bodies/halfspace/halfspace.hpp"
 #include "bodies/halfspace/kernels.hpp"
+#include "bodies/sum_compliance.hpp"
 #include "support/frames.hpp"
 #include "support/testing.hpp"
 
@@ -232,6 +233,27 @@ TEST(halfspace_constants, follow_the_materials) {
   EXPECT_EQ(d.cn, c.cn);
   EXPECT_EQ(halfspace_constants(1e4, 0.5, 1).ck, 0);
   EXPECT_EQ(halfspace_constants(1e4, 0.0, 1).cv, 0);
+}
+
+// Whatever the caller's array has held.
+TEST(halfspace_constants, displacements_are_written_and_not_added) {
+  const std::vector<double> lines = frames::uniform_lines(0, 2, 2);
+  const Frame frame = build_frame(frames::rectangle(ElementType::quad4, lines, lines), Axes{});
+  const double garbage = std::numeric_limits<double>::quiet_NaN();
+  const auto applied = [&](const Compliance& compliance) {
+    const std::vector<double> t(3 * frame.x.size(), 1.0);
+    std::vector<double> u(t.size(), garbage);
+    compliance.apply({frame.x, frame.y}, t.data(), u.data());
+    return u;
+  };
+  for (const double u : applied(*make_halfspace_compliance(frame, {}, 1e-6, 1))) EXPECT_EQ(u, 0);
+  const HalfspaceConstants first{1, 0.4, 0.2}, second{0.5, 0.1, -0.1}, both{1.5, 0.5, 0.1};
+  std::vector<std::unique_ptr<Compliance>> parts;
+  for (const HalfspaceConstants& c : {first, second}) parts.push_back(make_halfspace_compliance(frame, c, 1e-6, 1));
+  const double error =
+      difference(applied(*make_sum(std::move(parts))), applied(*make_halfspace_compliance(frame, both, 1e-6, 1)));
+  std::printf("a sum of two beside one: %.1e (bound 1e-13)\n", error);
+  EXPECT_LE(error, 1e-13);
 }
 
 TEST(halfspace_constants_long, rigid_and_uncoupled_pairs) {
