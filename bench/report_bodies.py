@@ -62,8 +62,8 @@ def ring_loads(records, docs):
                   "worst relative error", by_time)
     return ("## A ring under loads on a patch\n\n"
             "The ring of example 1 by itself, hub held, 100 MPa on |s| <= 1 as pressure, as shear "
-            "along the circumference, or along the axle; elements along and across the patch. Displacements at (s, y) = "
-            "(0, 0), (1, 0), (2, 0), (0, 2), (0, 3.9) and (0, 4), and their mean over the patch, "
+            "along the circumference, or along the axle; elements along and across the patch. Displacements at "
+            "(s, y) = (0, 0), (1, 0), (2, 0), (0, 2), (0, 3.9) and (0, 4), and their mean over the patch, "
             "in all directions that do not vanish, against a Fourier series in the angle: the "
             "worst of 12 (pressure), 9 (shear), 10 (axial) or 6 (pressure, nu = 0.49) values. Components along "
             "the load relative to themselves, others to the largest displacement.\n\n"

@@ -169,13 +169,12 @@ TEST(friction_law, a_node_is_solved_with_its_own_response) {
   }
 }
 
-// All parameters 0 but the speed.
+// Friction that falls from nothing: all parameters 0 but the speed.
 TEST(friction_law, laws_without_friction_are_numbers) {
   for (const LawName& name : law_names()) {
+    if (std::string(name.parameters).find("s1") == std::string::npos) continue;
     std::vector<double> parameters(static_cast<std::size_t>(name.least), 0.0);
     parameters.back() = 1;
-    const bool has_speed = std::string(name.parameters).find("s1") != std::string::npos;
-    if (!has_speed) continue;
     const GivenFriction given = name.make(parameters);
     EXPECT_EQ(given.mu, 0) << name.name;
     const FrictionTraction t = given.law->traction({0, 1, 0.1, 0, 0.5, 0, 1});

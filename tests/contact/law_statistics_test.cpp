@@ -62,7 +62,7 @@ std::vector<double> field(const Pair& pair, Field which) {
 // their traction or along it; elsewhere all of it.
 TEST(law_statistics, slip_of_unfinished_iterates_is_that_of_the_fields) {
   double worst = 0;
-  for (const std::int64_t iterations : {1, 2, 3}) {
+  for (const std::int64_t iterations : {2, 3}) {
     Pair pair(1e4, 0.3, 2e4, 0.1);
     standard_scene(pair, 10);
     pair.friction(0.05);

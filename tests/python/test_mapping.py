@@ -1,53 +1,19 @@
 """Every function of C gets its arguments in their places, and its results come back, over a library that only writes
 them down (tests/bindings/record.h): the generated rows, then the methods that are written by hand."""
 
-import ctypes
 import tempfile
 import unittest
 from pathlib import Path
 
 import numpy as np
 import rollcon as rc
+from mapping_case import WRITTEN, X, MappingCase, said
 from mapping_rows import ROWS
 from rollcon._library import lib
 from rollcon._settings import _types
 
-X = np.array([[1.5, 2.5, 3.5], [4.5, 5.5, 6.5]])
-WRITTEN = "[1.5 2.5 3.5 4.5 5.5 6.5]"
-lib.recorder_said.restype = lib.recorder_missing.restype = ctypes.c_char_p
 
-
-def said(function):
-    return lib.recorder_said(function.encode()).decode()
-
-
-class Mapping(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.context = rc.Context()
-        cls.body, cls.other = rc.Body(cls.context, "fem"), rc.Body(cls.context, rc.BODY_RIGID)
-        cls.contact = rc.Contact(cls.context, cls.body, cls.other)
-        cls.wheelrail = rc.WheelRail(cls.context, cls.body, cls.other, "left")
-        cls.table = rc.Table(cls.context)
-
-    def tearDown(self):
-        lib.recorder_answers(rc.OK)
-
-    def told(self, function, record):
-        self.assertEqual(said(function), record, function)
-
-    def fails(self, function, *arguments, **named):
-        """A status and its text arrive."""
-        lib.recorder_answers(rc.ERR_STATE)
-        with self.assertRaises(rc.RollconError) as caught:
-            function(*arguments, **named)
-        lib.recorder_answers(rc.OK)
-        self.assertEqual((caught.exception.status, caught.exception.message), (rc.ERR_STATE, "text of last_error"))
-
-    def refuses(self, words, function, *arguments, **named):
-        with self.assertRaises((ValueError, TypeError, OverflowError)) as caught:
-            function(*arguments, **named)
-        self.assertIn(words, str(caught.exception))
+class Mapping(MappingCase):
 
     def test_a_rows(self):
         for row in ROWS:
@@ -282,7 +248,8 @@ class Mapping(unittest.TestCase):
         check(contact.history(), (2, 8), 200.5, "contact_get_history", "contact1 2 room room")
         np.testing.assert_equal(contact.error_function(), [[200.5, 300.5], [201.5, 301.5]])
         self.told("contact_get_error_function", "contact1 2 room room room")
-        for function, arguments in ((self.body.displacements, ()), (self.body.node_stresses, ()), (contact.tractions, ()), (contact.field, (1,)),
+        for function, arguments in ((self.body.displacements, ()), (self.body.node_stresses, ()),
+                                    (contact.tractions, ()), (contact.field, (1,)),
                                     (contact.node_status, ()), (contact.history, ()), (contact.error_function, ()),
                                     (contact.displacements_at, (1, X[:, :2])), (contact.solve, ()),
                                     (contact.temperatures_at, (X[:, :2],)), (contact.stresses_at, (1, X)),
@@ -373,13 +340,15 @@ class Mapping(unittest.TestCase):
                   "wheelrail1 1 [1.5 2.5 3.5 4.5 5.5 6.5] [6.5 5.5 4.5 3.5 2.5 1.5] room room")
         np.testing.assert_array_equal(many.force, [[400.5, 401.5, 402.5]])
         np.testing.assert_array_equal(many.moment, [[403.5, 404.5, 405.5]])
-        np.testing.assert_array_equal([many.z[0], many.vertical_force[0], many.friction_power[0]], [406.5, 407.5, 408.5])
+        np.testing.assert_array_equal([many.z[0], many.vertical_force[0], many.friction_power[0]],
+                                      [406.5, 407.5, 408.5])
         np.testing.assert_array_equal(many.status, [500])
         self.refuses("2 positions, but 1", wheelrail.solve_many, 2 * positions, velocities)
         wear = wheelrail.find_wear(positions, velocities, "a law", [8.5], 2, weights=[7.5])
         self.told("wheelrail_find_wear", "wheelrail1 1 [1.5 2.5 3.5 4.5 5.5 6.5] [6.5 5.5 4.5 3.5 2.5 1.5] [7.5] "
                   "<a law> 1 [8.5] 2 room room room room")
-        np.testing.assert_array_equal([*wear.wheel, *wear.rail, *wear.volumes], [900.5, 901.5, 1000.5, 1001.5, 1100.5, 1101.5])
+        np.testing.assert_array_equal([*wear.wheel, *wear.rail, *wear.volumes],
+                                      [900.5, 901.5, 1000.5, 1001.5, 1100.5, 1101.5])
         np.testing.assert_array_equal(wear.status, [1200])
         self.refuses("2 weights", wheelrail.find_wear, positions, velocities, "a law", 1, 2, [1, 2])
         other = wheelrail.copy()
@@ -388,12 +357,13 @@ class Mapping(unittest.TestCase):
         other.close()
         self.fails(wheelrail.copy)
         self.fails(wheelrail.solve_many, positions, velocities)
-        for function in rc.contact_points, rc.conicity: self.fails(function, wheelrail, wheelrail, [1.5])
+        self.fails(rc.contact_points, wheelrail, wheelrail, [1.5])
+        self.fails(rc.conicity, wheelrail, wheelrail, [1.5])
 
     def test_z_every_function_is_called(self):
         """But those that are for layers over C."""
-        self.assertEqual(lib.recorder_missing().decode(), "report context_from_id body_from_id contact_from_id wheelrail_from_id "
-                         "table_from_id")
+        self.assertEqual(lib.recorder_missing().decode(), "report context_from_id body_from_id contact_from_id "
+                         "wheelrail_from_id table_from_id")
 
 
 if __name__ == "__main__":

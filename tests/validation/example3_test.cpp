@@ -126,10 +126,10 @@ TEST_P(Example3Frames, creepage_pressure_and_laws) {
   roll(GetParam().nodes, GetParam().scheme, GetParam().bound);
 }
 
-// Cells of triangles and above all of the split quad8 are irregular, and Godunov pays for it.
 constexpr auto rolling_name = [](const auto& test) {
   return std::to_string(test.param.nodes) + "_" + std::string(test.param.scheme);
 };
+// Cells of triangles and above all of the split quad8 are irregular, and Godunov pays for it.
 INSTANTIATE_TEST_SUITE_P(Validation, Example3Frames,
                          testing::Values(Rolling{673, "godunov", 0.006}, Rolling{673, "least_squares", 0.008},
                                          Rolling{673, "characteristic", 0.004}, Rolling{703, "godunov", 0.05},
