@@ -8,11 +8,11 @@ target_compile_options(rollcon_flags INTERFACE
   $<$<COMPILE_LANGUAGE:C,CXX>:-Wall;-Wextra>
   $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor;-Woverloaded-virtual>)
 
+# GCC 12 and 13 see overlapping copies in std::string's own code.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 14)
+  target_compile_options(rollcon_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wno-restrict>)
+endif()
 if(ROLLCON_WERROR)
-  # GCC 12 and 13 see overlapping copies in std::string's own code.
-  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 14)
-    target_compile_options(rollcon_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wno-restrict>)
-  endif()
   target_compile_options(rollcon_flags INTERFACE $<$<COMPILE_LANGUAGE:C,CXX,Fortran>:-Werror>)
 endif()
 

@@ -26,7 +26,7 @@ ROOMS = [
 INSIDE = {
     "bodies": [["model"], ["*"], [""]],
     "contact": [
-        ["laws", "heat"],
+        ["laws", "heat", "convection"],
         ["scene"],
         ["operators"],
         ["problem"],

@@ -15,7 +15,7 @@ GROUPS = [
         "contact/prepare/gap_between_nodes.cpp", "contact/results/derive.cpp",
         "contact/operators/assemble_operators.cpp", "contact/operators/dense_operators.cpp",
         "contact/operators/traction_space.cpp"]),
-    ("convection", 12, ["contact/operators/convection/*"]),
+    ("convection", 12, ["contact/convection/*"]),
     ("regular frames", 22, ["contact/operators/lattice/*"]),
     ("half-space", 26, ["bodies/halfspace/*"]),
     ("boundary elements", 26, [

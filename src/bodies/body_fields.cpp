@@ -25,11 +25,11 @@ std::int64_t require_nodes(const Body& body, const NodalDisplacements& given) {
 }
 
 bool on_surface_alone(const Body& body) {
-  return body.kind() == BodyKind::bem;
+  return body.traits().make_response && !body.traits().volume;
 }
 
 void require_fields(const Body& body) {
-  if (body.kind() != BodyKind::fem && !on_surface_alone(body))
+  if (!body.traits().make_response)
     fail(Status::err_unsupported, "the body is a %s body: fields inside are those of finite and boundary elements",
          body.traits().name);
   if (!body.prepared()) fail(Status::err_state, "the body is not prepared: call rollcon_body_prepare first");

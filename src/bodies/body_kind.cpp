@@ -64,6 +64,7 @@ constexpr BodyTraits kinds[] = {
      .name = "half-space",
      .parts = "half-space",
      .meshed = false,
+     .half_space = true,
      .make_compliance = on_halfspace},
     {.kind = BodyKind::rigid, .name = "rigid", .parts = "rigid", .elastic = false},
 };

@@ -24,6 +24,7 @@ struct BodyTraits {
   const char *name, *parts;  ///< "finite-element", "finite elements"
   bool meshed = true;        ///< takes nodes and faces
   bool elastic = true;       ///< takes a material, and with a mesh supports and loads
+  bool half_space = false;   ///< it responds as a half-space of its material does
   bool volume = false;       ///< its elements fill it, and their tags name materials
   SurfaceKind surface = SurfaceKind::open;
   /// Throws err_unsupported in a build without the component; null: always there.

@@ -1,11 +1,16 @@
 #include "bodies/contact_surface.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rollcon {
 
 bool PairOfBodies::meshed() const {
   return body[0]->meshed() || body[1]->meshed();
+}
+
+bool PairOfBodies::half_spaces() const {
+  return std::all_of(body.begin(), body.end(), [](const Body* b) { return b->rigid() || b->traits().half_space; });
 }
 
 Vec3 plane_point(const Axes& axes, double x, double y) {

@@ -12,7 +12,8 @@ struct PairOfBodies {
   std::array<const Body*, 2> body{};  ///< prepared
   std::array<Pose, 2> pose{};
   double layer = 0;     ///< between them: tangential displacement per traction
-  bool meshed() const;  ///< one of them at least
+  bool meshed() const;       ///< one of them at least
+  bool half_spaces() const;  ///< as they respond; one may be rigid
 };
 
 /// Local normals (outward from body 1) over the plane of the axes: those of body 1 if it has a mesh,

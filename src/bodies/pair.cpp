@@ -14,7 +14,7 @@ namespace rollcon {
 namespace {
 
 HalfspaceConstants constants_of(const Body& body, int which) {
-  if (body.kind() != BodyKind::halfspace) return {};
+  if (!body.traits().half_space) return {};
   return halfspace_constants(body.young(), body.poisson(), which == 0 ? 1 : -1);
 }
 
@@ -29,7 +29,7 @@ std::unique_ptr<Compliance> make_pair_compliance(const Frame& frame, const PairO
   if (std::abs(sum.ck) <= 1e-14 * (std::abs(c1.ck) + std::abs(c2.ck))) sum.ck = 0;
   if (sum.cn > 0) parts.push_back(make_halfspace_compliance(frame, sum, accuracy, threads));
   for (int which = 0; which < 2; ++which)
-    if (pair.body[at(which)]->kind() != BodyKind::halfspace)
+    if (!pair.body[at(which)]->traits().half_space)
       if (auto part = make_body_compliance(frame, pair, which, accuracy, threads)) parts.push_back(std::move(part));
   if (std::none_of(parts.begin(), parts.end(), [](const auto& part) { return part->resolves_frame(); }) &&
       !parts.empty())

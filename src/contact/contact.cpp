@@ -216,6 +216,10 @@ bool Contact::meshed() const {
   return body1_->meshed() || body2_->meshed();
 }
 
+bool Contact::half_spaces() const {
+  return !meshed() && PairOfBodies{{body1_.get(), body2_.get()}}.half_spaces();
+}
+
 bool Contact::surfaces_deform() const {
   const auto deforms = [](const Body& body) { return !body.has_surface() || (body.meshed() && !body.rigid()); };
   return deforms(*body1_) && deforms(*body2_);

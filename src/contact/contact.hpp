@@ -106,6 +106,8 @@ class Contact {
   std::unique_ptr<KnownGap> gap_between_nodes();
   /// Whether one of the bodies has a mesh.
   bool meshed() const;
+  /// Half-spaces, one perhaps rigid, and no mesh: Hertz's solution holds.
+  bool half_spaces() const;
   /// Whether what ends over the contact deforms there: all surfaces are meshes of elastic bodies.
   bool surfaces_deform() const;
   /// As the statistic error_estimate of the last solve.

@@ -29,7 +29,7 @@ std::vector<double> tractions_by_node(const SolverState& s) {
 }
 
 void require_elements(const Body& body, std::int32_t number) {
-  if (body.kind() == BodyKind::fem || body.kind() == BodyKind::bem) return;
+  if (body.traits().make_response) return;
   fail(Status::err_unsupported,
        "body %d is a %s body: displacements of all nodes and fields inside are those of finite and boundary elements "
        "(of half-spaces: rollcon_contact_get_stresses_at)",

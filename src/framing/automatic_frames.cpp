@@ -97,7 +97,7 @@ class AutomaticFrames final : public FrameMaker {
   /// Sets shape_ and counts what changed it.
   void find_shape(Contact& contact) {
     const Scene& scene = contact.scene;
-    if (const auto quadratic = scene.quadratic_gap(); quadratic && !contact.meshed()) {
+    if (const auto quadratic = scene.quadratic_gap(); quadratic && contact.half_spaces()) {
       shape_.outline.clear();
       const HertzContact hertz = find_ellipse(contact, {(*quadratic)[0], (*quadratic)[1], (*quadratic)[2]});
       shape_.place = place_of_disc(hertz.larger, hertz.smaller, hertz.angle);

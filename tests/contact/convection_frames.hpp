@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/operators/convection/convection.hpp"
+#include "contact/convection/convection.hpp"
 #include "mesh/topology.hpp"
 #include "support/frames.hpp"
 

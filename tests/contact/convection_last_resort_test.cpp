@@ -1,7 +1,7 @@
 // Nodes of which only one neighbour lies upstream, beside the path: least squares then take the difference to it, along
 // the path that leads there.
 
-#include "contact/operators/convection/convection.hpp"
+#include "contact/convection/convection.hpp"
 #include "support/frames.hpp"
 #include "support/testing.hpp"
 

@@ -1,4 +1,4 @@
-#include "contact/operators/convection/convection.hpp"
+#include "contact/convection/convection.hpp"
 
 #include "contact/convection_frames.hpp"
 #include "support/testing.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/operators/convection/convection.hpp"
+#include "contact/convection/convection.hpp"
 #include "contact/problem/problem.hpp"
 #include "support/error.hpp"
 #include "support/frames.hpp"
@@ -118,7 +118,7 @@ TEST(curved_frame, triads_follow_the_surface) {
 TEST(curved_frame, derivatives_are_taken_along_the_surface) {
   const Frame frame = cylinder(ElementType::quad4, 10);
   const auto n = static_cast<std::size_t>(frame.nodes());
-  for (const Scheme scheme : {Scheme::least_squares, Scheme::characteristic}) {
+  for (const Scheme scheme : {scheme_of("least_squares"), Scheme::characteristic}) {
     const Convection convection = make_convection(frame, scheme, false);
     std::vector<double> w(3 * n, 0.0), ahead(3 * n, 0.0), slip[2];
     for (std::size_t k = 0; k < n; ++k) {
@@ -134,7 +134,7 @@ TEST(curved_frame, derivatives_are_taken_along_the_surface) {
       worst = std::max(worst, std::abs(slip[0][k] + std::sqrt(1 - sine * sine)));
       ++rows;
     }
-    std::printf("%s: %d rows, error %.1e (bound 1e-12)\n", name_of(scheme), rows, worst);
+    std::printf("%s: %d rows, error %.1e (bound 1e-12)\n", scheme.name, rows, worst);
     EXPECT_GE(rows, 30);
     EXPECT_LT(worst, 1e-12);
   }

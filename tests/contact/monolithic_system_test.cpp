@@ -11,7 +11,7 @@ namespace {
 using namespace monolithic_test;
 
 constexpr double bound = 1e-9;
-constexpr Scheme schemes[] = {Scheme::godunov, Scheme::least_squares, Scheme::characteristic};
+const Scheme schemes[] = {scheme_of("godunov"), scheme_of("least_squares"), Scheme::characteristic};
 
 StepOptions monolithic(const Case& c, LinearMethod linear = LinearMethod::lu,
                        Preconditioner preconditioner = Preconditioner::automatic) {
@@ -41,7 +41,7 @@ TEST(monolithic_system, half_spaces) {
     for (const Scheme scheme : schemes)
       for (const Motions& motions : {Motions{}, Motions{true, false}, Motions{true, true}}) {
         const Case c = halfspaces(8, 0.3, poisson2, scheme, motions);
-        expect_error(c.name + ", " + name_of(scheme) + (motions.approach_by_force ? ", load" : "") +
+        expect_error(c.name + ", " + scheme.name + (motions.approach_by_force ? ", load" : "") +
                          (motions.creep_by_force ? ", forces" : ""),
                      step_error(c), bound);
       }
@@ -51,7 +51,7 @@ TEST(monolithic_system, bodies_with_random_equations) {
   for (const bool direct : {false, true})
     for (const Scheme scheme : schemes) {
       const Case c = random_bodies(6, direct, scheme, {true, true});
-      expect_error(c.name + ", " + name_of(scheme), step_error(c), bound);
+      expect_error(c.name + ", " + scheme.name, step_error(c), bound);
     }
 }
 
@@ -63,7 +63,7 @@ TEST(monolithic_system_long, finite_and_boundary_elements) {
   for (const auto& models : pairs)
     for (const Scheme scheme : schemes) {
       const Case c = meshed({.model = {models[0], models[1]}}, scheme, {true, true});
-      expect_error(c.name + ", " + name_of(scheme), step_error(c), bound);
+      expect_error(c.name + ", " + scheme.name, step_error(c), bound);
     }
 }
 
@@ -72,17 +72,17 @@ TEST(monolithic_system_long, curved_and_laid_frames) {
     for (const bool own : {false, true})
       for (const Scheme scheme : schemes) {
         Case c = meshed({.model = {models[0], models[1]}, .curved = true, .own_frame = own}, scheme, {true, true});
-        expect_error(c.name + ", " + name_of(scheme), step_error(c), bound);
+        expect_error(c.name + ", " + scheme.name, step_error(c), bound);
         if (scheme == Scheme::characteristic) continue;
         make_reduced(c);
-        expect_error(c.name + ", reduced, " + name_of(scheme), step_error(c), bound);
+        expect_error(c.name + ", reduced, " + scheme.name, step_error(c), bound);
       }
 }
 
 TEST(monolithic_system, without_friction) {
   for (const bool force : {false, true}) {
-    for (Case c : {halfspaces(8, 0.3, -2, Scheme::godunov, {force, false}),
-                   random_bodies(6, true, Scheme::godunov, {force, false})}) {
+    for (Case c : {halfspaces(8, 0.3, -2, scheme_of("godunov"), {force, false}),
+                   random_bodies(6, true, scheme_of("godunov"), {force, false})}) {
       make_frictionless(c);
       expect_error(c.name + (force ? ", frictionless, load" : ", frictionless"), step_error(c), bound);
     }
@@ -90,13 +90,13 @@ TEST(monolithic_system, without_friction) {
 }
 
 TEST(monolithic_system, reduced_unknowns) {
-  for (const Scheme scheme : {Scheme::godunov, Scheme::least_squares})
+  for (const Scheme scheme : {scheme_of("godunov"), scheme_of("least_squares")})
     for (const Motions& motions : {Motions{}, Motions{true, true}})
       for (Case c : {halfspaces(8, 0.3, -2, scheme, motions), halfspaces(8, 0.3, 0.1, scheme, motions),
                      random_bodies(6, false, scheme, motions), random_bodies(6, true, scheme, motions)}) {
         make_reduced(c);
-        expect_error(c.name + ", reduced, " + name_of(scheme) + (motions.creep_by_force ? ", forces" : ""),
-                     step_error(c), bound);
+        expect_error(c.name + ", reduced, " + scheme.name + (motions.creep_by_force ? ", forces" : ""), step_error(c),
+                     bound);
       }
 }
 
@@ -126,10 +126,10 @@ double gmres_error(Case c, const StepOptions& options, StepCounters& counters) {
 
 TEST(monolithic_system_long, gmres_with_every_preconditioner) {
   for (const int form : {0, 1, 2})
-    for (const Case& standard : {halfspaces(8, 0.3, -2, Scheme::godunov, {true, true}),
-                                 meshed({.model = {Model::fem, Model::fem}}, Scheme::least_squares, {true, true}),
-                                 meshed({.model = {Model::fem, Model::bem}}, Scheme::godunov, {true, true}),
-                                 random_bodies(6, true, Scheme::godunov, {true, true})})
+    for (const Case& standard : {halfspaces(8, 0.3, -2, scheme_of("godunov"), {true, true}),
+                                 meshed({.model = {Model::fem, Model::fem}}, scheme_of("least_squares"), {true, true}),
+                                 meshed({.model = {Model::fem, Model::bem}}, scheme_of("godunov"), {true, true}),
+                                 random_bodies(6, true, scheme_of("godunov"), {true, true})})
       for (const Preconditioner p : preconditioners) {
         Case c = standard;
         if (form == 1) make_reduced(c);
@@ -152,7 +152,7 @@ TEST(monolithic_system_long, gmres_with_every_preconditioner) {
 }
 
 TEST(monolithic_system, looser_tolerance_takes_fewer_iterations) {
-  const Case c = meshed({.model = {Model::fem, Model::fem}}, Scheme::godunov, {true, false});
+  const Case c = meshed({.model = {Model::fem, Model::fem}}, scheme_of("godunov"), {true, false});
   const Point exact = condensed_step(c);
   std::int64_t last = 0;
   for (const double eta : {0.1, 1e-4, 1e-8}) {
@@ -179,7 +179,7 @@ TEST(monolithic_system, units_change_nothing) {
       for (int i = 0; i < 2; ++i) {
         const Case c = meshed(
             {.model = {models[0], models[1]}, .length = i == 0 ? 1 : millimetre, .stress = i == 0 ? 1 : megapascal},
-            Scheme::godunov, {true, true});
+            scheme_of("godunov"), {true, true});
         const Problem problem = written_out(c);
         StepSystem system(problem, *c.frame, *c.compliance, monolithic(c, solver, Preconditioner::bodies));
         Point z = c.z;
@@ -211,7 +211,7 @@ TEST(monolithic_system, update_gives_displacements_and_slip_of_tractions) {
       Point z = c.z;
       const Point expected = image_of(c, c.z);
       system.update(z);
-      expect_error(std::string("update, ") + name_of(scheme), difference(c, z, expected), bound);
+      expect_error(std::string("update, ") + scheme.name, difference(c, z, expected), bound);
       for (auto& v : z.lambda) std::fill(v.begin(), v.end(), 0.0);
       system.update(z);
       EXPECT_EQ(*std::max_element(z.depth.begin(), z.depth.end()), 0);
@@ -219,7 +219,7 @@ TEST(monolithic_system, update_gives_displacements_and_slip_of_tractions) {
 }
 
 TEST(monolithic_system, says_when_nothing_carries_the_load) {
-  Case c = halfspaces(6, 0.3, -2, Scheme::godunov, {true, false});
+  Case c = halfspaces(6, 0.3, -2, scheme_of("godunov"), {true, false});
   for (PairState& state : c.step.state)
     if (state != PairState::unused) state = PairState::open;
   Point z = c.z, next;
@@ -230,7 +230,7 @@ TEST(monolithic_system, says_when_nothing_carries_the_load) {
 
 TEST(monolithic_system, says_when_no_creepage_is_determined) {
   // Sliding pairs of the reduced form do not feel the creepages.
-  Case c = meshed({.model = {Model::fem, Model::rigid}}, Scheme::godunov, {true, true});
+  Case c = meshed({.model = {Model::fem, Model::rigid}}, scheme_of("godunov"), {true, true});
   make_reduced(c);
   for (std::size_t k = 0; k < c.step.state.size(); ++k)
     if (c.step.state[k] == PairState::stick) c.step.state[k] = PairState::open;

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "contact/operators/convection/convection.hpp"
+#include "contact/convection/convection.hpp"
 #include "framing/makers.hpp"
 #include "support/testing.hpp"
 

@@ -129,15 +129,14 @@ std::array<double, 4> askew_motion(const Setting& s) {
 
 TEST(tilted_plane, motions_are_projected) {
   for (const Pair& pair : pairs)
-    for (const Scheme scheme : {Scheme::godunov, Scheme::least_squares, Scheme::characteristic}) {
+    for (const Scheme scheme : {scheme_of("godunov"), scheme_of("least_squares"), Scheme::characteristic}) {
       const Setting setting(0.4, pair);
       const Solved flat = setting.solve(false, scheme, by_motion, {creep1, creep2, depth, spin_rate}, 0.3);
       const Solved askew = setting.solve(true, scheme, by_motion, askew_motion(setting), 0.3);
       ASSERT_EQ(flat.report.outcome, Outcome::converged);
       ASSERT_EQ(askew.report.outcome, Outcome::converged);
       const double error = difference(askew, flat);
-      std::printf("%s, scheme %d: tractions in askew axes differ by %.1e (bound 1e-9)\n", pair.name,
-                  static_cast<int>(scheme), error);
+      std::printf("%s, %s: tractions in askew axes differ by %.1e (bound 1e-9)\n", pair.name, scheme.name, error);
       EXPECT_LT(error, 1e-9);
     }
 }

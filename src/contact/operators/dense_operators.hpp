@@ -2,7 +2,7 @@
 /// Operators as matrices.
 
 #include "bodies/model/compliance.hpp"
-#include "contact/operators/convection/convection.hpp"
+#include "contact/convection/convection.hpp"
 #include "contact/operators/operators.hpp"
 #include "linalg/dense.hpp"
 #include "mesh/frame.hpp"

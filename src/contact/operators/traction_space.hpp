@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bodies/model/compliance.hpp"
-#include "contact/operators/convection/convection.hpp"
+#include "contact/convection/convection.hpp"
 #include "contact/operators/dense_operators.hpp"
 #include "mesh/frame.hpp"
 

@@ -59,7 +59,7 @@ void choose_table(SolverState& s, bool wanted) {
   if (s.preparation->dense && s.preparation->dense->normal) forget_rows(s);
 }
 
-LatticeScene scene_of(const SolverState& s, Scheme scheme, std::function<bool()> cancelled) {
+LatticeScene scene_of(const SolverState& s, const Scheme& scheme, std::function<bool()> cancelled) {
   const auto make = [&s, scheme](const Frame& frame, const Lattice& lattice, Problem& p) {
     p.convection = make_convection(frame, scheme, s.prepared->ends_at_edge);
     p.op = make_operators(s, lattice, p.convection);

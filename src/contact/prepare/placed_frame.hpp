@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "contact/operators/convection/convection.hpp"
+#include "contact/convection/convection.hpp"
 #include "contact/problem/problem.hpp"
 #include "contact/scene/scene.hpp"
 

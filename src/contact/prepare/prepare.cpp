@@ -176,7 +176,7 @@ void build_stencils(SolverState& state, const Scene& scene) {
   Preparation& preparation = *state.preparation;
   Prepared& on = *preparation.made;
   const bool steady = scene.step_kind() == StepKind::steady;
-  const Scheme scheme = steady ? scheme_of(scene.options.convection) : Scheme::time_step;
+  const Scheme& scheme = steady ? scheme_of(scene.options.convection) : Scheme::time_step;
   if (!preparation.convection.enter(preparation.compliance.version(), scheme)) return;
   const Stopwatch watch(state.timings.convection);
   if (preparation.dense)

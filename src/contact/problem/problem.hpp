@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "contact/laws/friction_law.hpp"
-#include "contact/operators/convection/convection.hpp"
+#include "contact/convection/convection.hpp"
 #include "contact/operators/operators.hpp"
 #include "contact/problem/prescribed.hpp"
 

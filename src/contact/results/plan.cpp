@@ -199,7 +199,7 @@ std::string describe_plan(const SolverState& s, const Scene& scene, const Body& 
   if (s.prepared->pair.layer > 0) line(text, "an elastic layer between the bodies: %g", s.prepared->pair.layer);
   if (!s.frictionless && s.prepared->problem.law->falls() && s.outcome == Outcome::converged)
     line(text, "several solutions may exist: this one %s", branch_of(s.report));
-  if (op.tangential || s.procedure.monolithic) line(text, "convective scheme: %s", name_of(s.prepared->scheme));
+  if (op.tangential || s.procedure.monolithic) line(text, "convective scheme: %s", s.prepared->scheme.name);
   if (s.prepared->step != StepKind::steady)
     line(text, "time: step %lld of %.6g, %s; %s", static_cast<long long>(s.steps.last.steps), 1 / s.prepared->speed,
          s.prepared->step == StepKind::shift ? "bodies are shifted" : "material travels",

@@ -141,9 +141,7 @@ double power_put_in(SolverState& s) {
 
 bool power_is_balanced(const SolverState& s) {
   const Prepared& on = *s.prepared;
-  for (const Body* body : on.pair.body)
-    if (body->kind() != BodyKind::halfspace && body->kind() != BodyKind::rigid) return false;
-  return !s.frictionless && on.step == StepKind::steady && nodes_at_rim(s) == 0;
+  return on.pair.half_spaces() && !s.frictionless && on.step == StepKind::steady && nodes_at_rim(s) == 0;
 }
 
 double power_at_nodes(SolverState& s) {

@@ -11,7 +11,7 @@ namespace rollcon {
 namespace {
 
 void require_halfspace(const Body& body, std::int32_t which) {
-  if (body.kind() == BodyKind::halfspace) return;
+  if (body.traits().half_space) return;
   fail(Status::err_unsupported, "body %d is a %s body: stresses are computed inside elastic half-spaces only", which,
        body.traits().name);
 }

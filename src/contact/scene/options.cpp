@@ -1,5 +1,7 @@
 #include "contact/scene/options.hpp"
 
+#include "contact/convection/convection.hpp"
+
 namespace rollcon {
 
 namespace {
@@ -18,8 +20,7 @@ const SettingTable<Options>& table() {
       {"conformal", &Options::conformal, 0, 1,
        "1: frames on half-spaces with profiles follow these across the rolling direction, with normals that turn; 0: "
        "they lie in the plane of the axes."},
-      {"convection", &Options::convection, "characteristic|least_squares|godunov",
-       "Scheme of the convective derivative in the slip."},
+      {"convection", &Options::convection, scheme_names().c_str(), "Scheme of the convective derivative in the slip."},
       {"linear_solver", &Options::linear_solver, "auto|lu|gmres|gmres_adaptive",
        "Solver of the linear systems; auto chooses by size. gmres_adaptive: tolerance by "
        "(72)-(74)."},

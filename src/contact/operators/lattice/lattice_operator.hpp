@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bodies/model/translation.hpp"
-#include "contact/operators/convection/convection.hpp"
+#include "contact/convection/convection.hpp"
 #include "contact/operators/operators.hpp"
 #include "mesh/lattice.hpp"
 

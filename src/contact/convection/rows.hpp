@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "contact/operators/convection/convection.hpp"
+#include "contact/convection/convection.hpp"
 
 namespace rollcon {
 

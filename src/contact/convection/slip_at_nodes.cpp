@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "contact/operators/convection/convection.hpp"
+#include "contact/convection/convection.hpp"
 #include "mesh/topology.hpp"
 #include "support/index.hpp"
 

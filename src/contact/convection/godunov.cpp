@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "contact/operators/convection/convection.hpp"
-#include "contact/operators/convection/rows.hpp"
+#include "contact/convection/convection.hpp"
+#include "contact/convection/rows.hpp"
 #include "mesh/dual_cells.hpp"
 
 namespace rollcon {
@@ -22,6 +22,10 @@ SparseRows godunov(const Frame& frame, double ex, double ey) {
     rows.add(into, into, -c);
   }
   return rows.finish();
+}
+
+Convection make_godunov(const Frame& frame, double /*step*/, bool /*ends_at_edge*/) {
+  return at_nodes(frame, godunov(frame, 1, 0));
 }
 
 }  // namespace rollcon

@@ -17,9 +17,6 @@ struct SparseRows {
   std::vector<std::uint8_t> fallback;  ///< 1 where the scheme's own stencil was not usable
 };
 
-/// time_step: slip is a shift, displacements count as they are.
-enum class Scheme { godunov, least_squares, characteristic, time_step };
-
 /// A scheme as the operators take it: slip per unit speed, D w, is a sum of displacements at samples, which are the
 /// nodes and, for some schemes, one point ahead (upstream) of each.
 struct Convection {
@@ -30,17 +27,31 @@ struct Convection {
   std::vector<double> slip_x, slip_y;  ///< where the rigid slip of each row is taken
 };
 
-/// By the option's text; least_squares where it is none of them.
-Scheme scheme_of(const std::string& name);
-const char* name_of(Scheme scheme);
+/// step: distance ahead over the local spacing along the flow, of the characteristic scheme; ends_at_edge: the frame
+/// ends where the contact does, so that scheme takes slip at the nodes (take_slip_at_nodes).
+using MakeConvection = Convection(const Frame& frame, double step, bool ends_at_edge);
 
-/// Distance ahead over the local spacing along the flow, of the characteristic scheme.
+/// A row of the table in scheme.cpp, made in a file of its own. Rolling is along t1 of the frame.
+struct Scheme {
+  const char* name = nullptr;  ///< as the option `convection` has it
+  MakeConvection* make = nullptr;
+  bool operator==(const Scheme&) const = default;
+  /// time_step: slip is a shift, displacements count as they are; no choice of the option.
+  static const Scheme characteristic, time_step;
+};
+
+/// "a|b|c", the standard one first.
+const std::string& scheme_names();
+/// One of those.
+const Scheme& scheme_of(const std::string& name);
+
 inline constexpr double characteristic_step = 0.6;
 
-/// ends_at_edge: the frame ends where the contact does, so the characteristic scheme takes slip at the nodes
-/// (take_slip_at_nodes). step: that distance; other schemes have none. On a curved frame derivatives are taken along
-/// the surface: those in the projection times t1 . (rolling direction).
-Convection make_convection(const Frame& frame, Scheme scheme, bool ends_at_edge, double step = characteristic_step);
+/// On a curved frame derivatives are taken along the surface: those in the projection times t1 . (rolling direction).
+Convection make_convection(const Frame& frame, const Scheme& scheme, bool ends_at_edge,
+                           double step = characteristic_step);
+/// A sum for each node, nothing ahead, slip taken at the nodes.
+Convection at_nodes(const Frame& frame, SparseRows rows);
 
 /// D w of displacements w[3 * k + c] at the nodes and `ahead` at the samples ahead of them. Tangential components.
 void convect(const Convection& convection, const double* w, const double* ahead, std::vector<double> (&slip)[2]);

@@ -1,4 +1,4 @@
-#include "contact/operators/convection/rows.hpp"
+#include "contact/convection/rows.hpp"
 
 #include <algorithm>
 #include <tuple>

@@ -3,8 +3,8 @@
 #include <optional>
 #include <span>
 
-#include "contact/operators/convection/convection.hpp"
-#include "contact/operators/convection/rows.hpp"
+#include "contact/convection/convection.hpp"
+#include "contact/convection/rows.hpp"
 #include "mesh/topology.hpp"
 
 /// Fit of the gradient over upwind neighbours, equations (43)-(45), in coordinates along the path: d = s e + t (e
@@ -223,6 +223,10 @@ SparseRows least_squares(const Frame& frame, double ex, double ey) {
   SparseRows result = rows.finish();
   result.fallback = std::move(fallback);
   return result;
+}
+
+Convection make_least_squares(const Frame& frame, double /*step*/, bool /*ends_at_edge*/) {
+  return at_nodes(frame, least_squares(frame, 1, 0));
 }
 
 }  // namespace rollcon

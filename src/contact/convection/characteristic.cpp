@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
+#include <vector>
 
-#include "contact/operators/convection/convection.hpp"
+#include "contact/convection/convection.hpp"
 #include "mesh/dual_cells.hpp"
 #include "mesh/lattice.hpp"
 #include "mesh/plane_quadrature.hpp"
@@ -96,6 +98,23 @@ std::vector<Spread> spread_along_flow(const Frame& frame) {
   return spread;
 }
 
+// w(x_I) - w(x_I + delta e), both displacements exact.
+SparseRows differences(const std::vector<double>& ahead) {
+  SparseRows rows;
+  const std::size_t n = ahead.size();
+  rows.start.push_back(0);
+  for (std::size_t k = 0; k < n; ++k) {
+    if (ahead[k] > 0) {
+      rows.column.push_back(static_cast<std::int32_t>(k));
+      rows.value.push_back(1);
+      rows.column.push_back(static_cast<std::int32_t>(n + k));
+      rows.value.push_back(-1);
+    }
+    rows.start.push_back(static_cast<std::int64_t>(rows.column.size()));
+  }
+  return rows;
+}
+
 }  // namespace
 
 // Steps upstream: a part of the spacing. A node's own traction must move the surface there less than at the node, or
@@ -120,6 +139,18 @@ std::vector<double> characteristic_steps(const Frame& frame, double part) {
     step[k] = std::max(part * step[k], spread[k].mean + std::hypot(spread[k].mean, beyond));
   }
   return step;
+}
+
+Convection make_characteristic(const Frame& frame, double step, bool ends_at_edge) {
+  const std::vector<double> ahead = characteristic_steps(frame, step);
+  Convection c = at_nodes(frame, differences(ahead));
+  for (std::size_t i = 0; i < ahead.size(); ++i) {
+    c.factor[i] = ahead[i] > 0 ? 1 / ahead[i] : 0;
+    c.slip_x[i] += ahead[i] / 2;  // second order: the difference is centred there
+  }
+  c.ahead = ahead;
+  if (ends_at_edge) take_slip_at_nodes(frame, c);
+  return c;
 }
 
 }  // namespace rollcon
