@@ -11,7 +11,7 @@ namespace rollcon {
 struct PairOfBodies {
   std::array<const Body*, 2> body{};  ///< prepared
   std::array<Pose, 2> pose{};
-  double layer = 0;     ///< between them: tangential displacement per traction
+  double layer = 0;          ///< between them: tangential displacement per traction
   bool meshed() const;       ///< one of them at least
   bool half_spaces() const;  ///< as they respond; one may be rigid
 };

@@ -1,7 +1,7 @@
 /// The derivative of smooth fields, and the equation that the stick zone solves with it.
 
-#include "contact/convection_frames.hpp"
 #include "contact/convection/convection.hpp"
+#include "contact/convection_frames.hpp"
 #include "support/testing.hpp"
 
 namespace rollcon {

@@ -19,8 +19,8 @@
 #include <memory>
 #include <vector>
 
-#include "contact/laws/friction_law.hpp"
 #include "contact/convection/convection.hpp"
+#include "contact/laws/friction_law.hpp"
 #include "contact/operators/operators.hpp"
 #include "contact/problem/prescribed.hpp"
 
