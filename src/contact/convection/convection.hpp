@@ -27,8 +27,8 @@ struct Convection {
   std::vector<double> slip_x, slip_y;  ///< where the rigid slip of each row is taken
 };
 
-/// step: distance ahead over the local spacing along the flow, of the characteristic scheme; ends_at_edge: the frame
-/// ends where the contact does, so that scheme takes slip at the nodes (take_slip_at_nodes).
+/// step: characteristic_step or another, for that scheme; ends_at_edge: the frame ends where the contact does, so that
+/// scheme takes slip at the nodes (take_slip_at_nodes).
 using MakeConvection = Convection(const Frame& frame, double step, bool ends_at_edge);
 
 /// A row of the table in scheme.cpp, made in a file of its own. Rolling is along t1 of the frame.
@@ -45,6 +45,7 @@ const std::string& scheme_names();
 /// One of those.
 const Scheme& scheme_of(const std::string& name);
 
+/// Usual distance ahead over the local spacing along the flow, of the characteristic scheme.
 inline constexpr double characteristic_step = 0.6;
 
 /// On a curved frame derivatives are taken along the surface: those in the projection times t1 . (rolling direction).

@@ -21,9 +21,10 @@ constexpr Scheme schemes[] = {
 
 }  // namespace
 
-const Scheme Scheme::characteristic = schemes[0];
-const Scheme Scheme::time_step = {"none: a step in time, displacements of the step before are carried along",
-                                  make_time_step};
+// Others may use them before main.
+constinit const Scheme Scheme::characteristic = schemes[0];
+constinit const Scheme Scheme::time_step = {"none: a step in time, displacements of the step before are carried along",
+                                            make_time_step};
 
 const std::string& scheme_names() {
   static const std::string names = [] {
