@@ -32,6 +32,9 @@ struct ElementGeometry {
   double bend = 0;           ///< largest squared change of the unit normal
   /// Along xi and eta: log of the ellipse's parameter up to which |normal vector| is analytic.
   double jacobian_log_rho[2] = {1, 1};
+  /// Of shape functions that are series (plane_part.hpp) after their terms of `degree`: log of the ratio in which terms
+  /// fall; 0: polynomials.
+  double series_log = 0;
 
   Vec3 position(Vec2 reference) const;
   /// Position and tangents.

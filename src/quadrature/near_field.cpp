@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
+#include "quadrature/lines.hpp"
+#include "quadrature/plane_part.hpp"
 #include "quadrature/polar.hpp"
 #include "quadrature/rules.hpp"
 
@@ -16,6 +19,10 @@ constexpr double most_uneven = 0.3;  ///< departure from the tangent map that po
 // How far outside polar works, in half sizes: not where nodes of regular grids lie, or rounding would choose.
 constexpr double reach_affine = 2.5;
 constexpr double reach_mapped = 0.3;
+constexpr double reach_plane = 0.6;   ///< beside parts taken in their plane
+constexpr double least_slender = 16;  ///< from where lines and the plane save points
+constexpr int most_lines = 16;
+constexpr double least_series_log = 1.3;  ///< of parts taken in their plane: about 12 points for nine digits
 
 class Integration {
  public:
@@ -42,10 +49,14 @@ class Integration {
     if (cell.depth >= max_depth) return;
     if (!foot_.found) set_foot(find_foot(element_, cell.centre(), false));
     if (foot_.found && polar(cell)) return;
+    const int along = slender(cell, shape);
+    std::optional<PlanePart> part;
+    if (along >= 0) part = plane_part(element_, cell, shape);
+    if (part && (lines(*part, shape) || in_plane(*part, shape))) return;
     Cell parts[4];
-    const int n = cell.corners == 3
-                      ? halve(cell, shape, parts)
-                      : cell.split(selection.first > most_line_points, selection.second > most_line_points, parts);
+    const int n = cell.corners == 3 ? halve(cell, shape, parts)
+                  : part            ? cell.split(along == 0, along == 1, parts)
+                         : cell.split(selection.first > most_line_points, selection.second > most_line_points, parts);
     for (int i = 0; i < n; ++i) integrate(parts[i], measure(element_, parts[i]));
   }
 
@@ -94,6 +105,62 @@ class Integration {
         add(c + rule1.x[i] * a + rule2.x[j] * b, area * rule1.w[i] * rule2.w[j]);
   }
 
+  /// The direction along the element in which the cell is much longer than wide, or -1. Where the ends are slanted,
+  /// cuts along the other would make parts that all lie side by side along the point, as many as the element is
+  /// slender.
+  int slender(const Cell& cell, const CellShape& shape) const {
+    if (cell.corners == 3 || element_.map == MapKind::curved) return -1;
+    const int along = element_.half[0] >= element_.half[1] ? 0 : 1;
+    const double middle = length(along == 0 ? shape.middle[1] - shape.middle[3] : shape.middle[2] - shape.middle[0]);
+    return middle * middle > least_slender * shape.area ? along : -1;
+  }
+
+  /// Where Gauss's rule serves in one direction only.
+  bool lines(const PlanePart& part, const CellShape& shape) {
+    const int longer = length(shape.middle[1] - shape.middle[3]) > length(shape.middle[2] - shape.middle[0]) ? 0 : 1;
+    return lines_along(part, shape, longer) || lines_along(part, shape, 1 - longer);
+  }
+
+  bool lines_along(const PlanePart& part, const CellShape& shape, int along) {
+    const Cell& cell = part.cell;
+    const Vec2 half1 = 0.5 * (cell.corner[1] - cell.corner[0]), half2 = 0.5 * (cell.corner[3] - cell.corner[0]);
+    const Vec2 a = along == 0 ? half1 : half2, b = along == 0 ? half2 : half1, centre = cell.centre(),
+               foot = part.local(part.foot.reference);
+    const double area = cross(half1, half2);
+    const Lines lines = lines_across(element_, shape, along, along == 0 ? foot.x : foot.y, tolerance_);
+    if (lines.number > most_lines) return false;
+    const LineRule &outer = line_rule(lines.number), &inner = line_rule(lines.points);
+    for (std::size_t i = 0; i < outer.x.size(); ++i) {
+      const SinhMap map = lines.line(outer.x[i]);
+      const double half = 0.5 * (map.u2 - map.u1) / lines.pieces;
+      for (int k = 0; k < lines.pieces; ++k)
+        for (std::size_t j = 0; j < inner.x.size(); ++j) {
+          const double e = std::exp(map.u1 + half * (2 * k + 1 + inner.x[j]));
+          add(centre + (map.t0 + 0.5 * map.eta * (e - 1 / e)) * a + outer.x[i] * b,
+              area * outer.w[i] * inner.w[j] * half * 0.5 * map.eta * (e + 1 / e));
+        }
+    }
+    return true;
+  }
+
+  /// Signed triangles from the foot to the sides, all in the element's plane.
+  bool in_plane(const PlanePart& part, const CellShape& shape) {
+    if (part.series_log < least_series_log) return false;
+    const Foot& foot = part.foot;
+    const double outside = std::max(std::abs(foot.reference.x), std::abs(foot.reference.y)) - 1;
+    if (outside > reach_plane) return false;
+    // As in foot_serves.
+    const bool weak = !strong_ || (foot_inside_ && foot_.height == 0);
+    if (!weak && outside > 0 && foot.height <= outside * shape.half_length) return false;
+    part_ = &part;
+    for (int i = 0; i < 4; ++i) {
+      const EdgeView view = view_edge(part.affine, foot, part.corner(i), part.corner(i + 1), tolerance_);
+      if (view.counts) polar_edge(part.affine, foot, view);
+    }
+    part_ = nullptr;
+    return true;
+  }
+
   /// With the foot outside of the cell, its surroundings are added and taken away again: no loss where the integrand
   /// there is no larger than on the cell itself.
   bool foot_serves(const Cell& cell) const {
@@ -122,12 +189,12 @@ class Integration {
       if (view[i].uneven > most_uneven) return false;
     }
     for (int i = 0; i < cell.corners; ++i)
-      if (view[i].counts) polar_edge(view[i]);
+      if (view[i].counts) polar_edge(element_, foot_, view[i]);
     return true;
   }
 
-  void polar_edge(const EdgeView& view) {
-    const PolarRule rule = polar_rule(element_, foot_, view, tolerance_);
+  void polar_edge(const ElementGeometry& element, const Foot& foot, const EdgeView& view) {
+    const PolarRule rule = polar_rule(element, foot, view, tolerance_);
     const LineRule& around = line_rule(rule.angle);
     const double half = 0.5 * (view.u2 - view.u1) / rule.angle_pieces;
     const double area = cross(view.a, view.b);
@@ -137,15 +204,15 @@ class Integration {
         const double e = std::exp(middle + half * around.x[j]);
         const double t = view.t0 + 0.5 * view.eta * (e - 1 / e);
         const double weight = area * around.w[j] * half * 0.5 * view.eta * (e + 1 / e);
-        ray(view.a + t * view.b, weight, rule);
+        ray(foot, view.a + t * view.b, weight, rule);
       }
     }
   }
 
-  void ray(Vec2 direction, double weight, const PolarRule& rule) {
+  void ray(const Foot& foot, Vec2 direction, double weight, const PolarRule& rule) {
     const LineRule& line = line_rule(rule.ray);
-    const double d = foot_.height;
-    const double scale = d / length(foot_.tangent(direction));
+    const double d = foot.height;
+    const double scale = d / length(foot.tangent(direction));
     const double half = 0.5 * (d > 0 ? std::asinh(1 / scale) : 1) / rule.ray_pieces;
     for (int k = 0; k < rule.ray_pieces; ++k)
       for (std::size_t i = 0; i < line.x.size(); ++i) {
@@ -156,11 +223,12 @@ class Integration {
           s = 0.5 * scale * (e - 1 / e);
           slope = 0.5 * scale * (e + 1 / e);
         }
-        add(foot_.reference + s * direction, weight * s * slope * half * line.w[i]);
+        add(foot.reference + s * direction, weight * s * slope * half * line.w[i]);
       }
   }
 
   void add(Vec2 reference, double weight) {
+    if (part_) part_->place(reference, weight);
     NearPoints& p = workspace_.points;
     if (p.n == near_capacity) flush();
     p.xi[p.n] = reference.x;
@@ -182,6 +250,7 @@ class Integration {
   const std::function<void()>& kernel_;
   Foot foot_;
   bool foot_inside_ = false;
+  const PlanePart* part_ = nullptr;  ///< in whose coordinates the points are; null: the element's
 };
 
 }  // namespace

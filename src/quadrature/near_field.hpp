@@ -9,6 +9,9 @@
 /// make the integrand smooth however small d and h are, and however slender the element is: r^2 is d^2 cosh^2(v) to
 /// first order, and |edge|^2 t'^2 + h^2 + d^2 is smooth in u. A point on the element has d = 0: then v is s itself, T
 /// is integrated against N(y) - N(x), and both integrands are smooth as well.
+///
+/// Slender quadrilaterals in a plane have two ways more: straight lines along them (lines.hpp) for points beside or
+/// above, and polar coordinates of the plane itself (plane_part.hpp) for points that touch them or nearly so.
 
 #include <cstdint>
 #include <functional>

@@ -106,12 +106,13 @@ PolarRule polar_rule(const ElementGeometry& element, const Foot& foot, const Edg
   const double target = std::min({1.0, tolerance.t / (safety * view.share_t), tolerance.u / (safety * view.share_u)});
   // Along a ray: a polynomial in s, times the map's departure from its tangent, which is singular at about s =
   // 1/uneven; with a height, also singular at v = +- i pi/2.
-  const int p = ray_degree(element.type, element.map);
+  const int p = element.series_log > 0 ? element.degree : ray_degree(element.type, element.map);
   double least = std::floor(0.5 * p) + 1;
   if (view.uneven > 0 && target < view.uneven) {
     const double z = 2 / view.uneven - 1, rho = z + std::sqrt(z * z - 1);
     least = std::max(least, 0.5 * (p + std::log(ray_constant * view.uneven / target) / std::log(rho)));
   }
+  if (element.series_log > 0) least = std::max(least, 0.5 * (p + std::log(ray_constant / target) / element.series_log));
   PolarRule rule;
   const double v = foot.height > 0 ? std::asinh(view.longest / foot.height) : 0;
   const double shift = view.uneven * std::max(1.0, foot.height / view.longest);
@@ -124,14 +125,19 @@ PolarRule polar_rule(const ElementGeometry& element, const Foot& foot, const Edg
                      0.5 * (p + std::sqrt(p * length * ray_digits))});
   });
   // In the angle: singular at u = +- i pi/2.
-  const double pole = 0.5 * std::numbers::pi * (1 - view.uneven), span = view.u2 - view.u1;
-  const double digits = std::log(angle_constant / target);
-  const int across = std::max(2, element.degree + element.extra);
-  cheapest(rule.angle, rule.angle_pieces, [&](int pieces) {
-    const double z = 2 * pole * pieces / span, rho = z + std::sqrt(1 + z * z);
-    return std::max(2.0, 0.5 * (across + digits / std::log(rho)));
-  });
+  sinh_rule(view.u2 - view.u1, 0.5 * std::numbers::pi * (1 - view.uneven), std::max(2, element.degree + element.extra),
+            element.series_log, target, rule.angle, rule.angle_pieces);
   return rule;
+}
+
+void sinh_rule(double span, double pole, int degree, double series_log, double target, int& points, int& pieces) {
+  const double digits = std::log(angle_constant / target);
+  cheapest(points, pieces, [&](int m) {
+    const double z = 2 * pole * m / span;
+    double decay = std::log(z + std::sqrt(1 + z * z));
+    if (series_log > 0) decay = std::min(decay, series_log);
+    return std::max(2.0, 0.5 * (degree + digits / decay));
+  });
 }
 
 }  // namespace rollcon::quadrature

@@ -39,4 +39,8 @@ struct PolarRule {
 };
 PolarRule polar_rule(const ElementGeometry& element, const Foot& foot, const EdgeView& view, Tolerance tolerance);
 
+/// Gauss points, and equal pieces, for an integrand of t = t0 + eta sinh(u) over a span of u: a polynomial of this
+/// degree times what is singular at u = +- i pole. series_log: as in ElementGeometry; target: relative.
+void sinh_rule(double span, double pole, int degree, double series_log, double target, int& points, int& pieces);
+
 }  // namespace rollcon::quadrature

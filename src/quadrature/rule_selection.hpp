@@ -6,7 +6,7 @@
 /// foci at the line's ends through the complex point of the line at which r = 0. Elements that depart from an affine
 /// map by kappa (relative) raise p by up to k; every degree costs kappa rho. The Jacobian in U is no polynomial on
 /// curved elements: it has an ellipse of its own, through the point at which the normal vector vanishes. C is
-/// calibrated by the sweep in tests/quadrature/integrals/rule_selection_test.cpp.
+/// calibrated by the sweep in tests/bodies/bem/integrals/rule_selection_test.cpp.
 
 #include "quadrature/element.hpp"
 

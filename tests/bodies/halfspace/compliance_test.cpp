@@ -188,26 +188,6 @@ TEST(halfspace_compliance, unloaded_elements_cost_nothing) {
   EXPECT_GT(compliance->kernel_evaluations() - few, 20 * few);
 }
 
-// Triangles split into similar ones would need evaluations in proportion to the sides' ratio.
-TEST(halfspace_compliance, slender_triangles_cost_little_more) {
-  const auto evaluations = [](double ratio) {
-    // Lines moved off the grid, so that no triangle is like its neighbour.
-    const double x[] = {0, 0.21, 0.4, 0.63, 0.8, 1}, y[] = {0, 0.18, 0.41, 0.6, 0.83, 1};
-    SurfaceMesh mesh = frames::rectangle(ElementType::tri3, x, y);
-    for (Vec3& node : mesh.node) node = {node[0] + 0.1 * node[1], node[1] / ratio, 0};
-    const Frame frame = build_frame(std::move(mesh), Axes{});
-    const auto compliance = make_halfspace_compliance(frame, {1, 0.4, 0.2}, 1e-8, 1);
-    std::vector<double> u(3 * frame.x.size()), t(u.size(), 1.0);
-    compliance->apply({frame.x, frame.y}, t.data(), u.data());
-    for (const double v : u) EXPECT_TRUE(std::isfinite(v));
-    return compliance->kernel_evaluations();
-  };
-  const auto round = evaluations(1), slender = evaluations(1e4);
-  std::printf("evaluations %lld round, %lld at 1e4, bound 300 times\n", static_cast<long long>(round),
-              static_cast<long long>(slender));
-  EXPECT_LT(slender, 300 * round);
-}
-
 TEST(halfspace_compliance, only_wanted_blocks_are_written) {
   const Frame frame = mixed_frame();
   const auto n = static_cast<std::size_t>(frame.nodes());
