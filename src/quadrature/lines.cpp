@@ -9,8 +9,8 @@
 
 namespace rollcon::quadrature {
 
-SinhMap Lines::line(double eta) const {
-  const double s = 0.5 * (1 - eta), t = 0.5 * (1 + eta);
+SinhMap Lines::line(double across) const {
+  const double s = 0.5 * (1 - across), t = 0.5 * (1 + across);
   const Vec3 from = s * begin[0] + t * begin[1], to = s * end[0] + t * end[1];
   const Vec3 middle = 0.5 * (from + to), half = 0.5 * (to - from);
   const double length2 = dot(half, half);

@@ -16,10 +16,10 @@ struct SinhMap {
 };
 
 struct Lines {
-  Vec3 begin[2], end[2];           ///< of the first and the last line
-  int number = 1;                  ///< Gauss's rule across; more than it has: not for this point
-  int points = 1, pieces = 1;      ///< on each line
-  SinhMap line(double eta) const;  ///< eta: from -1 to 1 across
+  Vec3 begin[2], end[2];              ///< of the first and the last line
+  int number = 1;                     ///< Gauss's rule across; more than it has: not for this point
+  int points = 1, pieces = 1;         ///< on each line
+  SinhMap line(double across) const;  ///< from -1 to 1
 };
 
 /// along: 0 for lines along xi, 1 along eta. The part is relative to the point; foot: in the part's coordinates along

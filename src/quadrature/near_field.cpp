@@ -53,10 +53,13 @@ class Integration {
     std::optional<PlanePart> part;
     if (along >= 0) part = plane_part(element_, cell, shape);
     if (part && (lines(*part, shape) || in_plane(*part, shape))) return;
+    bool first = selection.first > most_line_points, second = selection.second > most_line_points;
+    if (part) {
+      first = along == 0;
+      second = along == 1;
+    }
     Cell parts[4];
-    const int n = cell.corners == 3 ? halve(cell, shape, parts)
-                  : part            ? cell.split(along == 0, along == 1, parts)
-                         : cell.split(selection.first > most_line_points, selection.second > most_line_points, parts);
+    const int n = cell.corners == 3 ? halve(cell, shape, parts) : cell.split(first, second, parts);
     for (int i = 0; i < n; ++i) integrate(parts[i], measure(element_, parts[i]));
   }
 

@@ -39,7 +39,7 @@ double creep_of(const Pair& pair) {
 }
 
 // The law's speed grows: what friction loses falls like the slip over it, and so does the difference to Coulomb's law.
-TEST(falling_friction, the_limit_of_a_vanishing_slope_is_coulombs_law) {
+TEST(falling_friction_long, the_limit_of_a_vanishing_slope_is_coulombs_law) {
   for (const char* law : families)
     for (const bool like : {true, false}) {
       Pair coulomb = pair_of(like);

@@ -125,7 +125,7 @@ std::vector<double> field_of(const Pair& pair, Field field) {
 }
 
 // mu p0 s sqrt(1 - x^2/a^2) on the middle line: greatest where the integral, 2.188 at -0.65 a, is.
-TEST(flash_temperature, sliding_sphere) {
+TEST(flash_temperature_long, sliding_sphere) {
   for (const char* operators : {"dense", "fft"}) {
     Pair pair = sliding_pair(40);
     pair.contact->scene.options.set_text("operators", operators);

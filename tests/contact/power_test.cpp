@@ -70,7 +70,7 @@ TEST(power, counts_slip_given_as_a_field_like_creepage) {
   EXPECT_NEAR(field, given, 1e-6 * given);
 }
 
-TEST(power, does_not_depend_on_the_kind_of_element) {
+TEST(power_long, does_not_depend_on_the_kind_of_element) {
   const double limit = solved(scenes[2], 96)->contact->stat("friction_power_balance");
   for (const ElementType type :
        {ElementType::tri3, ElementType::tri6, ElementType::quad4, ElementType::quad8, ElementType::quad9}) {

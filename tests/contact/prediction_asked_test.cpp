@@ -37,7 +37,7 @@ Work growing_load(const closed_forms::Elastic& body2, double step, const char* s
   return work;
 }
 
-TEST(prediction, is_the_same_whatever_was_asked_before) {
+TEST(prediction_long, is_the_same_whatever_was_asked_before) {
   for (const auto& [name, body2] : {std::pair{"identical", steady_rolling::steel}, {"dissimilar", soft}})
     for (const char* scheme : {"characteristic", "godunov"})
       for (const double step : {0.02, 0.1, 0.3}) {

@@ -202,7 +202,7 @@ TEST(pose_of_both_bodies, moves_the_scene_without_a_trace) {
 }
 
 // setters_test.cpp has the others.
-TEST(setter_of_a_meshed_scene, makes_only_what_depends_on_it) {
+TEST(setter_of_a_meshed_scene_long, makes_only_what_depends_on_it) {
   if (ROLLCON_BUILD_BEM == 0) GTEST_SKIP() << "this build has no boundary elements";
   const std::vector<std::string> counted{"body_preparations", "frame_builds", "compliance_builds",
                                          "stencil_builds",    "gap_builds",   "friction_builds",

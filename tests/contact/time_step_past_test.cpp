@@ -7,7 +7,7 @@
 namespace rollcon::contact_test {
 namespace {
 
-TEST(TimeStep, everything_changes_from_step_to_step) {
+TEST(TimeStep_long, everything_changes_from_step_to_step) {
   KalkerSpheres dense(20, "dense"), fft(20, "fft"), table(20, "table");
   double worst = 0, law = 0;
   for (KalkerSpheres* s : {&dense, &fft, &table}) s->scene().options.set_real("accuracy", 1e-9);

@@ -220,7 +220,7 @@ TEST(unlike_table_long, comes_back_from_its_file) {
   }
 }
 
-TEST(unlike_table, entries_that_are_not_the_pairs_are_refused) {
+TEST(unlike_table_long, entries_that_are_not_the_pairs_are_refused) {
   TableInput in{8e4, table().grid().poisson[0], 0.3, 6, 5, 5e4, 1e-3, 0, 0};
   double f[3];
   table().evaluate(in, 0, f, nullptr);

@@ -85,7 +85,7 @@ TEST(contact_search_continuity_long, sums_over_patches_do_not_jump) {
 }
 
 /// Each patch goes on from one of the step before, unless it has only begun to overlap or to share.
-TEST(contact_search_continuity, patches_move_on_or_begin_with_nothing) {
+TEST(contact_search_continuity_long, patches_move_on_or_begin_with_nothing) {
   ContactSearch search(wheel(), rail());
   const Motion m{0.03, -3, 7};
   constexpr int steps = 32000;

@@ -141,7 +141,9 @@ std::string name_of(const Row& r) {
   return text;
 }
 
-TEST_F(wheel_rail, manchester_positions_and_forces) {
+using wheel_rail_long = wheel_rail;
+
+TEST_F(wheel_rail_long, manchester_positions_and_forces) {
   for (const Row& r : rows) {
     const auto w = make(r.side);
     place(*w, r);
@@ -164,8 +166,6 @@ TEST_F(wheel_rail, manchester_positions_and_forces) {
     expect_error(name + ": largest pressure", of("max_pressure") / r.pressure - 1, 0.03);
   }
 }
-
-using wheel_rail_long = wheel_rail;
 
 TEST_F(wheel_rail_long, two_patches_give_way_under_each_other) {
   const auto w = make(1);
