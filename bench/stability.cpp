@@ -35,10 +35,6 @@ std::vector<Procedure> published() {
   return all;
 }
 
-bool is_right(const Scene& scene, const Ending& e) {
-  return std::count(scene.right.begin(), scene.right.end(), e.status) > 0;
-}
-
 bool several_loads(const Scene& scene) {
   const auto& by_force = scene.given.by_force;
   return (by_force[0] || by_force[1]) && by_force[3];
@@ -105,7 +101,7 @@ class Suite {
   }
 
   void judge(const Scene& scene, const std::string& way, const Ending& e, double difference = 0) {
-    bool right = is_right(scene, e) && (!e.solved() || e.law.turn >= scene.turn);
+    bool right = scene.is_right(e.status) && (!e.solved() || e.law.turn >= scene.turn);
     if (right && e.status == ROLLCON_ERR_LOAD && scene.right.size() > 1)
       right = several_loads(scene) ? !(extremes::loads_over_friction(scene) < 0.97)
                                    : !(extremes::load_over_friction(scene) < 0.9);

@@ -181,19 +181,19 @@ void compare_with_own_frame(const Scene& scene, const Outcome& o, double apart_b
 /// coarse_pair: of 6 x 4 and 12 x 8 elements; the coarser one carries up to a fifth less spin moment than the contact.
 void judge(const Scene& scene, const Outcome& o, bool coarse_pair, Worst& worst) {
   const std::string name = full_name(scene);
-  const auto right = [&](std::int32_t s) { return std::count(scene.right.begin(), scene.right.end(), s) > 0; };
   const bool told = o.status == ROLLCON_OK || o.status == ROLLCON_NO_CONTACT;
   EXPECT_EQ(told, o.warnings == 0) << name << ": status " << o.status;
   if (o.status < 0) {
     EXPECT_EQ(o.status, ROLLCON_ERR_LOAD) << name << ": " << o.message;
-    EXPECT_TRUE(right(ROLLCON_ERR_LOAD) || coarse_pair) << name << ": " << o.message;
+    EXPECT_TRUE(scene.is_right(ROLLCON_ERR_LOAD) || coarse_pair) << name << ": " << o.message;
     EXPECT_FALSE(extremes::loads_over_friction(scene) < (coarse_pair ? 0.8 : 0.9)) << name << ": " << o.message;
     return;
   }
   EXPECT_TRUE(all_finite(o)) << name;
   if (o.status == ROLLCON_NOT_CONVERGED) return;
   ASSERT_TRUE(o.solved()) << name << ": status " << o.status;
-  EXPECT_TRUE(right(o.status == ROLLCON_NO_CONTACT ? ROLLCON_NO_CONTACT : ROLLCON_OK)) << name << ": " << o.status;
+  EXPECT_TRUE(scene.is_right(o.status == ROLLCON_NO_CONTACT ? ROLLCON_NO_CONTACT : ROLLCON_OK))
+      << name << ": " << o.status;
   if (o.status == ROLLCON_NO_CONTACT) {
     EXPECT_EQ(o.solution.force, (std::array<double, 3>{})) << name;
     return;

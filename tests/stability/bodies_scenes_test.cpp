@@ -21,19 +21,13 @@ Ending run(const Scene& scene) {
   return extremes::solve(*pair, scene);
 }
 
-/// Few nodes in contact, as many small frames have, are a caveat and no other answer.
-bool right(const Scene& scene, std::int32_t status) {
-  const auto has = [&](std::int32_t s) { return std::count(scene.right.begin(), scene.right.end(), s) > 0; };
-  return has(status) || (status == ROLLCON_COARSE && has(ROLLCON_OK));
-}
-
 TEST(stability_bodies_long, named_scenes_keep_the_laws) {
   double worst = 0, iterations = 0;
   int solved = 0;
   for (const Scene& scene : extremes::named_body_scenes()) {
     const Ending e = run(scene);
     const std::string name = scene.group + ": " + scene.name;
-    EXPECT_TRUE(right(scene, e.status)) << name << ": status " << e.status << " " << e.message;
+    EXPECT_TRUE(scene.is_right(e.status)) << name << ": status " << e.status << " " << e.message;
     if (!e.solved()) continue;
     ++solved;
     EXPECT_LE(e.law.worst(), law_bound) << name << ": " << e.law.worst_name();
@@ -55,7 +49,7 @@ void expect_right_ends(std::uint32_t first, std::uint32_t scenes, int most) {
     const Scene scene = extremes::random_body_scene(seed);
     const Ending e = run(scene);
     ++ended[e.status];
-    EXPECT_TRUE(right(scene, e.status) || e.status == ROLLCON_NOT_CONVERGED)
+    EXPECT_TRUE(scene.is_right(e.status) || e.status == ROLLCON_NOT_CONVERGED)
         << seed << ": status " << e.status << " " << e.message;
     if (e.solved()) {
       EXPECT_LE(e.law.worst(), law_bound) << seed << ": " << e.law.worst_name();

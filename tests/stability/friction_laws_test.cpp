@@ -30,7 +30,7 @@ void expect_laws_kept(const std::string& law, std::uint32_t first, std::uint32_t
       ++undecided;
     else
       ++count[e.status];
-    EXPECT_TRUE(std::count(scene.right.begin(), scene.right.end(), e.status) > 0 || e.status == ROLLCON_NOT_CONVERGED)
+    EXPECT_TRUE(scene.is_right(e.status) || e.status == ROLLCON_NOT_CONVERGED)
         << law << ", seed " << seed << ": status " << e.status << " " << e.message;
     EXPECT_TRUE(e.honest(law_bound)) << law << ", seed " << seed << ": " << e.law.worst_name() << " " << e.law.worst()
                                      << " " << extremes::describe(scene);

@@ -20,15 +20,9 @@ std::string full_name(const Scene& scene) {
   return scene.group + ": " + scene.name;
 }
 
-/// Few nodes in contact, as many small frames have, are a caveat and no other answer.
-bool right(const Scene& scene, std::int32_t status) {
-  const auto has = [&](std::int32_t s) { return std::count(scene.right.begin(), scene.right.end(), s) > 0; };
-  return has(status) || (status == ROLLCON_COARSE && has(ROLLCON_OK));
-}
-
 void expect_right(const Scene& scene, const Ending& e, const char* start) {
-  EXPECT_TRUE(right(scene, e.status)) << full_name(scene) << ", " << start << ": status " << e.status << " "
-                                      << e.message;
+  EXPECT_TRUE(scene.is_right(e.status)) << full_name(scene) << ", " << start << ": status " << e.status << " "
+                                        << e.message;
   if (!e.solved()) return;
   EXPECT_LE(e.law.worst(), law_bound) << full_name(scene) << ", " << start << ": " << e.law.worst_name();
 }

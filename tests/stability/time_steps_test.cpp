@@ -62,7 +62,7 @@ void walk(const extremes::Scene& base, std::uint32_t seed, int steps, Walk& to) 
                                      << e.law.worst() << (shift ? ", shift " : ", rolled ") << distance / h << " h";
     EXPECT_TRUE(e.law.finite) << "seed " << seed;
     EXPECT_TRUE(e.solved() || e.status == ROLLCON_NOT_CONVERGED || e.status == ROLLCON_ERR_LOAD ||
-                std::count(base.right.begin(), base.right.end(), e.status) > 0)
+                base.is_right(e.status))
         << "seed " << seed << ", step " << k << ": status " << e.status << " " << e.message;
     if (e.status == ROLLCON_NOT_CONVERGED)
       std::printf("seed %u, step %d: not converged; %s\n", seed, k, extremes::describe(base).c_str());

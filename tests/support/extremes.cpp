@@ -101,6 +101,11 @@ void give_scene(scenes::RollingPair& pair, const Scene& scene) {
   give_loads(pair, scene);
 }
 
+bool Scene::is_right(std::int32_t status) const {
+  const auto has = [&](std::int32_t s) { return std::count(right.begin(), right.end(), s) > 0; };
+  return has(status) || (status == ROLLCON_COARSE && has(ROLLCON_OK));
+}
+
 bool Ending::solved() const {
   return status == ROLLCON_OK || status == ROLLCON_RIM_CONTACT || status == ROLLCON_COARSE ||
          status == ROLLCON_NO_CONTACT;

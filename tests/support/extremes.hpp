@@ -33,6 +33,9 @@ struct Scene {
   std::vector<std::int32_t> right{ROLLCON_OK};
   double turn = 0;  ///< radian: contact must reach normals so far from the axes'
 
+  /// Whether the status is right. With OK, COARSE is: few nodes in contact are a caveat and no other answer.
+  bool is_right(std::int32_t status) const;
+
   Scene& motion(std::int32_t direction, double value);
   Scene& force(std::int32_t direction, double value);
   Scene& creep(double longitudinal, double lateral, double spin);
