@@ -29,6 +29,7 @@ std::vector<extremes::Scene> stability_body_scenes(bool quick) {
     bore.n = model == extremes::Model::fem ? std::array{18, 48, 6} : std::array{12, 32, 4};
     bore.half_angle = 61;
     all.push_back(extremes::scene_in_bore("to 60 degrees, fine", bore, 3e-3, 59));
+    all.back().right.push_back(ROLLCON_RIM_CONTACT);  // its faces end at 61 degrees
   }
   large.model = extremes::Model::bem;
   large.n = {18, 18, 12};
