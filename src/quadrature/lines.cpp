@@ -25,7 +25,7 @@ SinhMap Lines::line(double across) const {
 
 Lines lines_across(const ElementGeometry& element, const CellShape& shape, int along, double foot,
                    Tolerance tolerance) {
-  constexpr double safety = 30, across_constant = 100;
+  constexpr double safety = 30, across_constant = 100;  // as of polar_rule
   const Vec3(&c)[4] = shape.corner;
   const int last = along == 0 ? 3 : 1;
   Lines lines{{c[0], c[last]}, {c[4 - last], c[2]}};

@@ -16,11 +16,14 @@ namespace {
 constexpr int max_depth = 100;  ///< halvings of area; what is left is smaller than rounding
 constexpr int too_many = 99;
 constexpr double most_uneven = 0.3;  ///< departure from the tangent map that polar takes
-// How far outside polar works, in half sizes: not where nodes of regular grids lie, or rounding would choose.
+// How far outside polar works, in half sizes: not where nodes of regular grids lie, or rounding would choose. Slender
+// triangles have many neighbours in their reach; round ones have Gauss's rules long before. Quadratic shape functions
+// grow too fast outside, and lose digits; slender parallelograms have lines instead.
+constexpr double reach_linear_triangle = 40.3;
 constexpr double reach_affine = 2.5;
 constexpr double reach_mapped = 0.3;
 constexpr double reach_plane = 0.6;   ///< beside parts taken in their plane
-constexpr double least_slender = 16;  ///< from where lines and the plane save points
+constexpr double least_slender = 16;  ///< length over width from where lines and the plane save points
 constexpr int most_lines = 16;
 constexpr double least_series_log = 1.3;  ///< of parts taken in their plane: about 12 points for nine digits
 
@@ -152,9 +155,7 @@ class Integration {
     const Foot& foot = part.foot;
     const double outside = std::max(std::abs(foot.reference.x), std::abs(foot.reference.y)) - 1;
     if (outside > reach_plane) return false;
-    // As in foot_serves.
-    const bool weak = !strong_ || (foot_inside_ && foot_.height == 0);
-    if (!weak && outside > 0 && foot.height <= outside * shape.half_length) return false;
+    if (!weak() && outside > 0 && foot.height <= outside * shape.half_length) return false;
     part_ = &part;
     for (int i = 0; i < 4; ++i) {
       const EdgeView view = view_edge(part.affine, foot, part.corner(i), part.corner(i + 1), tolerance_);
@@ -169,11 +170,15 @@ class Integration {
   bool foot_serves(const Cell& cell) const {
     const double outside = cell.distance_outside(foot_.reference);
     if (outside <= 1e-12) return true;
-    const double reach = element_.map == MapKind::affine ? reach_affine : reach_mapped;
+    const double reach = element_.map != MapKind::affine      ? reach_mapped
+                         : element_.type == ElementType::tri3 ? reach_linear_triangle
+                                                              : reach_affine;
     if (outside > reach) return false;
-    const bool weak = !strong_ || (foot_.height == 0 && foot_inside_);
-    return weak || foot_.height > outside_length(cell);
+    return weak() || foot_.height > outside_length(cell);
   }
+
+  /// No kernel is strongly singular about the foot: a point on the element has N(x) taken away.
+  bool weak() const { return !strong_ || (foot_.height == 0 && foot_inside_); }
 
   /// About how far outside of the cell the foot lies.
   double outside_length(const Cell& cell) const {
