@@ -1,5 +1,7 @@
 // Contacts: making, frame, axes, motion, loads, friction, settings.
 
+#include <cstring>
+
 #include "calls.hpp"
 #include "scenes.hpp"
 
@@ -25,7 +27,7 @@ void create(World& w) {
   rollcon_body* two = w.body();
   if (FUZZ_CALL(w, rollcon_contact_create, c, one, two, w.in.one_in(30) ? nullptr : &made) == ROLLCON_OK) {
     w.add(made, c);
-    rollcon_contact_set_int(made, "max_iterations", 40);
+    shorten(made, 40);
   } else {
     require(made == nullptr, "a handle of nothing");
   }
@@ -178,9 +180,11 @@ void set_option(World& w) {
       if (name != "max_iterations" || n <= 60) FUZZ_CALL(w, rollcon_contact_set_int, c, text, n);
       break;
     }
-    case 1:
-      FUZZ_CALL(w, rollcon_contact_set_real, c, text, w.in.positive() / 16);
+    case 1: {
+      const double x = w.in.positive() / 16;
+      if (name != "frame_accuracy" || x >= least_frame_accuracy) FUZZ_CALL(w, rollcon_contact_set_real, c, text, x);
       break;
+    }
     default:
       FUZZ_CALL(w, rollcon_contact_set_str, c, text, w.in.one_in(40) ? nullptr : value.c_str());
   }
@@ -192,7 +196,9 @@ void set_option_in_range(World& w) {
   std::int32_t type = 0;
   double low = 0, high = 0, standard = 0;
   rollcon_option_info(w.in.byte() % rollcon_option_count(), sizeof name, name, &type, &low, &high, &standard);
-  const double part = w.in.byte() / 255.0, value = low + part * part * part * (high - low);
+  const double part = w.in.byte() / 255.0;
+  if (std::strcmp(name, "frame_accuracy") == 0) low = least_frame_accuracy;
+  const double value = low + part * part * part * (high - low);
   rollcon_contact* c = w.contact();
   if (type == ROLLCON_TYPE_INT && high <= 1)
     FUZZ_CALL(w, rollcon_contact_set_int, c, name, static_cast<std::int64_t>(value + 0.5));

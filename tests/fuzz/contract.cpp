@@ -13,46 +13,26 @@ namespace {
 
 using StatusesOf = std::map<std::string, std::set<std::int32_t>>;
 
-const std::map<std::string, std::int32_t>& status_numbers() {
-  static const std::map<std::string, std::int32_t> numbers = {{"ROLLCON_OK", ROLLCON_OK},
-                                                              {"ROLLCON_NOT_CONVERGED", ROLLCON_NOT_CONVERGED},
-                                                              {"ROLLCON_NO_CONTACT", ROLLCON_NO_CONTACT},
-                                                              {"ROLLCON_CANCELLED", ROLLCON_CANCELLED},
-                                                              {"ROLLCON_RIM_CONTACT", ROLLCON_RIM_CONTACT},
-                                                              {"ROLLCON_COARSE", ROLLCON_COARSE},
-                                                              {"ROLLCON_TOO_DEEP", ROLLCON_TOO_DEEP},
-                                                              {"ROLLCON_DERAILED", ROLLCON_DERAILED},
-                                                              {"ROLLCON_ERR_ARGUMENT", ROLLCON_ERR_ARGUMENT},
-                                                              {"ROLLCON_ERR_HANDLE", ROLLCON_ERR_HANDLE},
-                                                              {"ROLLCON_ERR_NONFINITE", ROLLCON_ERR_NONFINITE},
-                                                              {"ROLLCON_ERR_MESH", ROLLCON_ERR_MESH},
-                                                              {"ROLLCON_ERR_STATE", ROLLCON_ERR_STATE},
-                                                              {"ROLLCON_ERR_OPTION", ROLLCON_ERR_OPTION},
-                                                              {"ROLLCON_ERR_CAPACITY", ROLLCON_ERR_CAPACITY},
-                                                              {"ROLLCON_ERR_SINGULAR", ROLLCON_ERR_SINGULAR},
-                                                              {"ROLLCON_ERR_MEMORY", ROLLCON_ERR_MEMORY},
-                                                              {"ROLLCON_ERR_UNSUPPORTED", ROLLCON_ERR_UNSUPPORTED},
-                                                              {"ROLLCON_ERR_BUSY", ROLLCON_ERR_BUSY},
-                                                              {"ROLLCON_ERR_LOAD", ROLLCON_ERR_LOAD},
-                                                              {"ROLLCON_ERR_IO", ROLLCON_ERR_IO}};
-  return numbers;
-}
-
 /// "Also returns:" of the comment before each declaration of the header, and what its opening says of all functions.
 StatusesOf read_header() {
   StatusesOf all;
   std::ifstream file(ROLLCON_HEADER);
+  std::map<std::string, std::int32_t> number;  // of every enumerator
   std::set<std::int32_t> listed;
   bool in_list = false, any_thread = false;
   for (std::string line; std::getline(file, line);) {
+    std::string name_of_line, equals;
+    std::int32_t number_of_line = 0;
+    if (std::istringstream(line) >> name_of_line >> equals >> number_of_line && equals == "=")
+      number[name_of_line] = number_of_line;
     if (line.find("Also returns:") != std::string::npos) in_list = true;
     any_thread = any_thread || line.find("* Threads: any") != std::string::npos;
     if (in_list) {
       std::istringstream words(line);
       for (std::string word; words >> word;) {
         while (!word.empty() && (word.back() == ',' || word.back() == '.')) word.pop_back();
-        const auto found = status_numbers().find(word);
-        if (found != status_numbers().end()) listed.insert(found->second);
+        const auto found = number.find(word);
+        if (found != number.end()) listed.insert(found->second);
       }
       if (line.find('.') != std::string::npos) in_list = false;
     }

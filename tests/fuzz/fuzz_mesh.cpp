@@ -182,7 +182,7 @@ void bring_into_contact(World& w, rollcon_context* context, rollcon_body* body) 
   FUZZ_CALL(w, rollcon_contact_set_friction, contact, "coulomb", 1, &mu);
   FUZZ_CALL(w, rollcon_contact_prescribe, contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, w.in.positive() / 64);
   FUZZ_CALL(w, rollcon_contact_set_creep, contact, w.in.real() / 1024, w.in.real() / 1024, 0.0);
-  rollcon_contact_set_int(contact, "max_iterations", 30);
+  shorten(contact, 30);
   solve_and_check(w, contact);
 }
 

@@ -44,7 +44,7 @@ void solve(World& w, rollcon_context* context, rollcon_body* body) {
   FUZZ_CALL(w, rollcon_contact_create, context, body, other, &contact);
   w.add(contact, context);
   set_scene(contact, kind == ROLLCON_BODY_HALFSPACE || rigid ? 0 : 2);
-  rollcon_contact_set_int(contact, "max_iterations", 20);
+  shorten(contact, 20);
   // Factors of any kind may solve to anything: only the call itself is judged.
   FUZZ_CALL(w, rollcon_contact_solve, contact);
 }

@@ -12,6 +12,9 @@ constexpr int recipes = 8;
 void make_bodies(World& world, int recipe);
 /// Everything a solve needs, whatever the contact was given before.
 void set_scene(rollcon_contact* contact, int recipe);
+/// Long solves find nothing: few iterations, and coarse frames where the library makes them.
+void shorten(rollcon_contact* contact, int iterations);
+constexpr double least_frame_accuracy = 0.1;
 /// Nodes, elements and support of a body; elastic ones need a material besides.
 void give_mesh(World& world, rollcon_body* body, const Box& box);
 
