@@ -62,16 +62,20 @@ PlaneRule triangle_rule(int degree) {
   return rule;
 }
 
-PlaneRule square_rule(int degree) {
-  const LineRule line = gauss_legendre(degree / 2 + 1);
+PlaneRule product_rule(const LineRule& xi, const LineRule& eta) {
   PlaneRule rule;
-  for (std::size_t i = 0; i < line.x.size(); ++i)
-    for (std::size_t j = 0; j < line.x.size(); ++j) {
-      rule.xi.push_back(line.x[i]);
-      rule.eta.push_back(line.x[j]);
-      rule.w.push_back(line.w[i] * line.w[j]);
+  for (std::size_t i = 0; i < xi.x.size(); ++i)
+    for (std::size_t j = 0; j < eta.x.size(); ++j) {
+      rule.xi.push_back(xi.x[i]);
+      rule.eta.push_back(eta.x[j]);
+      rule.w.push_back(xi.w[i] * eta.w[j]);
     }
   return rule;
+}
+
+PlaneRule square_rule(int degree) {
+  const LineRule line = gauss_legendre(degree / 2 + 1);
+  return product_rule(line, line);
 }
 
 }  // namespace rollcon

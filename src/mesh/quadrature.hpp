@@ -24,6 +24,8 @@ inline LineRule gauss_legendre(int n) {
 /// Exact for polynomials of total degree `degree` on the triangle (0,0), (1,0), (0,1); all points inside, all weights
 /// positive (product rule collapsed at a corner).
 PlaneRule triangle_rule(int degree);
+/// Both rules' products, on [-1,1]^2: eta runs first.
+PlaneRule product_rule(const LineRule& xi, const LineRule& eta);
 /// Exact for polynomials of degree `degree` in each variable on [-1,1]^2.
 PlaneRule square_rule(int degree);
 

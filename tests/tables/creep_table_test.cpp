@@ -9,37 +9,22 @@
 #include <vector>
 
 #include "support/error.hpp"
-#include "support/frames.hpp"
 #include "support/testing.hpp"
 #include "tables/rolling_sampler.hpp"
+#include "tables/small_table.hpp"
 #include "tables/spline_basis.hpp"
-#include "tables/table_samples.hpp"
 
 namespace rollcon {
 namespace {
 
-TableGrid small_grid() {
-  TableGrid grid;
-  grid.ratios = 4;
-  grid.magnitudes = 8;
-  grid.angles = 6;
-  grid.directions = 6;
-  grid.least_ratio = 0.5;
-  grid.greatest_ratio = 2;
-  grid.along = 6;
-  grid.across = 4;
-  return grid;
-}
+using small_tables::Answer;
 
-std::vector<double> solve(const TableGrid& grid, int parts, int threads) {
-  std::vector<double> sample(static_cast<std::size_t>(SampleLayout(grid).size()),
-                             std::numeric_limits<double>::quiet_NaN());
-  for (int part = 0; part < parts; ++part) solve_samples(grid, part, parts, threads, sample);
-  return sample;
+TableGrid small_grid() {
+  return small_tables::grid(8);
 }
 
 const std::vector<double>& samples() {
-  static const std::vector<double> all = solve(small_grid(), 1, 2);
+  static const std::vector<double> all = small_tables::solve(small_grid());
   return all;
 }
 
@@ -48,50 +33,22 @@ const CreepTable& table() {
   return made;
 }
 
-/// Creepages over friction times load / (shear a b), of any size and direction.
 TableInput draw(frames::Random& random) {
   const double size = std::pow(10, random.between(-3, 2));
-  const double scale = 0.3 * 5e4 / (8e4 * 6 * 5), length = std::sqrt(30.0);
   TableInput in{8e4, random.between(0.28, 0.3), 0.3, 6, 5, 5e4, 0, 0, 0};
-  in.longitudinal = size * scale * random.between(-1, 1);
-  in.lateral = size * scale * random.between(-1, 1);
-  in.spin = size * scale / length * random.between(-1, 1);
+  small_tables::draw_creepages(random, size, in);
   return in;
 }
 
-struct Answer {
-  double force[3], by[3][9];
-};
-
 Answer ask(const TableInput& in) {
-  Answer a;
-  table().evaluate(in, 0, a.force, &a.by[0][0]);
-  return a;
+  return small_tables::ask(table(), in);
 }
 
 TEST(creep_table, derivatives_are_those_of_its_forces) {
   frames::Random random(7);
-  double worst = 0;
-  for (int n = 0; n < 300; ++n) {
-    TableInput in = draw(random);
-    const Answer a = ask(in);
-    double* const input = &in.shear;
-    const double bound = in.friction * in.load;
-    for (int j = 0; j < 9; ++j) {
-      const double keep = input[j], step = (j == 1 ? 2e-3 : 2e-3 * std::abs(keep)) / 2;
-      if (j == 1 && (keep - step < 0.28 || keep + step > 0.3)) continue;
-      input[j] = keep + step;
-      const Answer more = ask(in);
-      input[j] = keep - step;
-      const Answer less = ask(in);
-      input[j] = keep;
-      for (int i = 0; i < 3; ++i) {
-        const double unit = bound * (i == 2 ? std::sqrt(in.a * in.b) : 1);
-        worst = std::max(worst, std::abs((more.force[i] - less.force[i]) - 2 * step * a.by[i][j]) / unit);
-      }
-    }
-  }
-  // Steps of 2e-3 of the input: curvature, and single precision.
+  const auto draw_one = [&] { return draw(random); };
+  const double worst = small_tables::worst_derivative(table(), draw_one, 1e-3, {{1, {0.28, 0.3}}});
+  // Curvature over the steps, and single precision.
   expect_error("change of a force beside its derivative, over mu Fn", worst, 5e-7);
 }
 
@@ -209,7 +166,7 @@ TEST(creep_table_long, frames_suit_the_shape) {
 TEST(creep_table, neither_parts_nor_threads_change_samples) {
   TableGrid grid = small_grid();
   grid.poisson = {0.3};
-  const std::vector<double> one = solve(grid, 1, 1), many = solve(grid, 3, 2);
+  const std::vector<double> one = small_tables::solve(grid, 1, 1), many = small_tables::solve(grid, 3, 2);
   for (std::size_t i = 0; i < one.size(); ++i) ASSERT_EQ(one[i], many[i]) << i;
 }
 

@@ -2,19 +2,17 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "support/error.hpp"
-#include "support/frames.hpp"
 #include "support/scene.hpp"
 #include "support/testing.hpp"
 #include "tables/creep_table.hpp"
 #include "tables/rolling_sampler.hpp"
-#include "tables/table_samples.hpp"
+#include "tables/small_table.hpp"
 
 namespace rollcon {
 namespace {
@@ -26,78 +24,32 @@ using scenes::RollingPair;
 const UnlikePair pair_of_metals{{0.5, 1.5}, {0.28, 0.3}, {0.2, 0.3, 0.45}};
 
 TableGrid small_grid() {
-  TableGrid grid;
-  grid.ratios = 4;
-  grid.magnitudes = 10;
-  grid.angles = 6;
-  grid.directions = 6;
-  grid.least_ratio = 0.5;
-  grid.greatest_ratio = 2;
-  grid.along = 6;
-  grid.across = 4;
+  TableGrid grid = small_tables::grid(10);
   grid.pair = pair_of_metals;
   grid.poisson = {grid.pair.mean_poisson()};
   return grid;
 }
 
-std::vector<double> solve(const TableGrid& grid) {
-  std::vector<double> sample(static_cast<std::size_t>(SampleLayout(grid).size()),
-                             std::numeric_limits<double>::quiet_NaN());
-  solve_samples(grid, 0, 1, 2, sample);
-  return sample;
-}
-
 const CreepTable& table() {
-  static const CreepTable made = CreepTable::fit(small_grid(), solve(small_grid()));
+  static const CreepTable made = CreepTable::fit(small_grid(), small_tables::solve(small_grid()));
   return made;
 }
 
 TableInput draw(frames::Random& random, double greatest_size = 2) {
   const double size = std::pow(10, random.between(-3, greatest_size));
   TableInput in{8e4, small_grid().poisson[0], random.between(0.2, 0.45), 6, 5, 5e4, 0, 0, 0};
-  const double scale = in.friction * 5e4 / (8e4 * 6 * 5), length = std::sqrt(30.0);
-  in.longitudinal = size * scale * random.between(-1, 1);
-  in.lateral = size * scale * random.between(-1, 1);
-  in.spin = size * scale / length * random.between(-1, 1);
+  small_tables::draw_creepages(random, size, in);
   return in;
-}
-
-struct Answer {
-  double force[3], by[3][9];
-};
-
-Answer ask(const TableInput& in) {
-  Answer a;
-  table().evaluate(in, 0, a.force, &a.by[0][0]);
-  return a;
 }
 
 TEST(unlike_table_long, derivatives_are_those_of_its_forces) {
   frames::Random random(7);
-  double worst = 0;
-  for (int n = 0; n < 300; ++n) {
-    TableInput in = draw(random);
-    const Answer a = ask(in);
-    double* const input = &in.shear;
-    for (int j = 0; j < 9; ++j) {
-      if (j == 1) {  // Poisson's ratio is the pair's
-        for (int i = 0; i < 3; ++i) ASSERT_EQ(a.by[i][j], 0);
-        continue;
-      }
-      const double keep = input[j], step = 5e-4 * std::abs(keep), bound = in.friction * in.load;
-      if (j == 2 && (keep - step < 0.2 || keep + step > 0.45)) continue;
-      input[j] = keep + step;
-      const Answer more = ask(in);
-      input[j] = keep - step;
-      const Answer less = ask(in);
-      input[j] = keep;
-      for (int i = 0; i < 3; ++i) {
-        const double unit = bound * (i == 2 ? std::sqrt(in.a * in.b) : 1);
-        worst = std::max(worst, std::abs((more.force[i] - less.force[i]) - 2 * step * a.by[i][j]) / unit);
-      }
-    }
-  }
+  const double poisson = table().grid().poisson[0];  // the pair's, not to be changed
+  const auto draw_one = [&] { return draw(random); };
+  const double worst =
+      small_tables::worst_derivative(table(), draw_one, 5e-4, {{1, {poisson, poisson}}, {2, {0.2, 0.45}}});
   expect_error("change of a force beside its derivative, over mu Fn", worst, 5e-7);
+  for (const auto& by : small_tables::ask(table(), draw_one()).by) EXPECT_EQ(by[1], 0);
 }
 
 TEST(unlike_table_long, friction_bounds_forces_and_one_symmetry_is_exact) {
@@ -128,7 +80,7 @@ TEST(unlike_table_long, seams_are_smooth) {
   frames::Random random(13);
   double value = 0, rate = 0;
   const auto compare = [&](const TableInput& in, const TableInput& beside) {
-    const Answer a = ask(in), b = ask(beside);
+    const small_tables::Answer a = small_tables::ask(table(), in), b = small_tables::ask(table(), beside);
     const double bound = in.friction * in.load, length = std::sqrt(in.a * in.b);
     for (int i = 0; i < 3; ++i) {
       const double unit = bound * (i == 2 ? length : 1), creep = bound / (in.shear * in.a * in.b);
@@ -188,7 +140,8 @@ TEST(unlike_table_long, none_of_it_is_left_of_bodies_that_hardly_differ) {
   TableGrid of_like = small_grid();
   of_like.pair = {};
   of_like.poisson = {0.28};
-  const CreepTable unlike = CreepTable::fit(grid, solve(grid)), like = CreepTable::fit(of_like, solve(of_like));
+  const CreepTable unlike = CreepTable::fit(grid, small_tables::solve(grid)),
+                   like = CreepTable::fit(of_like, small_tables::solve(of_like));
   frames::Random random(17);
   double worst = 0;
   for (int n = 0; n < 300; ++n) {

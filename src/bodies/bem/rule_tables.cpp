@@ -39,24 +39,13 @@ Table tabulate(ElementType type, const PlaneRule& rule) {
   return table;
 }
 
-PlaneRule product(int n1, int n2) {
-  const LineRule &a = quadrature::line_rule(n1), &b = quadrature::line_rule(n2);
-  PlaneRule rule;
-  for (std::size_t i = 0; i < a.x.size(); ++i)
-    for (std::size_t j = 0; j < b.x.size(); ++j) {
-      rule.xi.push_back(a.x[i]);
-      rule.eta.push_back(b.x[j]);
-      rule.w.push_back(a.w[i] * b.w[j]);
-    }
-  return rule;
-}
-
 /// Quadrilaterals: entry (n1 - 1) * most_far_points + n2 - 1. Triangles: entry = degree.
 std::vector<Table> tables_of(ElementType type) {
   std::vector<Table> tables;
   if (corner_count(type) == 4) {
     for (int n1 = 1; n1 <= most_far_points; ++n1)
-      for (int n2 = 1; n2 <= most_far_points; ++n2) tables.push_back(tabulate(type, product(n1, n2)));
+      for (int n2 = 1; n2 <= most_far_points; ++n2)
+        tables.push_back(tabulate(type, product_rule(quadrature::line_rule(n1), quadrature::line_rule(n2))));
     return tables;
   }
   for (int degree = 0; degree <= quadrature::most_triangle_degree; ++degree) {

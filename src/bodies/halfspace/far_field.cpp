@@ -19,18 +19,6 @@ int padded(int n, int multiple) {
   return (n + multiple - 1) / multiple * multiple;
 }
 
-PlaneRule product_rule(int n) {
-  const LineRule& line = line_rule(n);
-  PlaneRule rule;
-  for (std::size_t i = 0; i < line.x.size(); ++i)
-    for (std::size_t j = 0; j < line.x.size(); ++j) {
-      rule.xi.push_back(line.x[i]);
-      rule.eta.push_back(line.x[j]);
-      rule.w.push_back(line.w[i] * line.w[j]);
-    }
-  return rule;
-}
-
 }  // namespace
 
 ElementGeometry plane_geometry(const Frame& frame, std::int64_t element) {
@@ -58,7 +46,7 @@ FarGroup::FarGroup(const Frame& frame, std::vector<std::int64_t> elements, Eleme
         levels_.push_back(make_level(rule.points, rule.degree));
   } else {
     for (int n = 2; n <= most_line_points; ++n)
-      if (2 * n - 1 > p) levels_.push_back(make_level(product_rule(n), 2 * n - 1));
+      if (2 * n - 1 > p) levels_.push_back(make_level(product_rule(line_rule(n), line_rule(n)), 2 * n - 1));
   }
 }
 

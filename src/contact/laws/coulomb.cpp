@@ -14,14 +14,7 @@ class Coulomb final : public FrictionLaw {
  public:
   FrictionTraction traction(const FrictionPoint& p) const override {
     const double a1 = p.t1 - p.rt * p.s1, a2 = p.t2 - p.rt * p.s2;
-    FrictionTraction t{};
-    t.bound = p.mu * p.pressure;
-    t.length = std::hypot(a1, a2);
-    const double factor = t.length > t.bound ? t.bound / t.length : 1;
-    t.t1 = factor * a1;
-    t.t2 = factor * a2;
-    t.sliding = !(t.length < t.bound);
-    return t;
+    return within_bound(a1, a2, std::hypot(a1, a2), p.mu * p.pressure);
   }
 
   TangentialLaw linearise(const FrictionPoint& p, bool bound_follows) const override {

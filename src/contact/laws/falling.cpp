@@ -53,14 +53,7 @@ class Falling final : public FrictionLaw {
 
   FrictionTraction traction(const FrictionPoint& p) const override {
     const double a1 = p.t1 - p.rt * p.s1, a2 = p.t2 - p.rt * p.s2;
-    FrictionTraction t{};
-    t.bound = coefficient(p) * p.pressure;
-    t.length = std::hypot(a1, a2);
-    const double factor = t.length > t.bound ? t.bound / t.length : 1;
-    t.t1 = factor * a1;
-    t.t2 = factor * a2;
-    t.sliding = !(t.length < t.bound);
-    return t;
+    return within_bound(a1, a2, std::hypot(a1, a2), coefficient(p) * p.pressure);
   }
 
   // The speed at a new slip s is that of the iterate's direction u, u.s: Newton's row is linear in it and in p.

@@ -48,6 +48,12 @@ struct FrictionTraction {
   bool sliding;   ///< it is at the bound
 };
 
+/// A vector, shortened to the bound where it is longer.
+inline FrictionTraction within_bound(double a1, double a2, double length, double bound) {
+  const double factor = length > bound ? bound / length : 1;
+  return {factor * a1, factor * a2, bound, length, !(length < bound)};
+}
+
 /// Slip (over speed) of a node per unit of its own tangential tractions.
 struct NodeResponse {
   double b[2][2];

@@ -98,14 +98,10 @@ class Associated final : public Ellipse {
 
   FrictionTraction traction(const FrictionPoint& p) const override {
     const auto a = augmented(p);
-    FrictionTraction t{};
-    t.bound = p.mu * p.pressure;
-    t.length = std::hypot(a[0], a[1]);
-    const double factor = t.length > t.bound ? t.bound / t.length : 1;
-    const auto on = n_.times(factor * a[0], factor * a[1]);
+    FrictionTraction t = within_bound(a[0], a[1], std::hypot(a[0], a[1]), p.mu * p.pressure);
+    const auto on = n_.times(t.t1, t.t2);
     t.t1 = on[0];
     t.t2 = on[1];
-    t.sliding = !(t.length < t.bound);
     return t;
   }
 
@@ -168,15 +164,8 @@ class Collinear final : public Ellipse {
 
   FrictionTraction traction(const FrictionPoint& p) const override {
     const double a1 = p.t1 - p.rt * p.s1, a2 = p.t2 - p.rt * p.s2;
-    FrictionTraction t{};
-    t.bound = p.mu * p.pressure;
     const auto on = tau(a1, a2);
-    t.length = std::hypot(on[0], on[1]);
-    const double factor = t.length > t.bound ? t.bound / t.length : 1;
-    t.t1 = factor * a1;
-    t.t2 = factor * a2;
-    t.sliding = !(t.length < t.bound);
-    return t;
+    return within_bound(a1, a2, std::hypot(on[0], on[1]), p.mu * p.pressure);
   }
 
   // P = mu p a / rho with rho = |N^-1 a|, whose gradient is g = N^-2 a / rho.

@@ -1,11 +1,10 @@
 /// The problem reached by way of others: another scale of slip, one part after the other, more or less friction.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <vector>
 
 #include "contact/newton/start.hpp"
+#include "contact/newton/strategies/by_degrees.hpp"
 #include "contact/newton/strategies/strategies.hpp"
 
 namespace rollcon {
@@ -77,29 +76,11 @@ Outcome continue_in_friction(NewtonIteration& newton, bool from_above) {
     set(0);
     outcome = newton.run(s.goal, given, {.tolerance = loose, .stick_first = true, .rehearsal = true});
   }
-  double done = 0, step = 0.25;
-  std::vector<double> lambda[3];
-  std::array<double, 4> motion{};
-  while (outcome == Outcome::converged && done < 1) {
-    for (int c = 0; c < 3; ++c) lambda[c] = it.lambda[c];
-    motion = it.motion;
-    const double next = std::min(1.0, done + step);
-    set(next);
-    outcome =
-        next == 1 ? newton.run(s.goal, s.given) : newton.run(s.goal, given, {.tolerance = loose, .rehearsal = true});
-    if (outcome == Outcome::converged) {
-      done = next;
-      step *= 1.5;
-      continue;
-    }
-    if (outcome != Outcome::not_converged || step < 1e-3 || s.iterations_left <= 0) break;
-    step *= 0.4;
-    for (int c = 0; c < 3; ++c) it.lambda[c] = lambda[c];
-    it.motion = motion;
-    it.invalidate();
-    outcome = Outcome::converged;
-  }
-  return outcome;
+  if (outcome != Outcome::converged) return outcome;
+  return go_by_degrees(newton, 0.25, [&](double part) {
+    set(part);
+    return part == 1 ? newton.run(s.goal, s.given) : newton.run(s.goal, given, {.tolerance = loose, .rehearsal = true});
+  });
 }
 
 }  // namespace rollcon

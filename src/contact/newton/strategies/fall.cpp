@@ -2,10 +2,9 @@
 /// first, then falling by degrees.
 
 #include <algorithm>
-#include <array>
-#include <vector>
 
 #include "contact/newton/start.hpp"
+#include "contact/newton/strategies/by_degrees.hpp"
 #include "contact/newton/strategies/strategies.hpp"
 
 namespace rollcon {
@@ -25,7 +24,6 @@ Outcome run_as_at_rest(NewtonIteration& newton) {
 }
 
 Outcome fall_from_rest(NewtonIteration& newton, const Prescribed& wanted, const RunSettings& last) {
-  constexpr double least_step = 1e-3;
   const Solve& s = newton.solve();
   Iterate& it = *s.iterate;
   start_cold(*s.problem, wanted, it);
@@ -36,29 +34,13 @@ Outcome fall_from_rest(NewtonIteration& newton, const Prescribed& wanted, const 
   Prescribed given = wanted;
   given.falling = 0;
   outcome = newton.run(s.goal, given, {.tolerance = loose, .stick_first = wanted.tangential_load(), .rehearsal = true});
-  std::vector<double> lambda[3];
-  std::array<double, 4> motion{};
+  if (outcome != Outcome::converged) return outcome;
   // Where slip is small against the law's speeds a tenth is a small step, too.
-  double done = 0, step = 0.1;
-  while (outcome == Outcome::converged && done < 1) {
-    for (int c = 0; c < 3; ++c) lambda[c] = it.lambda[c];
-    motion = it.motion;
-    given.falling = std::min(1.0, done + step);
-    outcome = given.falling == 1 ? newton.run(s.goal, wanted, last)
-                                 : newton.run(s.goal, given, {.tolerance = loose, .rehearsal = true});
-    if (outcome == Outcome::converged) {
-      done = given.falling;
-      step *= 1.5;
-      continue;
-    }
-    if (outcome != Outcome::not_converged || step < least_step || s.iterations_left <= 0) break;
-    step *= 0.4;
-    for (int c = 0; c < 3; ++c) it.lambda[c] = lambda[c];
-    it.motion = motion;
-    it.invalidate();
-    outcome = Outcome::converged;
-  }
-  return outcome;
+  return go_by_degrees(newton, 0.1, [&](double part) {
+    given.falling = part;
+    return part == 1 ? newton.run(s.goal, wanted, last)
+                     : newton.run(s.goal, given, {.tolerance = loose, .rehearsal = true});
+  });
 }
 
 }  // namespace rollcon
