@@ -49,7 +49,10 @@ TEST(unlike_table_long, derivatives_are_those_of_its_forces) {
   const double worst =
       small_tables::worst_derivative(table(), draw_one, 5e-4, {{1, {poisson, poisson}}, {2, {0.2, 0.45}}});
   expect_error("change of a force beside its derivative, over mu Fn", worst, 5e-7);
-  for (const auto& by : small_tables::ask(table(), draw_one()).by) EXPECT_EQ(by[1], 0);
+  for (int n = 0; n < 300; ++n) {
+    const small_tables::Answer a = small_tables::ask(table(), draw_one());
+    for (const auto& by : a.by) ASSERT_EQ(by[1], 0);
+  }
 }
 
 TEST(unlike_table_long, friction_bounds_forces_and_one_symmetry_is_exact) {

@@ -48,7 +48,7 @@ struct FrictionTraction {
   bool sliding;   ///< it is at the bound
 };
 
-/// A vector, shortened to the bound where it is longer.
+/// A vector, shortened where its length, as the law measures it, is beyond the bound.
 inline FrictionTraction within_bound(double a1, double a2, double length, double bound) {
   const double factor = length > bound ? bound / length : 1;
   return {factor * a1, factor * a2, bound, length, !(length < bound)};

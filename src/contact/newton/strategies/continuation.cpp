@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "contact/newton/start.hpp"
-#include "contact/newton/strategies/by_degrees.hpp"
+#include "contact/newton/strategies/continuation_steps.hpp"
 #include "contact/newton/strategies/strategies.hpp"
 
 namespace rollcon {
@@ -77,7 +77,7 @@ Outcome continue_in_friction(NewtonIteration& newton, bool from_above) {
     outcome = newton.run(s.goal, given, {.tolerance = loose, .stick_first = true, .rehearsal = true});
   }
   if (outcome != Outcome::converged) return outcome;
-  return go_by_degrees(newton, 0.25, [&](double part) {
+  return continuation_steps(newton, 0.25, [&](double part) {
     set(part);
     return part == 1 ? newton.run(s.goal, s.given) : newton.run(s.goal, given, {.tolerance = loose, .rehearsal = true});
   });

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "contact/newton/start.hpp"
-#include "contact/newton/strategies/by_degrees.hpp"
+#include "contact/newton/strategies/continuation_steps.hpp"
 #include "contact/newton/strategies/strategies.hpp"
 
 namespace rollcon {
@@ -36,7 +36,7 @@ Outcome fall_from_rest(NewtonIteration& newton, const Prescribed& wanted, const 
   outcome = newton.run(s.goal, given, {.tolerance = loose, .stick_first = wanted.tangential_load(), .rehearsal = true});
   if (outcome != Outcome::converged) return outcome;
   // Where slip is small against the law's speeds a tenth is a small step, too.
-  return go_by_degrees(newton, 0.1, [&](double part) {
+  return continuation_steps(newton, 0.1, [&](double part) {
     given.falling = part;
     return part == 1 ? newton.run(s.goal, wanted, last)
                      : newton.run(s.goal, given, {.tolerance = loose, .rehearsal = true});

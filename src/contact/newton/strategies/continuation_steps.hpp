@@ -1,5 +1,5 @@
 #pragma once
-/// A problem reached through easier ones.
+/// Continuation: a problem reached through easier ones.
 
 #include <algorithm>
 #include <array>
@@ -9,10 +9,10 @@
 
 namespace rollcon {
 
-/// Follows the solution from the iterate's, at 0, to that at 1. solve(part) solves the problem at part of the way from
-/// the iterate. Steps grow where it converges, and are taken again shorter where it does not.
+/// Follows the solution from the iterate's, at 0, to that at 1. solve_at(part) solves the problem at this part of the
+/// way, from the iterate. Steps grow where it converges, and are taken again, shorter, where it does not.
 template <class SolveAt>
-Outcome go_by_degrees(NewtonIteration& newton, double step, const SolveAt& solve_at) {
+Outcome continuation_steps(NewtonIteration& newton, double step, const SolveAt& solve_at) {
   constexpr double least_step = 1e-3;
   Iterate& it = *newton.solve().iterate;
   std::vector<double> lambda[3];
