@@ -615,7 +615,7 @@ contains
   end subroutine
 
   !> Asks a running solve to stop (an atomic store): at its next iteration, or, while bodies and operators are prepared,
-  !> within moments; only a factorisation runs to its end. The solve returns ROLLCON_CANCELLED; the contact stays
+  !> within moments; only a sparse factorisation runs to its end. The solve returns ROLLCON_CANCELLED; the contact stays
   !> usable. What was cancelled during its preparation has no results, and the next solve prepares it anew.
   subroutine contact_request_cancel(self, stat, errmsg)
     class(rc_contact_plain), intent(in) :: self

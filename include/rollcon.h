@@ -1597,9 +1597,9 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_event_get_real(const rollcon_eve
 
 /*
  * Asks a running solve to stop (an atomic store): at its next iteration, or, while bodies and
- * operators are prepared, within moments; only a factorisation runs to its end. The solve returns
- * ROLLCON_CANCELLED; the contact stays usable. What was cancelled during its preparation has no
- * results, and the next solve prepares it anew.
+ * operators are prepared, within moments; only a sparse factorisation runs to its end. The solve
+ * returns ROLLCON_CANCELLED; the contact stays usable. What was cancelled during its preparation
+ * has no results, and the next solve prepares it anew.
  * Threads: any.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_request_cancel(rollcon_contact *contact);

@@ -6,6 +6,7 @@
 
 #include "linalg/dense.hpp"
 #include "linalg/lapack.hpp"
+#include "linalg/panel_lu.hpp"
 #include "support/interrupt.hpp"
 
 namespace rollcon {
@@ -56,9 +57,7 @@ bool FactoredMatrix::factor() {
   const auto n = static_cast<int>(n_);
   const double norm = frobenius_norm(a_.get(), n_);
   if (!std::isfinite(norm)) return false;
-  int info = 0;
-  dgetrf_(&n, &n, a_.get(), &n, pivot_.data(), &info);
-  if (info != 0) return false;
+  if (factor_by_panels(n, a_.get(), pivot_.data()) != 0) return false;
   factored_ = estimate_condition(norm);
   return factored_;
 }

@@ -4,6 +4,8 @@
 
 #include <random>
 
+#include "linalg/lapack.hpp"
+#include "support/interrupt.hpp"
 #include "support/testing.hpp"
 
 namespace rollcon {
@@ -157,6 +159,56 @@ TEST(FactoredMatrix, a_condition_beyond_numbers_is_infinite) {
   FactoredMatrix f;
   EXPECT_FALSE(factor(f, {1e200, 0, 0, 1e-200}, 2));
   EXPECT_EQ(f.condition(), std::numeric_limits<double>::infinity());
+}
+
+/// Wants a stop when it is asked for the n-th time.
+class StopAt final : public Interrupt {
+ public:
+  explicit StopAt(int n) : n_(n) {}
+  bool wanted() const override { return ++asked >= n_; }
+  mutable int asked = 0;
+
+ private:
+  void tell() override {}
+  int n_;
+};
+
+/// Largest residual of the solution whose right side is ones.
+double residual(const FactoredMatrix& f, const Matrix& a, std::int64_t n) {
+  Matrix x(at(n), 1.0), product(at(n), -1.0);
+  f.solve(x.data(), 1);
+  for (std::int64_t j = 0; j < n; ++j)
+    for (std::int64_t i = 0; i < n; ++i) product[at(i)] += a[at(i + j * n)] * x[at(j)];
+  double worst = 0;
+  for (const double v : product) worst = std::max(worst, std::abs(v));
+  return worst;
+}
+
+// Large enough to be factorised in parts.
+TEST(FactoredMatrix, factorisation_asks_between_its_parts_whether_to_go_on) {
+  constexpr std::int64_t n = 4800;
+  const Matrix a = random_matrix(n, 7);
+  FactoredMatrix f;
+  {
+    const StopAt second(2);
+    EXPECT_THROW(factor(f, a, n), Cancelled);
+    EXPECT_FALSE(f.factored());
+  }
+  const StopAt never(1000);
+  ASSERT_TRUE(factor(f, a, n));
+  EXPECT_GE(never.asked, 3);
+  // LAPACK's own takes the same rows and leaves as small a residual.
+  Matrix whole = a;
+  const int order = n;
+  std::vector<std::int32_t> pivot(at(n));
+  int info = 0;
+  dgetrf_(&order, &order, whole.data(), &order, pivot.data(), &info);
+  ASSERT_EQ(info, 0);
+  EXPECT_TRUE(std::equal(pivot.begin(), pivot.end(), f.pivots().begin()));
+  FactoredMatrix by_lapack;
+  std::copy(whole.begin(), whole.end(), by_lapack.prepare(n));
+  ASSERT_TRUE(by_lapack.restore(pivot, f.condition()));
+  expect_error("residual over that of LAPACK", residual(f, a, n) / residual(by_lapack, a, n), 2);
 }
 
 }  // namespace

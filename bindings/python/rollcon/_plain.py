@@ -624,8 +624,8 @@ class ContactPlain:
 
     def request_cancel(self) -> None:
         """Asks a running solve to stop (an atomic store): at its next iteration, or, while bodies
-        and operators are prepared, within moments; only a factorisation runs to its end. The
-        solve returns CANCELLED; the contact stays usable. What was cancelled during its
+        and operators are prepared, within moments; only a sparse factorisation runs to its end.
+        The solve returns CANCELLED; the contact stays usable. What was cancelled during its
         preparation has no results, and the next solve prepares it anew.
         """
         self._call("request_cancel")
