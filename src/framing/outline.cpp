@@ -241,7 +241,7 @@ double Outline::height_of(double angle, AtBodyEnds at_ends) const {
 std::vector<Strip> Outline::strips(std::int64_t across, double stretch, AtBodyEnds at_ends) const {
   std::vector<Strip> strip;
   const double more = passed_.empty() ? 1 : passed_.back();
-  const auto last = 2 * std::llround(0.5 * more * static_cast<double>(across));
+  const auto last = 2 * to_index(std::round(0.5 * more * static_cast<double>(across)));
   // Of the height. Beyond it lattices, whose hats are cut in half at the end, show too short a contact; strips that are
   // too long there cost little.
   constexpr double near_end = 0.8;

@@ -156,7 +156,7 @@ void ElementCoupling::pair(const Polygon& piece, Side& upper, Side& lower) {
       const double r = std::min(upper.ratio(a, b, c), lower.ratio(a, b, c));
       const double z = (1 + r * r) / (1 - r * r);
       const double rate = 2 * std::log(z + std::sqrt(z * z - 1));
-      points = polynomial + (flat ? static_cast<int>(std::min(24 / rate, 16.0)) : 1);
+      points = polynomial + (flat ? static_cast<int>(to_index(std::min(24 / rate, 16.0))) : 1);
     }
     const PlaneRule& at_points = rule(points);
     const double jacobian = cross(b - a, c - a);

@@ -7,6 +7,7 @@
 
 #include "geometry/profile_fit.hpp"
 #include "support/error.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
 namespace {
@@ -86,10 +87,10 @@ double polynomial(std::span<const double> c, double y) {
 
 /// A spline so fine that it is the polynomial within 1e-10 mm, as arc length has no closed form.
 void add_polynomial(Pieces& all, std::span<const double> coefficient, double from, double to, double step) {
-  const auto parts = static_cast<int>(std::ceil((to - from) / step));
+  const std::int64_t parts = to_index(std::ceil((to - from) / step));
   std::vector<Vec2> point;
-  for (int i = 0; i <= parts; ++i) {
-    const double y = from + (to - from) * i / parts;
+  for (std::int64_t i = 0; i <= parts; ++i) {
+    const double y = from + (to - from) * static_cast<double>(i) / static_cast<double>(parts);
     point.push_back({y, polynomial(coefficient, y)});
   }
   const Pieces fit = spline_through(point);

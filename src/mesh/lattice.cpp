@@ -6,12 +6,10 @@
 #include <cstdio>
 #include <utility>
 
+#include "support/index.hpp"
+
 namespace rollcon {
 namespace {
-
-std::size_t at(std::int64_t k) {
-  return static_cast<std::size_t>(k);
-}
 
 struct Direction {
   double x, y;
@@ -111,8 +109,8 @@ bool Search::number_nodes() {
   for (std::size_t k = 0; k < n; ++k) {
     if (!frame_.used[k]) continue;
     const double u = (along(k) - low[0]) / lattice_.dx, v = (across(k) - low[1]) / lattice_.dy;
-    i_[k] = static_cast<std::int32_t>(std::lround(u));
-    j_[k] = static_cast<std::int32_t>(std::lround(v));
+    i_[k] = static_cast<std::int32_t>(to_index(std::round(u)));
+    j_[k] = static_cast<std::int32_t>(to_index(std::round(v)));
     const double off = std::max(std::abs(u - i_[k]), std::abs(v - j_[k]));
     if (off > 0.25)
       return refuse("node %lld lies %.2g of a spacing off its place, %g is allowed", shown(k), off, lattice_tolerance);

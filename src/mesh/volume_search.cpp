@@ -62,7 +62,7 @@ VolumeSearch::VolumeSearch(std::span<const Vec3> node, const VolumeElements& vol
     mean = mean + (1 / n) * box.size();
   }
   for (std::size_t c = 0; c < 3; ++c) {
-    cells_[c] = std::clamp(static_cast<std::int64_t>(box_.size()[c] / mean[c]), std::int64_t{1}, std::int64_t{256});
+    cells_[c] = std::clamp(to_index(std::min(box_.size()[c] / mean[c], 256.0)), std::int64_t{1}, std::int64_t{256});
     cell_[c] = box_.size()[c] / static_cast<double>(cells_[c]);
   }
   start_.assign(at(cells_[0] * cells_[1] * cells_[2]) + 1, 0);
@@ -84,7 +84,7 @@ VolumeSearch::VolumeSearch(std::span<const Vec3> node, const VolumeElements& vol
 }
 
 std::int64_t VolumeSearch::along(double x, std::size_t direction) const {
-  const auto k = static_cast<std::int64_t>(std::floor((x - box_.low[direction]) / cell_[direction]));
+  const std::int64_t k = to_index(std::floor((x - box_.low[direction]) / cell_[direction]));
   return std::clamp(k, std::int64_t{0}, cells_[direction] - 1);
 }
 

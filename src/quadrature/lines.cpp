@@ -6,6 +6,7 @@
 
 #include "quadrature/ellipse.hpp"
 #include "quadrature/polar.hpp"
+#include "support/index.hpp"
 
 namespace rollcon::quadrature {
 
@@ -49,7 +50,7 @@ Lines lines_across(const ElementGeometry& element, const CellShape& shape, int a
     axis = std::min(axis, ellipse_axis(from, 0.5 * (from + to), to));
   }
   const double number = std::ceil(0.5 * (degree + std::log(across_constant / target) / log_rho(axis)));
-  lines.number = static_cast<int>(std::min(number, 99.0));
+  lines.number = static_cast<int>(to_index(std::min(number, 99.0)));
   return lines;
 }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "quadrature/ellipse.hpp"
+#include "support/index.hpp"
 
 namespace rollcon::quadrature {
 namespace {
@@ -98,8 +99,8 @@ Selection select_rule(const ElementGeometry& element, const CellShape& g, Tolera
   const double n1 = std::ceil(0.5 * exponent(axis[0], element.jacobian_log_rho[0])),
                n2 = std::ceil(0.5 * exponent(axis[1], element.jacobian_log_rho[1]));
   selection.gauss = n1 <= most_line_points && n2 <= most_line_points;
-  selection.first = static_cast<int>(std::min<double>(n1, too_many));
-  selection.second = static_cast<int>(std::min<double>(n2, too_many));
+  selection.first = static_cast<int>(to_index(std::min<double>(n1, too_many)));
+  selection.second = static_cast<int>(to_index(std::min<double>(n2, too_many)));
   return selection;
 }
 

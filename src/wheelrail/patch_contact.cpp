@@ -8,6 +8,7 @@
 
 #include "framing/hertz.hpp"
 #include "framing/makers.hpp"
+#include "support/index.hpp"
 #include "wheelrail/hertzian_patch.hpp"
 
 namespace rollcon {
@@ -298,7 +299,7 @@ FramePlace PatchContact::place() {
   const bool hold = now_.hold && now_.shaped;
   now_.shaped = true;
   const auto follow = [hold](double value, std::int64_t& at) {
-    if (!hold && std::abs(value - static_cast<double>(at)) > late) at = std::llround(value);
+    if (!hold && std::abs(value - static_cast<double>(at)) > late) at = to_index(std::round(value));
     return static_cast<double>(at);
   };
   const double longer = length / width, ratio = std::exp(step * follow(std::log(longer) / step, now_.shape[0])),

@@ -168,6 +168,20 @@ TEST(TimeStep, order_in_the_step) {
   EXPECT_LT(before, 0.02);
 }
 
+// Material that travels so far that a lattice's offsets are no numbers any more.
+TEST(TimeStep, steps_that_overflow_are_refused) {
+  for (const double dt : {1e30, 1e160, 1e300}) {
+    KalkerSpheres spheres(12);
+    spheres.pair.friction(KalkerSpheres::mu);
+    spheres.scene().set_creep(1e-3, 0, 0);
+    spheres.contact().solve();
+    spheres.scene().set_step(rolling_step, dt);
+    EXPECT_THROW(spheres.contact().solve(), Error) << dt;
+    spheres.scene().set_step(rolling_step, 1);
+    EXPECT_EQ(spheres.contact().solve(), Status::ok) << dt;
+  }
+}
+
 // Of 35 mm, five times the contact: all material is new, and what it brings along is what is left of displacements so
 // far away.
 TEST(TimeStep, steps_longer_than_the_contact) {

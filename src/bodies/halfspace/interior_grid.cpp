@@ -199,7 +199,7 @@ void InteriorGrid::influence(const InteriorSlice& slice, Table& table) const {
   // Offsets that mirror others take their values.
   const bool mirror_x = half_integer(slice.shift_x), mirror_y = half_integer(slice.shift_y);
   const auto partner = [](bool mirror, double shift, std::int64_t low, std::int64_t n, std::int64_t i) {
-    const std::int64_t other = mirror ? -(low + i) - static_cast<std::int64_t>(std::round(2 * shift)) - low : i;
+    const std::int64_t other = mirror ? -(low + i) - to_index(std::round(2 * shift)) - low : i;
     return other > i && other < n ? other : i;
   };
   double value[3][9];

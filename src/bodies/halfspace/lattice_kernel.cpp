@@ -5,6 +5,7 @@
 
 #include "bodies/halfspace/lattice_far.hpp"
 #include "support/error.hpp"
+#include "support/index.hpp"
 
 namespace rollcon::halfspace {
 
@@ -47,7 +48,7 @@ void LatticeIntegrals::make_near() {
     const double source = std::round(-shift / h), most = static_cast<double>(reach);
     const double first = std::max(std::ceil((-near - shift) / h), std::min(-most, source));
     const double last = std::min(std::floor((near - shift) / h), std::max(most, source));
-    return OffsetRange{static_cast<std::int64_t>(first), static_cast<std::int64_t>(last)};
+    return OffsetRange{to_index(first), to_index(last)};
   };
   near_x_ = range(near_x, shift_x_, dx, reach_.x);
   near_y_ = range(near_y, shift_y_, dy, reach_.y);

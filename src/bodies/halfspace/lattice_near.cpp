@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "bodies/halfspace/lattice_antiderivatives.hpp"
+#include "support/index.hpp"
 #include "support/interrupt.hpp"
 
 namespace rollcon::halfspace {
@@ -176,7 +177,7 @@ double ellipse_size(double along, double beside) {
 int hat_points(double size, double digits) {
   if (digits <= 1) return 1;
   const double n = std::ceil(std::log(digits) / (2 * std::log(size)));
-  return static_cast<int>(std::clamp(n, 1.0, static_cast<double>(max_hat_points)));
+  return static_cast<int>(to_index(std::clamp(n, 1.0, static_cast<double>(max_hat_points))));
 }
 
 const LineRule& stored_hat_rule(Hat hat, int n) {
