@@ -115,9 +115,12 @@ void Contact::reset() {
 }
 
 void Contact::end_step(Status status) {
-  if (scene.step_kind() == StepKind::steady) return;
-  for (const Status usable : {Status::ok, Status::rim_contact, Status::coarse, Status::no_contact, Status::inaccurate})
-    if (status == usable) return rollcon::end_step(*state_, scene);
+  if (scene.step_kind() != StepKind::steady && is_answer(status)) rollcon::end_step(*state_, scene);
+}
+
+bool Contact::is_answer(Status status) {
+  return status == Status::ok || status == Status::rim_contact || status == Status::coarse ||
+         status == Status::no_contact || status == Status::inaccurate;
 }
 
 std::unique_ptr<Contact> Contact::make_follower() const {

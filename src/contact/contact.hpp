@@ -74,6 +74,8 @@ class Contact {
   /// After a solve, whose status is given: what a time step starts from moves on if it was one and succeeded. solve()
   /// does this itself, solve_on_frame does not.
   void end_step(Status status);
+  /// Whether a solve with this status leaves a state that a step can start from.
+  static bool is_answer(Status status);
   /// The next time step starts from where the last one did. err_state: there was none.
   void repeat_step();
   /// What the next time step starts from, as numbers with a header and a checksum; returns how many. Copies if capacity

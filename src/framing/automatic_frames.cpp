@@ -16,6 +16,7 @@
 #include "framing/makers.hpp"
 #include "framing/patch_search.hpp"
 #include "support/error.hpp"
+#include "support/index.hpp"
 #include "support/interrupt.hpp"
 
 namespace rollcon {
@@ -160,7 +161,10 @@ class AutomaticFrames final : public FrameMaker {
       ++shapes_;
       status = solve_pair(contact);
     }
-    return status;
+    // A step is made on both frames, whatever the finer one says: the past of both is the one it starts from.
+    if (coarse_solved_ || contact.scene.step_kind() == StepKind::steady || !Contact::is_answer(status)) return status;
+    const Status below = coarse_->solve_on_frame();
+    return Contact::is_answer(below) ? status : below;
   }
 
   Status solve_pair(Contact& contact) {
@@ -169,7 +173,8 @@ class AutomaticFrames final : public FrameMaker {
     lay_frames(contact.scene, coarse_->scene);
     share_loads(contact);
     const Status status = contact.solve_on_frame();
-    if (status != Status::ok) return status;
+    coarse_solved_ = status == Status::ok;
+    if (!coarse_solved_) return status;
     const Status below = coarse_->solve_on_frame();
     if (below != Status::ok) return below;
     contact.extrapolate_from(*coarse_, family(contact));
@@ -283,7 +288,7 @@ class AutomaticFrames final : public FrameMaker {
     const auto first = end_of_body(gap, middle, low - more), last = end_of_body(gap, middle, high + more);
     low = first ? *first + before : low - more;
     high = last ? *last - before : high + more;
-    return std::max<std::int64_t>(std::llround((high - low) / size), 2);
+    return std::max<std::int64_t>(to_index(std::round((high - low) / size)), 2);
   }
 
   /// Last place between both that has a gap; none if all have or if that inside has none.
@@ -326,6 +331,7 @@ class AutomaticFrames final : public FrameMaker {
   };
 
   std::unique_ptr<Contact> coarse_;
+  bool coarse_solved_ = false;  // by the last pair
   PatchSearch search_;
   std::unique_ptr<HertzFriction> hertz_friction_;  ///< made when it is asked for
   Shape shape_;

@@ -65,6 +65,27 @@ TEST(time_steps_on_made_frames_long, load_that_changes) {
   EXPECT_EQ(rollcon_contact_save_past(steps.handle(), 0, nullptr, &n), ROLLCON_ERR_STATE);
 }
 
+// A step in which the bodies do not touch is one of both frames of the pair; the next one starts from rest.
+TEST(time_steps_on_made_frames, first_step_without_contact) {
+  RollingPair touching(soft, soft), parted(soft, soft);
+  for (RollingPair* pair : {&touching, &parted}) {
+    kalker(*pair);
+    pair->creep(1e-3, 0, 0);
+  }
+  for (const std::int32_t kind : {ROLLCON_ROLLING_STEP, ROLLCON_SHIFT_STEP}) {
+    parted.load(0);
+    ASSERT_EQ(rollcon_contact_set_step(parted.handle(), kind, 0.5), ROLLCON_OK);
+    ASSERT_EQ(parted.solve(), ROLLCON_NO_CONTACT);
+    ASSERT_EQ(parted.solve(), ROLLCON_NO_CONTACT);
+    parted.load(load);
+    step(touching, kind, 0.5);
+    step(parted, kind, 0.5);
+    EXPECT_NEAR(parted.solution().force[0], touching.solution().force[0], 1e-6 * mu * load);
+    ASSERT_EQ(rollcon_contact_reset(touching.handle()), ROLLCON_OK);
+    ASSERT_EQ(rollcon_contact_reset(parted.handle()), ROLLCON_OK);
+  }
+}
+
 // Frames of the caller that end at the contact's edge.
 TEST(time_steps_on_made_frames, frame_of_an_ellipse) {
   RollingPair pair(soft, soft);
