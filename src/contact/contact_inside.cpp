@@ -7,6 +7,7 @@
 #include "contact/prepare/lattice_scene.hpp"
 #include "contact/results/stresses.hpp"
 #include "contact/solution.hpp"
+#include "support/input_checks.hpp"
 
 namespace rollcon {
 namespace {
@@ -92,6 +93,8 @@ void Contact::write_body(std::int32_t body, const char* path) const {
 void Contact::stresses_at(std::int32_t body, std::int64_t n, const double* xyz, double* stress, double* u) const {
   require_solution();
   find_stresses(*state_, body, {n, xyz}, scene.options.stress_accuracy, context_->threads(), stress, u);
+  if (stress) require_finite_results(n, 6, stress, "stress");
+  if (u) require_finite_results(n, 3, u, "u");
 }
 
 }  // namespace rollcon

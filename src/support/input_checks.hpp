@@ -32,6 +32,16 @@ inline void require_finite(std::int64_t n, int components, const double* value, 
   }
 }
 
+/// For n results with `components` values each, before they go out: none is success that is no number.
+inline void require_finite_results(std::int64_t n, int components, const double* value, const char* name) {
+  for (std::int64_t k = 0; k < n * components; ++k)
+    if (!std::isfinite(value[k]))
+      fail(Status::err_nonfinite,
+           "value %lld of %s of entry %lld (both counting from 0) comes out as %g: inputs so "
+           "large or small leave no digits",
+           static_cast<long long>(k % components), name, static_cast<long long>(k / components), value[k]);
+}
+
 inline void require_count(std::int64_t n, const char* name) {
   if (n < 0) fail(Status::err_argument, "%s is %lld; allowed: 0 or more", name, static_cast<long long>(n));
 }

@@ -212,6 +212,8 @@ void ForceTable::evaluate(std::int64_t n, const double* input, double* result, d
     ready.evaluate({v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8]}, i, result + 3 * i,
                    derivative ? derivative + 27 * i : nullptr);
   }
+  require_finite_results(n, 3, result, "results");
+  if (derivative) require_finite_results(n, 27, derivative, "derivatives");
 }
 
 void ForceTable::evaluate(const EquivalentEllipse& contact, double* result) const {
@@ -225,6 +227,7 @@ void ForceTable::evaluate(const EquivalentEllipse& contact, double* result) cons
          "(1 - 2 nu)/(2 G) of body 1 less that of body 2 is %g over the mean of 1/G; the table's bodies have %g",
          c.strained * c.shear, grid.pair.strained());
   table().evaluate(input, 0, result, nullptr);
+  require_finite_results(1, 3, result, "results");
 }
 
 void ForceTable::save(const std::string& path) const {

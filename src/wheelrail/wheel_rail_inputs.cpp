@@ -63,6 +63,8 @@ void WheelRail::set_wheelset(double back_to_back, double flange_back, double rad
 void WheelRail::set_rail_deviation(const double* deviation, const double* rate) {
   require_finite_vector(deviation, "deviation");
   require_finite_vector(rate, "rate");
+  if (!(std::abs(deviation[2]) <= 0.5))
+    fail(Status::err_argument, "roll of the rail's deviation is %g; allowed: -0.5 to 0.5 (radian)", deviation[2]);
   in_.deviation = {side_ * deviation[0], deviation[1], side_ * deviation[2]};
   in_.rate = {side_ * rate[0], rate[1], side_ * rate[2]};
 }

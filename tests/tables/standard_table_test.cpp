@@ -1,8 +1,11 @@
 /// The table that comes with the library beside contacts.
 
 #include <cmath>
+#include <memory>
 #include <string>
 
+#include "support/context.hpp"
+#include "support/error.hpp"
 #include "support/scene.hpp"
 #include "support/testing.hpp"
 #include "tables/force_table.hpp"
@@ -12,6 +15,20 @@ namespace {
 
 using closed_forms::Elastic;
 using scenes::RollingPair;
+
+TEST(standard_table, results_that_are_no_numbers_are_errors) {
+  const auto table = ForceTable::standard(std::make_shared<Context>());
+  double input[9] = {8e4, 0.28, 0.3, 1, 1, 100, 1e308, 0, 0}, force[3];
+  try {
+    table->evaluate(1, input, force, nullptr);
+    FAIL() << force[0];
+  } catch (const Error& error) {
+    EXPECT_EQ(error.status(), Status::err_nonfinite) << error.what();
+  }
+  input[6] = 1;
+  table->evaluate(1, input, force, nullptr);
+  EXPECT_NEAR(std::abs(force[0]), 30, 0.1);
+}
 
 TEST(standard_table, beside_contacts) {
   const auto table = ForceTable::standard(std::make_shared<Context>());
