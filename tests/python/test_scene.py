@@ -40,6 +40,20 @@ class Results(Scene):
         self.assertGreater(np.abs(made.tractions()).max(), 100)
         np.testing.assert_allclose(given.tractions(), made.tractions(), atol=1e-8)
 
+    def test_a_grid_of_gaps_is_an_array(self):
+        x, y = np.linspace(-2, 2, 7), np.linspace(-3, 3, 5)
+        gap = 0.01 * x**2 + 0.02 * y[:, None] ** 2
+        forces = []
+        for values in (gap, gap.ravel()):
+            contact = self.contact()
+            contact.set_gap_grid(7, -2, 2, -3, 3, values)
+            contact.solve()
+            forces.append(contact.tractions())
+        np.testing.assert_array_equal(*forces)
+        for values in (gap.T, gap[None], 1.0):
+            with self.assertRaisesRegex(ValueError, "set_gap_grid: expected gap of shape"):
+                contact.set_gap_grid(7, -2, 2, -3, 3, values)
+
     def test_a_case_is_a_solve(self):
         contact = self.contact()
         cases = contact.solve_many([rc.NORMAL], [[LOAD], [0.8 * LOAD]], derivatives=True, tractions=True)

@@ -141,8 +141,17 @@ class Contact(Settings, ContactPlain, Handle):
         self._call("set_progress", wrapped, None)
         self._callbacks["progress"] = wrapped
 
+    def set_gap_grid(self, nx: int, x_least: float, x_greatest: float, y_least: float, y_greatest: float,
+                     gap: ArrayLike) -> None:
+        """As in the library, and gap may be an array [ny, nx] instead of its lines one after the other."""
+        gap = np.asarray(gap, dtype=np.float64)
+        if gap.ndim not in (1, 2) or gap.ndim == 2 and gap.shape[1] != nx:
+            raise ValueError(f"set_gap_grid: expected gap of shape (ny, {nx}) or (ny * {nx},), got {gap.shape}")
+        super().set_gap_grid(nx, x_least, x_greatest, y_least, y_greatest, gap.ravel())
+
     def solve(self) -> Status:
-        """Solves and returns the status: OK, NOT_CONVERGED, NO_CONTACT, CANCELLED, RIM_CONTACT, COARSE."""
+        """Solves and returns the status: OK, NOT_CONVERGED, NO_CONTACT, CANCELLED, RIM_CONTACT, COARSE,
+        INACCURATE."""
         self._raised.clear()
         status = call(lib.rollcon_contact_solve, self._handle)
         if self._raised:
