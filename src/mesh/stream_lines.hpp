@@ -47,8 +47,9 @@ class StreamLines {
     std::int32_t node[3];
   };
   const Frame& frame_;
+  std::vector<double> level_;       ///< y of the nodes, without rounding between those on one line
   std::vector<Triangle> triangle_;  ///< by `low`
-  double tallest_ = 0, least_y_ = 0, greatest_y_ = 0, rounding_ = 0;
+  double tallest_ = 0, rounding_ = 0;
   double lowest_ = 0;  ///< where a line has triangles below it
   std::vector<double> y_;
   std::vector<std::size_t> start_{0};

@@ -192,6 +192,52 @@ TEST(friction_memory, published_creep_force_curve) {
   }
 }
 
+// Every law looks at the scene alone, not at how its axes lie in space: rounding decides nothing.
+TEST(friction_memory, turned_in_space) {
+  enum class With { nothing, memory, heat, yield };
+  struct Case {
+    const char* law;
+    std::vector<double> parameters;
+    With with;
+  };
+  const std::vector<double> falling{0.1, 0.2, 0.2};
+  for (const Case& c :
+       {Case{"coulomb", {0.3}, With::nothing}, Case{"coulomb", {0.3}, With::yield},
+        Case{"orthotropic", {0.3, 0.2, 0.4}, With::nothing},
+        Case{"orthotropic_collinear", {0.3, 0.2, 0.4}, With::nothing}, Case{"linear", falling, With::nothing},
+        Case{"rational", falling, With::nothing}, Case{"exponential", falling, With::nothing},
+        Case{"linear", falling, With::memory}, Case{"rational", falling, With::memory},
+        Case{"exponential", falling, With::memory}, Case{"temperature", {0, 0.3, 50, 0.1}, With::heat}}) {
+    std::vector<double> straight;
+    double worst = 0;
+    for (const double angle : {0.0, 1e-3, 2.5}) {
+      Pair pair = pair_of("rational", 1);
+      Scene& s = pair.contact->scene;
+      const std::vector<double> lines = frames::uniform_lines(-1.3, 1.3, 20);
+      SurfaceMesh mesh = frames::rectangle(ElementType::quad4, lines, lines);
+      const double cosine = std::cos(angle), sine = std::sin(angle), x[3] = {cosine, sine, 0}, n[3] = {0, 0, 1};
+      for (Vec3& p : mesh.node) p = {cosine * p[0] - sine * p[1], sine * p[0] + cosine * p[1], 0};
+      pair.frame(mesh);
+      const double origin[3] = {0, 0, 0};
+      s.set_axes(origin, x, n);
+      s.set_friction(c.law, static_cast<std::int32_t>(c.parameters.size()), c.parameters.data());
+      if (c.with == With::memory) s.set_friction_memory(0.002, 0);
+      if (c.with == With::heat)
+        for (const int which : {1, 2}) s.set_heat(which, 1, 1, 0);
+      if (c.with == With::yield) s.set_layer(1e-4), s.set_layer_yield(20, 0);
+      ASSERT_EQ(pair.contact->solve(), Status::ok) << pair.contact->plan();
+      std::vector<double> found = pair.tractions();
+      if (straight.empty())
+        straight = found;
+      else
+        worst = std::max(worst, largest_difference(found, straight));
+    }
+    std::printf("%s, with %d: tractions of the turned scenes differ by %.1e (bound 1e-8)\n", c.law,
+                static_cast<int>(c.with), worst);
+    EXPECT_LE(worst, 1e-8);
+  }
+}
+
 TEST(friction_memory, refusals) {
   Pair pair = pair_of("linear", 1);
   Scene& s = pair.contact->scene;

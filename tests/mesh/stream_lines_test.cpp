@@ -77,6 +77,29 @@ TEST(stream_lines, have_every_node_once) {
     }
 }
 
+// Nodes of a line whose y differ by rounding are on it: the pieces are those of the straight frame.
+TEST(stream_lines, rounding_decides_nothing) {
+  for (const ElementType type : {ElementType::tri3, ElementType::quad4, ElementType::quad9}) {
+    const Frame straight = rectangle(type, 0);
+    Frame rough = straight;
+    for (std::size_t k = 0; k < rough.y.size(); ++k) rough.y[k] += 1e-15 * (static_cast<double>(k * 7 % 5) - 2);
+    const StreamLines lines(straight), rough_lines(rough);
+    ASSERT_EQ(lines.size(), rough_lines.size());
+    std::vector<LinePiece> pieces, rough_pieces;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      lines.cut(lines.y(i), pieces);
+      for (const double y : {rough_lines.y(i), lines.y(i), lines.y(i) + 3e-15}) {
+        rough_lines.cut(y, rough_pieces);
+        ASSERT_EQ(pieces.size(), rough_pieces.size());
+        for (std::size_t k = 0; k < pieces.size(); ++k) {
+          EXPECT_NEAR(pieces[k].upstream.x, rough_pieces[k].upstream.x, 1e-9);
+          EXPECT_NEAR(pieces[k].downstream.x, rough_pieces[k].downstream.x, 1e-9);
+        }
+      }
+    }
+  }
+}
+
 TEST(stream_lines, beside_the_frame_there_are_none) {
   const Frame frame = rectangle(ElementType::quad4, 0);
   const StreamLines lines(frame);
