@@ -121,8 +121,9 @@ class AutomaticFrames final : public FrameMaker {
     }
     if (!shape_.outline.empty() && now == found_) return;
     gap_ = contact.gap_between_nodes();
-    const Patches patches = search_.find(contact, {[this](double x, double y) { return (*gap_)(x, y); }, gap_->bounds(),
-                                                   now.modulus, normal.how == How::by_force, normal.value});
+    const Patches patches =
+        search_.find(contact, {[this](double x, double y) { return (*gap_)(x, y); }, gap_->bounds(), now.modulus,
+                               normal.how == How::by_force, normal.value, !scene.has_gap() && !contact.meshed()});
     shape_.outline = patches.outline;
     constexpr double too_hollow = 0.1;
     // Outlines are those in the plane of the axes: a conformal contact ends elsewhere.

@@ -15,7 +15,8 @@ struct PatchScene {
   Rectangle bounds;  ///< of what the gap is known on, in the axes
   double modulus = 0;
   bool by_force = false;
-  double value = 0;  ///< load or approach
+  double value = 0;        ///< load or approach
+  bool no_inside = false;  ///< of the bodies' surfaces: on which sides they lie, the gap alone tells
 };
 
 struct Patches {
@@ -26,7 +27,8 @@ struct Patches {
 class PatchSearch {
  public:
   /// lead: whose context and cancelling it takes part in; outlives it. Where the bodies do not touch one outline tells
-  /// where they are nearest to each other. err_argument: there is no finite gap. Throws Cancelled.
+  /// where they are nearest to each other. err_argument: there is no finite gap, or the
+  /// bodies' order is the other one. Throws Cancelled.
   Patches find(Contact& lead, const PatchScene& scene);
 
  private:

@@ -100,6 +100,11 @@ void check_elements(const SurfaceMesh& mesh, std::span<const double> x, std::spa
                  "all elements are flipped (clockwise seen from the tip of the "
                  "normal n): reverse "
                  "the order of their nodes, or n (rollcon_contact_set_axes)");
+  if (steep.count > 0)
+    names.refuse(flipped,
+                 "the frame bends away from the normal n, as one closed about an axis does; a contact has one tangent "
+                 "plane (rollcon_contact_set_axes) and takes faces within 60 degrees of it: give it those of a part of "
+                 "the circumference. Element that looks away from n");
   names.refuse(flipped, "flipped element: clockwise seen from the tip of the normal n");
   names.refuse(steep,
                "element steeper than 60 degrees against the tangent plane of the axes "

@@ -133,6 +133,15 @@ TEST(FrameErrors, SteepElement) {
                  "steeper than 60 degrees");
 }
 
+TEST(FrameErrors, OfARingIsCalledThat) {
+  expect_refused(frames::transform(grid(ElementType::quad4, 16),
+                                   [](const Vec3& p) {
+                                     const double turn = 2 * 3.14159265358979 / 16 * p[0];
+                                     return Vec3{std::sin(turn), p[1], std::cos(turn)};
+                                   }),
+                 "closed about an axis");
+}
+
 TEST(FrameErrors, SheetsOverOneAnother) {
   SurfaceMesh mesh = grid(ElementType::quad4);
   const SurfaceMesh upper = mesh;
