@@ -31,10 +31,9 @@ std::int64_t Numbering::sort() {
 
 std::int64_t Numbering::find(std::int64_t number) const {
   if (sorted_.empty() || number < sorted_.front().first || number > sorted_.back().first) return -1;
-  // Most files number without gaps.
-  const std::int64_t guess = number - sorted_.front().first;
-  if (guess < size() && sorted_[static_cast<std::size_t>(guess)].first == number)
-    return sorted_[static_cast<std::size_t>(guess)].second;
+  // Most files number without gaps. Unsigned: the difference of any two numbers fits.
+  const auto guess = static_cast<std::uint64_t>(number) - static_cast<std::uint64_t>(sorted_.front().first);
+  if (guess < sorted_.size() && sorted_[guess].first == number) return sorted_[guess].second;
   const auto found = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair{number, std::int64_t{-1}});
   return found != sorted_.end() && found->first == number ? found->second : -1;
 }

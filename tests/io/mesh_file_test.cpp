@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <set>
 #include <sstream>
 
@@ -270,6 +271,26 @@ TEST_F(MeshFiles, cannot_make_the_library_ask_for_more_memory_than_they_have_byt
       group(read("range.inp", with(abaqus, "2, 4, 1\n", "-9223372036854775808, 9223372036854775807, 1\n")), "Foot")
           .node.size(),
       13U);
+}
+
+TEST_F(MeshFiles, may_number_by_all_that_64_bits_hold) {
+  constexpr std::int64_t least = std::numeric_limits<std::int64_t>::min();
+  for (const std::int64_t other : {std::int64_t{1} << 30, std::int64_t{1} << 36, std::int64_t{1} << 62,
+                                   std::numeric_limits<std::int64_t>::max()}) {
+    const std::string a = std::to_string(least), b = std::to_string(other);
+    const MeshFile in =
+        read("ends.inp", "*Node\n" + a + ",0,0,0\n1,1,0,0\n2,0,1,0\n" + b + ",0,0,1\n" + "*Element, type=C3D4\n" + a +
+                             "," + a + ",1,2," + b + "\n" + "*Nset, nset=ends\n" + a + "," + b + "\n");
+    const MeshFile ms = read(
+        "ends.msh", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 4 " + a + " " + b + "\n3 1 0 4\n" + a +
+                        "\n1\n2\n" + b + "\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n$EndNodes\n$Elements\n1 1 1 1\n3 1 4 1\n1 " +
+                        a + " 1 2 " + b + "\n$EndElements\n");
+    for (const MeshFile* file : {&in, &ms}) {
+      const std::vector<std::int32_t> wanted{0, 1, 2, 3};
+      EXPECT_EQ(file->connectivity, wanted) << other;
+    }
+    EXPECT_EQ(group(in, "ends").node.size(), 2U);
+  }
 }
 
 TEST_F(MeshFiles, cut_off_anywhere_or_spoilt_are_refused_or_read) {
