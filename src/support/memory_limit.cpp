@@ -31,12 +31,32 @@ double limit_in(const std::string& file) {
   return bytes;
 }
 
-// Of a group and of all above it: a container may show its own group as the root, so that the path of the membership
-// leads nowhere while the root has the limit.
-double limit_of_group(const std::string& mount, std::string path, const char* file) {
+// The number behind a word, as in /proc/meminfo and in the statistics of a group; 0 where there is none.
+double number_behind(const std::string& word, const std::string& file) {
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);)
+    if (line.rfind(word, 0) == 0) return std::strtod(line.c_str() + word.size(), nullptr);
+  return 0;
+}
+
+/// Files of one version of control groups, and what files that were read, which give way, are called in its statistics.
+struct GroupFiles {
+  const char *limit, *used, *cached;
+};
+constexpr GroupFiles version_1{"memory.limit_in_bytes", "memory.usage_in_bytes", "total_inactive_file "},
+    version_2{"memory.max", "memory.current", "inactive_file "};
+
+// What a group and all above it leave: a container may show its own group as the root, so that the path of the
+// membership leads nowhere while the root has the limit.
+double left_of_group(const std::string& mount, std::string path, const GroupFiles& file) {
   double least = infinite;
   for (;;) {
-    least = std::min(least, limit_in(mount + path + "/" + file));
+    const std::string folder = mount + path + "/";
+    if (const double limit = limit_in(folder + file.limit); limit < infinite) {
+      const double used = limit_in(folder + file.used);
+      const double held = used < infinite ? used - number_behind(file.cached, folder + "memory.stat") : 0;
+      least = std::min(least, std::max(0.0, limit - std::max(0.0, held)));
+    }
     const std::size_t slash = path.rfind('/');
     if (slash == std::string::npos) return least;
     path.resize(slash);
@@ -48,7 +68,7 @@ bool lists_memory(const std::string& controllers) {
 }
 
 // Lines "number:controllers:path"; version 2 has no controllers.
-double limit_of_groups(const MemorySources& sources) {
+double left_of_groups(const MemorySources& sources) {
   double least = infinite;
   std::ifstream in(sources.groups);
   for (std::string line; std::getline(in, line);) {
@@ -61,9 +81,9 @@ double limit_of_groups(const MemorySources& sources) {
     if (controllers.empty()) {
       // Mounted alone, or beside version 1.
       for (const char* below : {"", "/unified"})
-        least = std::min(least, limit_of_group(sources.mount + below, path, "memory.max"));
+        least = std::min(least, left_of_group(sources.mount + below, path, version_2));
     } else if (lists_memory(controllers)) {
-      least = std::min(least, limit_of_group(sources.mount + "/memory", path, "memory.limit_in_bytes"));
+      least = std::min(least, left_of_group(sources.mount + "/memory", path, version_1));
     }
   }
   return least;
@@ -96,7 +116,7 @@ std::string formatted(const char* format, std::va_list args) {
 MemorySources memory_sources() {
   constexpr int total_size = 0, data_size = 5;  // columns of statm
   MemorySources sources;
-  sources.machine = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  sources.available = 1024 * number_behind("MemAvailable:", "/proc/meminfo");
   sources.address_space = left_of(RLIMIT_AS, total_size);
   sources.data = left_of(RLIMIT_DATA, data_size);
   return sources;
@@ -104,8 +124,8 @@ MemorySources memory_sources() {
 
 MemoryLimit memory_limit(const MemorySources& sources) {
   MemoryLimit least{infinite, "unlimited"};
-  if (sources.machine > 0) take_least(least, sources.machine, "this machine has");
-  take_least(least, limit_of_groups(sources), "the control group of this process may use");
+  if (sources.available > 0) take_least(least, sources.available, "this machine has free");
+  take_least(least, left_of_groups(sources), "the control group of this process leaves");
   return least;
 }
 

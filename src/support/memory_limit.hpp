@@ -1,6 +1,6 @@
 #pragma once
-/// How much memory this process may use, for those who are about to ask for much of it: a refusal that names need and
-/// limit is worth more than a machine that swaps, an allocation that fails half way, or a process that is killed.
+/// How much memory this process may have now, for those who are about to ask for much of it: a refusal that names need
+/// and limit is worth more than a machine that swaps, an allocation that fails half way, or a process that is killed.
 
 #include <cstdint>
 #include <string>
@@ -9,22 +9,22 @@ namespace rollcon {
 
 struct MemoryLimit {
   double bytes = 0;       ///< infinite where nothing limits
-  const char* what = "";  ///< in a message before the bytes: "this machine has"; static text
+  const char* what = "";  ///< in a message before the bytes: "this machine has free"; static text
 };
 
 /// Where to look; a test puts in its own.
 struct MemorySources {
-  double machine = 0;                        ///< bytes of physical memory; 0: unknown
+  double available = 0;                      ///< bytes that the machine can give without swapping; 0: unknown
   std::string groups = "/proc/self/cgroup";  ///< membership in control groups
   std::string mount = "/sys/fs/cgroup";      ///< where their hierarchies are mounted
   double address_space = 0, data = 0;        ///< left of RLIMIT_AS and RLIMIT_DATA
 };
 
-/// Physical memory and what is left of this process's limits (RLIMIT_AS, RLIMIT_DATA).
+/// What the machine has available and what is left of this process's limits (RLIMIT_AS, RLIMIT_DATA).
 MemorySources memory_sources();
 
-/// The least of physical memory and the limits of this process's control groups (version 1 and 2, those above its own
-/// included), for memory that is written to. Any thread.
+/// The least of what the machine has available and what the control groups of this process (version 1 and 2, those
+/// above its own included) leave, for memory that is written to. Any thread.
 MemoryLimit memory_limit(const MemorySources& sources);
 /// The least of what RLIMIT_AS and RLIMIT_DATA leave to it, for memory that is asked for.
 MemoryLimit allocation_limit(const MemorySources& sources);
@@ -34,8 +34,9 @@ struct MemoryNeed {
   double allocated = 0, written = 0;  ///< bytes
 };
 
-/// Throws Error(err_memory) "<subject> 1.2 GB, this machine has 1 GB: <remedy>" where this process cannot have that.
-/// Needs below 16 MiB pass unseen: the limits are not read for them. subject: with its verb, formatted as by printf.
+/// Throws Error(err_memory) "<subject> 1.2 GB, this machine has free 1 GB: <remedy>" where this process cannot have
+/// that. Needs below 16 MiB pass unseen: the limits are not read for them. subject: with its verb, formatted as by
+/// printf.
 void require_memory(const MemoryNeed& need, const char* remedy, const char* subject, ...)
     __attribute__((format(printf, 3, 4)));
 

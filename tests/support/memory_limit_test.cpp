@@ -25,7 +25,7 @@ class Groups : public ::testing::Test {
     std::string pattern = ::testing::TempDir() + "groupsXXXXXX";
     ASSERT_NE(mkdtemp(pattern.data()), nullptr);
     root_ = pattern;
-    sources_.machine = 64 * GiB;
+    sources_.available = 64 * GiB;
     sources_.groups = root_ + "/membership";
     sources_.mount = root_ + "/mount";
     sources_.address_space = sources_.data = INFINITY;
@@ -46,7 +46,7 @@ class Groups : public ::testing::Test {
 
 TEST_F(Groups, none) {
   EXPECT_EQ(bytes(), 64 * GiB);
-  EXPECT_STREQ(memory_limit(sources_).what, "this machine has");
+  EXPECT_STREQ(memory_limit(sources_).what, "this machine has free");
   membership("");
   EXPECT_EQ(bytes(), 64 * GiB);
   membership("no colon\none:colon\n0::/\n");
@@ -59,7 +59,7 @@ TEST_F(Groups, version_2_takes_the_least_of_the_group_and_those_above) {
   EXPECT_EQ(bytes(), 64 * GiB);
   limit("user.slice/memory.max", "8589934592");
   EXPECT_EQ(bytes(), 8 * GiB);
-  EXPECT_STREQ(memory_limit(sources_).what, "the control group of this process may use");
+  EXPECT_STREQ(memory_limit(sources_).what, "the control group of this process leaves");
   limit("user.slice/job/memory.max", "2147483648");
   EXPECT_EQ(bytes(), 2 * GiB);
   limit("other/memory.max", "1048576");  // of somebody else
@@ -82,6 +82,22 @@ TEST_F(Groups, version_1) {
   EXPECT_EQ(bytes(), 3 * GiB);
 }
 
+// Files that were read give way to memory that is asked for.
+TEST_F(Groups, what_is_in_use_is_taken_off_but_for_files_that_were_read) {
+  membership("4:memory:/a\n0::/b\n");
+  limit("unified/b/memory.max", "4294967296");
+  limit("unified/b/memory.current", "3221225472");
+  EXPECT_EQ(bytes(), 1 * GiB);
+  limit("unified/b/memory.stat", "anon 1\ninactive_file 1073741824\nactive_file 1");
+  EXPECT_EQ(bytes(), 2 * GiB);
+  limit("memory/a/memory.limit_in_bytes", "2147483648");
+  limit("memory/a/memory.usage_in_bytes", "2147483648");
+  limit("memory/a/memory.stat", "inactive_file 7\ntotal_inactive_file 536870912");
+  EXPECT_EQ(bytes(), 0.5 * GiB);
+  limit("memory/a/memory.usage_in_bytes", "9663676416");  // above the limit, which was lowered
+  EXPECT_EQ(bytes(), 0);
+}
+
 TEST_F(Groups, both_versions_at_once) {
   membership("4:memory:/a\n0::/b\n");
   limit("memory/a/memory.limit_in_bytes", "4294967296");
@@ -93,15 +109,16 @@ TEST_F(Groups, a_limit_above_the_machine_is_none) {
   membership("0::/\n");
   limit("memory.max", "1099511627776");
   EXPECT_EQ(bytes(), 64 * GiB);
-  sources_.machine = 0;  // unknown
+  sources_.available = 0;  // unknown
   EXPECT_EQ(bytes(), 1024 * GiB);
 }
 
 TEST(MemoryLimit, of_this_process_is_that_of_the_machine_or_less) {
   const MemorySources sources = memory_sources();
   const double machine = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-  EXPECT_EQ(sources.machine, machine);
-  EXPECT_LE(memory_limit(sources).bytes, machine);
+  EXPECT_GT(sources.available, 0);
+  EXPECT_LT(sources.available, machine);
+  EXPECT_LE(memory_limit(sources).bytes, sources.available);
   EXPECT_GT(memory_limit(sources).bytes, 1e8);
 }
 

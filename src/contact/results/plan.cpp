@@ -123,9 +123,11 @@ void describe_contact(std::string& text, const SolverState& s) {
   if (s.extrapolated)
     text += "results: extrapolated from this frame and one with half its intervals; fields are those of this one\n";
   const ErrorEstimate& e = s.error_estimate;
+  const auto& body = s.prepared->pair.body;
+  const bool meshed = body[0]->response() || body[1]->response();
   if (e.known)
-    line(text, "discretisation: the normal force is off by about %.2g %%, friction by %.2g %%", 100 * e.normal,
-         100 * e.tangential);
+    line(text, "discretisation of the frame: the normal force is off by about %.2g %%, friction by %.2g %%%s",
+         100 * e.normal, 100 * e.tangential, meshed ? "; errors of the bodies' own meshes come on top" : "");
   else
     line(text, "discretisation: error not estimated (statistic error_estimate)");
 }
