@@ -27,8 +27,8 @@ struct Patches {
 class PatchSearch {
  public:
   /// lead: whose context and cancelling it takes part in; outlives it. Where the bodies do not touch one outline tells
-  /// where they are nearest to each other. err_argument: there is no finite gap, or the
-  /// bodies' order is the other one. Throws Cancelled.
+  /// where they are nearest to each other. err_argument: there is no finite gap, or the bodies' order is the other one.
+  /// Throws Cancelled.
   Patches find(Contact& lead, const PatchScene& scene);
 
  private:

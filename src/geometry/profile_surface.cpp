@@ -31,8 +31,6 @@ struct LineAboutAxis {
 
   double y(double t) const { return y0 + t * y1; }
   bool steep() const { return slant >= y1 * y1; }
-  /// The half of a steep line that t = 0 lies on.
-  double half() const { return t_least > 0 ? -1 : 1; }
 };
 
 /// r: from a point of the axis to one of the line.
@@ -200,15 +198,10 @@ std::optional<RevolvedProfile::Hit> RevolvedProfile::meet(const Vec3& from, cons
     if (!best || std::abs(t) < std::abs(best->t)) best = Hit{t, p, at};
   };
   if (line.steep()) {
-    const double order = curve_->at(curve_->length()).x[0] < curve_->at(0.0).x[0] ? -1 : 1;
     for (const double sign : {-1.0, 1.0}) {
       const SteepHalf half{line, sign};
       for_each_crossing(*curve_, half, [&](const ProfilePoint& p, std::size_t piece, double u) {
-        const double t = half.t(radius_ + p.x[1]);
-        // Beyond the axis is the far side of the body, or its end.
-        const Vec2 n = order * normal_of(p);
-        const double out = n[0] * line.y1 * (radius_ + p.x[1]) + n[1] * line.slant * (t - line.t_least);
-        if (sign == line.half() || sign * out <= 0) take(t, p, {sign < 0 ? 0 : 1, piece, u});
+        take(half.t(radius_ + p.x[1]), p, {sign < 0 ? 0 : 1, piece, u});
       });
     }
     return best;
@@ -226,8 +219,8 @@ std::optional<double> RevolvedProfile::distance_near(const Vec3& from, const Vec
   if (hint.branch == 2 && !line.steep()) {
     const FlatLine flat{line};
     if (const auto p = crossing_near(*curve_, flat, hint)) return flat.t(p->x[0]);
-  } else if (hint.branch == (line.half() < 0 ? 0 : 1) && line.steep()) {
-    const SteepHalf half{line, line.half()};
+  } else if (hint.branch >= 0 && hint.branch < 2 && line.steep()) {
+    const SteepHalf half{line, hint.branch == 0 ? -1.0 : 1.0};
     if (const auto p = crossing_near(*curve_, half, hint)) return half.t(radius_ + p->x[1]);
   }
   const auto hit = meet(from, direction);

@@ -161,27 +161,6 @@ TEST(profile_frames, bodies_that_give_no_frame_are_told) {
   refused(nothing, "no frame was given");
 }
 
-// The far side of a roller takes no part beyond its near end.
-TEST(profile_frames, tilted_rollers_mirrored_give_the_mirrored_result) {
-  for (const double tilt : {5e-4, 1e-3, 1e-2}) {
-    std::array<double, 2> pressure{}, approach{};
-    for (const int side : {0, 1}) {
-      RollingPair pair(steel, steel);
-      pair.load(1500).friction(0);
-      give_shape(pair, 1, "arc", {2000, 5});
-      revolve(pair, 1, 6, {0, 1, side == 0 ? -tilt : tilt});
-      give_shape(pair, 2, "line", {20, 0});
-      const double origin[3] = {0, 0, 0}, along[3] = {1, 0, 0}, up[3] = {0, 0, 1};
-      ASSERT_EQ(rollcon_body_extrude_profile(pair.body(2), origin, along, up), ROLLCON_OK);
-      ASSERT_GE(pair.solve(), 0) << rollcon_last_error();
-      pressure[static_cast<std::size_t>(side)] = pair.stat("max_pressure");
-      approach[static_cast<std::size_t>(side)] = pair.solution().approach;
-    }
-    expect_error("largest pressure", relative(pressure[0], pressure[1]), 1e-2);
-    expect_error("approach", relative(approach[0], approach[1]), 1e-2);
-  }
-}
-
 TEST(profile_frames, bodies_in_the_other_order_are_refused) {
   for (const bool exchanged : {false, true}) {
     RollingPair pair(steel, steel);
