@@ -228,7 +228,7 @@ class AbaqusReader {
   void add_mention(Mention::Kind kind, std::int64_t id) {
     if (!mention_.empty()) {
       Mention& last = mention_.back();
-      if (last.kind == kind && last.group == group_ && last.step == 1 && last.last < id && id - last.last == 1) {
+      if (last.kind == kind && last.group == group_ && last.step == 1 && last.last < id && last.last == id - 1) {
         last.last = id;
         return;
       }

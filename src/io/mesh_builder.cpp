@@ -42,7 +42,6 @@ void Numbering::each_between(std::int64_t first, std::int64_t last, std::int64_t
                              const std::function<void(std::int64_t)>& visit) const {
   for (auto i = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair{first, std::int64_t{-1}});
        i != sorted_.end() && i->first <= last; ++i) {
-    // Unsigned: the difference of any two numbers fits.
     const auto apart = static_cast<std::uint64_t>(i->first) - static_cast<std::uint64_t>(first);
     if (apart % static_cast<std::uint64_t>(step) == 0) visit(i->second);
   }

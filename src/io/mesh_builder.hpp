@@ -17,7 +17,6 @@ namespace rollcon {
 class Numbering {
  public:
   void add(std::int64_t number) { given_.push_back(number); }
-  std::int64_t size() const { return static_cast<std::int64_t>(given_.size()); }
   /// Once all are added. Returns the place of one that was added before, -1 if all differ.
   std::int64_t sort();
   /// -1 if there is none.

@@ -3,6 +3,7 @@
 // other bytes say; 255 and 254: they are the file, .msh or .inp.
 
 #include <fstream>
+#include <iterator>
 #include <sstream>
 
 #include "scenes.hpp"
@@ -41,13 +42,18 @@ std::string changed(std::string text, Input& in) {
                                       "$End",
                                       "\xff\xff\xff\x7f",
                                       "2147483648",
-                                      "*NSET, NSET=n, ELSET=bar\n"};
+                                      "*NSET, NSET=n, ELSET=bar\n",
+                                      "-9223372036854775808",
+                                      "9223372036854775807",
+                                      "68719476736",
+                                      "4611686018427387904"};
   for (int edits = 1 + in.below(4); edits > 0 && !text.empty(); --edits) {
     const auto place = [&] {
       return (static_cast<std::size_t>(in.byte()) * 256 + static_cast<std::size_t>(in.byte())) % text.size();
     };
     const std::size_t at = place();
-    switch (in.below(5)) {
+    const auto word = [&] { return words[in.below(static_cast<int>(std::size(words)))]; };
+    switch (in.below(6)) {
       case 0:
         text[at] = static_cast<char>(in.byte());
         break;
@@ -58,8 +64,16 @@ std::string changed(std::string text, Input& in) {
         text.insert(at, text.substr(place(), 1 + static_cast<std::size_t>(in.byte())));
         break;
       case 3:
-        text.insert(at, words[in.below(16)]);
+        text.insert(at, word());
         break;
+      case 4: {  // a whole number, which all places that have it lose at once
+        const std::size_t from = text.find_first_of("123456789", at);
+        if (from == std::string::npos) break;
+        const std::string number = text.substr(from, text.find_first_not_of("0123456789", from) - from), other = word();
+        for (std::size_t i = from; (i = text.find(number, i)) != std::string::npos; i += other.size())
+          text.replace(i, number.size(), other);
+        break;
+      }
       default:
         text.resize(at);
     }
