@@ -859,10 +859,10 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_profile_shape(rollcon_b
 /*
  * Sets a profile through the points of a file, as rollcon_body_set_profile does: of Simpack,
  * where the name ends in .prr or .prw (its keys are obeyed but for smoothing), of Miniprof, where
- * it ends in .ban or .whl, else two columns, y and z. Simpack's and Miniprof's are millimetres.
- * ROLLCON_ERR_IO names the line of a file that cannot be read, ROLLCON_ERR_ARGUMENT that of a
- * point at which the path turns back. z goes where the file says: mirror it where the file counts
- * upwards.
+ * it ends in .ban, .whl or .mpt, else columns, y and z (docs/profiles.md). Simpack's and
+ * Miniprof's are millimetres. ROLLCON_ERR_IO names the line of a file that cannot be read,
+ * ROLLCON_ERR_ARGUMENT that of a point at which the path turns back. z goes where the file says:
+ * mirror it where the file counts upwards.
  *   body           a half-space or rigid, without a mesh (else ROLLCON_ERR_STATE)
  *   path           name of the file
  *   unit           factor on its numbers: length of a millimetre, > 0

@@ -12,6 +12,7 @@
 
 #include "bodies/body_model.hpp"
 #include "bodies/model/body_group.hpp"
+#include "geometry/profile_fit.hpp"
 #include "support/context.hpp"
 
 namespace rollcon {
@@ -152,6 +153,8 @@ class Body {
   void require_takes_profile() const;
   void require_profile() const;
   void replace_profile(ProfileCurve curve);
+  /// Logs what is told of the file, and of the fit.
+  void fit_profile(const std::vector<Vec2>& point, double filter_length, const PointName& name, std::string told = {});
   /// From what a file has, if one is given.
   void prepare(SectionReader* saved);
   void log_preparation() const;

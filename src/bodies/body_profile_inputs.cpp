@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "bodies/body.hpp"
-#include "geometry/profile_fit.hpp"
 #include "geometry/profile_shapes.hpp"
 #include "io/profile_file.hpp"
 #include "mesh/surface_geometry.hpp"
@@ -51,6 +50,11 @@ void Body::replace_profile(ProfileCurve curve) {
   model_->profile = std::move(profile);
 }
 
+void Body::fit_profile(const std::vector<Vec2>& point, double filter_length, const PointName& name, std::string told) {
+  replace_profile(profile_through(point, filter_length, name, &told));
+  if (!told.empty()) context_->log(LogLevel::warning, "%.*s", static_cast<int>(told.size() - 2), told.c_str());
+}
+
 void Body::set_profile(std::int64_t n, const double* points, double filter_length) {
   require_count(n, "n");
   if (n > 0) require_pointer(points, "points");
@@ -65,8 +69,7 @@ void Body::set_profile(std::int64_t n, const double* points, double filter_lengt
              point.back()[c]);
   }
   require_finite(filter_length, "filter_length");
-  replace_profile(profile_through(point, filter_length,
-                                  [](std::size_t i) { return "point " + std::to_string(i) + " (counting from 0)"; }));
+  fit_profile(point, filter_length, [](std::size_t i) { return "point " + std::to_string(i) + " (counting from 0)"; });
 }
 
 void Body::set_profile_shape(const char* shape, std::int64_t n, const double* parameters) {
@@ -83,11 +86,16 @@ void Body::read_profile(const char* path, double unit, std::int32_t mirror, doub
   require_finite(filter_length, "filter_length");
   ProfileFile file = read_profile_file(path);
   const std::array<double, 2> factor{mirror & 1 ? -unit : unit, mirror & 2 ? -unit : unit};
+  const double span = std::abs(file.point.back()[0] - file.point.front()[0]);
   for (Vec2& x : file.point)
     for (std::size_t c = 0; c < 2; ++c) x[c] *= factor[c];
-  replace_profile(profile_through(file.point, filter_length, [&](std::size_t i) {
-    return "line " + std::to_string(file.line[i]) + " of " + path;
-  }));
+  std::string told = file.told.empty() ? "" : path + (": " + file.told) + "; ";
+  if (unit == 1 && span < 1)
+    told += path + (": the profile spans " + std::to_string(span)) +
+            ", taken as it is: of a file in metres 1000 as unit makes millimetres; ";
+  fit_profile(
+      file.point, filter_length, [&](std::size_t i) { return "line " + std::to_string(file.line[i]) + " of " + path; },
+      std::move(told));
 }
 
 void Body::write_profile(const char* path, double unit) const {

@@ -44,8 +44,10 @@ std::vector<NamedPoint> without_close_ones(const std::vector<Vec2>& point) {
   return kept;
 }
 
-/// Forth, back and forth again: measured so, or joined from two measurements.
-void straighten_zigzags(std::vector<NamedPoint>& point, const PointName& name) {
+/// Forth, back and forth again: measured so, or joined from two measurements. Of many points the outermost may be
+/// wrong.
+void straighten_zigzags(std::vector<NamedPoint>& point, const PointName& name, std::string& told) {
+  constexpr std::size_t enough = 10;
   const auto turns_back = [&](std::size_t i) {
     return dot(point[i].x - point[i - 1].x, point[i + 1].x - point[i].x) < 0;
   };
@@ -56,12 +58,19 @@ void straighten_zigzags(std::vector<NamedPoint>& point, const PointName& name) {
       ++i;
       continue;
     }
-    if (i + 2 >= point.size() || !turns_back(i + 1))
+    const bool first = i == 1, last = i + 2 == point.size();
+    if (last || !turns_back(i + 1)) {
+      if ((first || last) && all >= enough) {
+        told += "the profile turns back at its end: " + name(point[first ? 0 : i + 1].number) + " is left out; ";
+        point.erase(first ? point.begin() : point.end() - 1);
+        continue;
+      }
       fail(
           Status::err_argument,
           "the profile turns back at %s, y %g, z %g; allowed: points in the order of the path, whose direction changes "
           "by less than 90 degrees from point to point",
           name(point[i].number).c_str(), point[i].x[0], point[i].x[1]);
+    }
     if (++mended > most)
       fail(Status::err_argument,
            "the profile goes back and forth more than %d times, again at %s: its points are not in the order of the "
@@ -96,13 +105,14 @@ double path_of(const std::vector<NamedPoint>& point) {
 
 /// In the order of the path. Where there is a filter, and noise makes the path longer than that of means, those stand
 /// for the points: the filter would take the way to and fro for length.
-std::vector<NamedPoint> along_the_path(std::vector<NamedPoint> point, double filter_length, const PointName& name) {
+std::vector<NamedPoint> along_the_path(std::vector<NamedPoint> point, double filter_length, const PointName& name,
+                                       std::string& told) {
   constexpr double part = 1.0 / 24, longer = 1.01;
   if (filter_length > 0) {
     std::vector<NamedPoint> mean = means_over(point, part * filter_length);
     if (path_of(point) > longer * path_of(mean)) point = std::move(mean);
   }
-  straighten_zigzags(point, name);
+  straighten_zigzags(point, name, told);
   return point;
 }
 
@@ -269,9 +279,11 @@ std::vector<ProfilePiece> spline_through(const std::vector<Vec2>& x) {
   return piece;
 }
 
-ProfileCurve profile_through(const std::vector<Vec2>& point, double filter_length, const PointName& name) {
+ProfileCurve profile_through(const std::vector<Vec2>& point, double filter_length, const PointName& name,
+                             std::string* told) {
+  std::string unheard, &words = told ? *told : unheard;
   require_points(point, name);
-  const std::vector<NamedPoint> kept = along_the_path(without_close_ones(point), filter_length, name);
+  const std::vector<NamedPoint> kept = along_the_path(without_close_ones(point), filter_length, name, words);
   std::vector<Vec2> x;
   for (const NamedPoint& p : kept) x.push_back(p.x);
   if (x.back()[0] < x.front()[0]) std::reverse(x.begin(), x.end());

@@ -16,8 +16,10 @@ using PointName = std::function<std::string(std::size_t)>;
 /// to each other than a thousandth of their usual distance are dropped, and where the path goes back and forth again
 /// the two are replaced by their mean. filter_length > 0: the points are smoothed before, waves of that length to one
 /// half, shorter ones to nothing. Throws err_argument naming the point: fewer than two of them, one that is far from
-/// all lengths of this world, a path that turns back, an order that is none, a filter longer than the curve.
-ProfileCurve profile_through(const std::vector<Vec2>& point, double filter_length, const PointName& name);
+/// all lengths of this world, a path that turns back, an order that is none, a filter longer than the curve. told: what
+/// a caller would not expect is added to it, each sentence ending in "; ".
+ProfileCurve profile_through(const std::vector<Vec2>& point, double filter_length, const PointName& name,
+                             std::string* told = nullptr);
 
 /// Moves points so that the integral of their squared deviation along the curve, plus (L / 2 pi)^6 times that of the
 /// squared third derivative, is least: circles keep their curvature up to their ends.

@@ -37,20 +37,6 @@ void require_two_points(const ProfileFile& file, const TextLines& lines) {
     lines.fail_whole("it has " + std::to_string(file.point.size()) + " point(s); needed: 2 or more");
 }
 
-ProfileFile read_columns(TextLines lines) {
-  ProfileFile file;
-  for (std::string_view line; lines.next(line);) {
-    line = without_comment(line, "!%#");
-    if (line.empty()) continue;
-    const std::vector<double> value = lines.numbers_in(line);
-    if (value.size() != 2) lines.fail_here(std::to_string(value.size()) + " number(s); needed: y and z");
-    file.point.push_back({value[0], value[1]});
-    file.line.push_back(lines.number());
-  }
-  require_two_points(file, lines);
-  return file;
-}
-
 // ------------------------------------------------------------------------------------ Simpack
 
 /// What is done to the points, in this order.
@@ -121,8 +107,9 @@ ProfileFile read_simpack(TextLines lines) {
       const std::size_t equal = line.find('=');
       if (equal == std::string_view::npos) lines.fail_here("neither a section nor 'key = value'");
       const std::string key = in_lower_case(trimmed(line.substr(0, equal)));
-      if (std::find(std::begin(numbers), std::end(numbers), key) != std::end(numbers))
-        given[key] = lines.number_in(line.substr(equal + 1));
+      const std::string_view value = trimmed(line.substr(equal + 1));
+      if (!value.empty() && std::find(std::begin(numbers), std::end(numbers), key) != std::end(numbers))
+        given[key] = lines.number_in(value);
     }
   }
   if (!open.empty()) lines.fail_whole("it ends before '" + open.back() + ".end': truncated");
@@ -132,55 +119,135 @@ ProfileFile read_simpack(TextLines lines) {
   return file;
 }
 
-// ----------------------------------------------------------------------------------- Miniprof
+// --------------------------------------------------------------------- columns, Miniprof, VAMPIRE
 
-/// Numbers of the columns of y and z in a row.
-std::array<std::size_t, 2> columns_of(std::string_view definition, const TextLines& lines) {
-  std::array<std::size_t, 2> column{99, 99};
-  std::size_t count = 0;
-  for (std::size_t from = 0; from <= definition.size(); ++count) {
-    const std::size_t to = std::min(definition.find(',', from), definition.size());
-    const std::string name = in_lower_case(trimmed(definition.substr(from, to - from)));
-    if (name == "x") column[0] = count;
-    if (name == "y") column[1] = count;
-    from = to + 1;
-  }
-  if (std::max(column[0], column[1]) == 99) lines.fail_here("ColumnDef names no columns X and Y");
-  return column;
-}
+/// Rows of numbers below headings of any kind.
+class RowReader {
+ public:
+  RowReader(const std::string& path, bool miniprof) : lines_(path), miniprof_(miniprof) {}
 
-ProfileFile read_miniprof(TextLines lines) {
-  ProfileFile file;
-  std::array<double, 2> offset{0, 0};
-  std::array<std::size_t, 2> column{0, 1};
-  bool header = true;
-  for (std::string_view line; lines.next(line);) {
-    line = trimmed(line);
-    if (!line.empty() && std::string_view("!\"%#").find(line.front()) != std::string_view::npos) continue;
-    if (line.empty()) {
-      header = false;
-      continue;
+  ProfileFile read() {
+    for (std::string_view line; lines_.next(line);) {
+      line = trimmed(line);
+      if (line.empty()) heading_open_ = false;
+      if (!line.starts_with('"')) line = without_comment(line, "!%#");
+      if (line.empty() || line.front() == '"') continue;
+      if (line.front() == '[')
+        begin_part(in_lower_case(line));
+      else if (!over_)
+        take(line);
     }
-    if (header) {
-      const std::size_t equal = line.find('=');
-      if (equal == std::string_view::npos) lines.fail_here("no 'Key=Value'; a blank line ends the header");
-      const std::string key = in_lower_case(trimmed(line.substr(0, equal)));
-      const std::string_view value = trimmed(line.substr(equal + 1));
-      if (key == "columndef") column = columns_of(value, lines);
-      if (key == "xoffset") offset[0] = lines.number_in(value);
-      if (key == "yoffset") offset[1] = lines.number_in(value);
-      continue;
-    }
-    const std::vector<double> value = lines.numbers_in(line);
-    const std::size_t needed = std::max(column[0], column[1]) + 1;
-    if (value.size() < needed)
-      lines.fail_here(std::to_string(value.size()) + " number(s); needed by ColumnDef: " + std::to_string(needed));
-    file.point.push_back({value[column[0]] + offset[0], value[column[1]] + offset[1]});
-    file.line.push_back(lines.number());
+    finish();
+    return std::move(file_);
   }
-  require_two_points(file, lines);
-  return file;
-}
+
+ private:
+  void begin_part(const std::string& name) {
+    heading_open_ = false;
+    over_ = !file_.point.empty();
+    if (over_ && name.find("points") != name.npos) ++more_parts_;
+  }
+
+  void take(std::string_view line) {
+    const std::size_t equal = file_.point.empty() ? line.find('=') : line.npos;
+    if (equal != line.npos)
+      take_key(in_lower_case(trimmed(line.substr(0, equal))), trimmed(line.substr(equal + 1)));
+    else if (!heading_open_ && may_be_number(line))
+      take_row(line);
+    else if (file_.point.empty() && announced_ < 0)
+      take_heading(line);
+    else
+      lines_.fail_here("'" + printable(line) + "' among the points");
+  }
+
+  /// What begins like a number, however spoilt, is no heading.
+  static bool may_be_number(std::string_view line) {
+    const std::string word = in_lower_case(line.substr(0, line.find_first_of(" \t,;")));
+    const std::size_t first = std::min(word.find_first_not_of("+-."), word.size());
+    return first == word.size() || (word[first] >= '0' && word[first] <= '9') ||
+           static_cast<unsigned char>(word[first]) >= 0x80 || word.substr(first) == "nan" ||
+           word.substr(first) == "inf";
+  }
+
+  /// Old files of Miniprof have numbers in their headings, which a blank line ends.
+  void take_heading(std::string_view line) {
+    const std::string word = in_lower_case(line);
+    vampire_ = vampire_ || word.starts_with("railprofile") || word.starts_with("wheelprofile");
+    heading_open_ = miniprof_ && !keyed_;
+    ++headings_;
+  }
+
+  void take_key(const std::string& key, std::string_view value) {
+    keyed_ = true;
+    if (key == "columndef") define_columns(value);
+    if (key == "xoffset" && !value.empty()) offset_[0] = lines_.number_in(value);
+    if (key == "yoffset" && !value.empty()) offset_[1] = lines_.number_in(value);
+  }
+
+  void define_columns(std::string_view definition) {
+    column_ = {99, 99};
+    for (std::size_t from = 0, count = 0; from <= definition.size(); ++count) {
+      const std::size_t to = std::min(definition.find(',', from), definition.size());
+      const std::string name = in_lower_case(trimmed(definition.substr(from, to - from)));
+      if (name == "x") column_[0] = count;
+      if (name == "y") column_[1] = count;
+      from = to + 1;
+    }
+    if (std::max(column_[0], column_[1]) == 99) lines_.fail_here("ColumnDef names no columns X and Y");
+    defined_ = true;
+  }
+
+  void take_row(std::string_view line) {
+    const std::vector<double> value = lines_.numbers_in(line);
+    const std::size_t rows = file_.point.size(), n = value.size();
+    if (n == 1 && rows == 0 && announced_ < 0 && value[0] >= 2 && value[0] == std::floor(value[0])) {
+      announced_ = value[0];
+      return;
+    }
+    const bool loose = defined_ || miniprof_;
+    if (rows == 0 && !loose) {
+      width_ = n;
+      if (n == 3) column_ = {1, 2};
+      if (n == 4) column_ = {2, 3};
+      first_ = n > 0 ? value[0] : 0;
+    }
+    const bool counts = n == 3 && (first_ == 0 || first_ == 1) && value[0] == first_ + static_cast<double>(rows);
+    const std::size_t needed = std::max(column_[0], column_[1]) + 1;
+    if (loose ? n < needed : n != width_ || !(n == 2 || counts || (n == 4 && vampire_)))
+      lines_.fail_here(std::to_string(n) + " number(s); needed" +
+                       (loose ? " by ColumnDef: " + std::to_string(needed)
+                              : ": y and z; a third one before them may count the points from 0 or 1") +
+                       "; seen: '" + printable(line) + "'");
+    if (n == 4 && vampire_) other_rail_ = other_rail_ || value[0] != value[2] || value[1] != value[3];
+    file_.point.push_back({value[column_[0]], value[column_[1]]});
+    file_.line.push_back(lines_.number());
+  }
+
+  void finish() {
+    const auto rows = static_cast<double>(file_.point.size());
+    if (announced_ >= 0 && announced_ != rows)
+      lines_.fail_whole("it announces " + std::to_string(static_cast<long long>(announced_)) + " points and has " +
+                        std::to_string(file_.point.size()));
+    if (file_.point.empty() && headings_ > 0)
+      lines_.fail_whole("it has headings and no point below them; in files of Miniprof a blank line ends them");
+    require_two_points(file_, lines_);
+    for (auto& x : file_.point) x = {x[0] + offset_[0], x[1] + offset_[1]};
+    if (more_parts_ > 0)
+      file_.told = "it has " + std::to_string(more_parts_) + " more profile(s) behind the first, which alone is read";
+    if (other_rail_) file_.told = "its two rails differ; columns 3 and 4, the right one, are read";
+    if (width_ == 3 && !defined_) file_.told = "its first column counts the points and is passed over";
+  }
+
+  TextLines lines_;
+  bool miniprof_;
+  ProfileFile file_;
+  std::array<double, 2> offset_{0, 0};
+  std::array<std::size_t, 2> column_{0, 1};
+  bool keyed_ = false, defined_ = false, heading_open_ = false, over_ = false, vampire_ = false, other_rail_ = false;
+  std::size_t width_ = 0;
+  double first_ = 0, announced_ = -1;
+  int headings_ = 0, more_parts_ = 0;
+};
 
 // ------------------------------------------------------------------------------------ writing
 
@@ -210,8 +277,7 @@ std::string text_of(const std::vector<std::array<double, 2>>& point, bool simpac
 
 ProfileFile read_profile_file(const std::string& path) {
   if (is_simpack(path)) return read_simpack(TextLines(path));
-  if (ends_in(path, {".ban", ".whl"})) return read_miniprof(TextLines(path));
-  return read_columns(TextLines(path));
+  return RowReader(path, ends_in(path, {".ban", ".whl", ".mpt"})).read();
 }
 
 void write_profile_file(std::string path, const std::vector<std::array<double, 2>>& point) {

@@ -1,6 +1,6 @@
 #pragma once
-/// Profiles of wheels and rails in files: two columns, Simpack's .prr and .prw, Miniprof's .ban and .whl, told apart by
-/// the end of the name. docs/profiles.md.
+/// Profiles of wheels and rails in files: columns, Simpack's .prr and .prw, Miniprof's .ban, .whl and .mpt, told apart
+/// by the end of the name. docs/profiles.md.
 
 #include <array>
 #include <cstdint>
@@ -12,6 +12,7 @@ namespace rollcon {
 struct ProfileFile {
   std::vector<std::array<double, 2>> point;  ///< y, z; of Simpack and Miniprof in mm
   std::vector<std::int64_t> line;            ///< of each point, from 1
+  std::string told;                          ///< what was passed over and might be missed; empty: nothing
 };
 
 /// Throws err_io naming the file, and the line where there is one.

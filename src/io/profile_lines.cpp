@@ -16,6 +16,16 @@ char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
+/// Something else is between the numbers then, there is no point, and each comma has digits on both sides.
+bool has_decimal_commas(std::string_view line) {
+  const auto digit = [&](std::size_t i) { return i < line.size() && line[i] >= '0' && line[i] <= '9'; };
+  std::size_t comma = line.find(',');
+  if (comma == line.npos || line.find('.') != line.npos || line.find_first_of(" \t;") == line.npos) return false;
+  for (; comma != line.npos; comma = line.find(',', comma + 1))
+    if (comma == 0 || !digit(comma - 1) || !digit(comma + 1)) return false;
+  return true;
+}
+
 }  // namespace
 
 std::string printable(std::string_view text) {
@@ -65,7 +75,9 @@ void TextLines::fail_whole(const std::string& what) const {
 
 double TextLines::number_in(std::string_view text) const {
   text = trimmed(text);
-  const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
+  std::string digits(text.starts_with('+') ? text.substr(1) : text);
+  for (char& c : digits)  // Fortran's exponents
+    if (c == 'd' || c == 'D') c = 'e';
   double value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (digits.empty() || error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value)) {
@@ -78,6 +90,12 @@ double TextLines::number_in(std::string_view text) const {
 std::vector<double> TextLines::numbers_in(std::string_view line) const {
   constexpr std::string_view between = " \t\r\f\v,;";
   std::vector<double> found;
+  std::string pointed;
+  if (has_decimal_commas(line)) {
+    pointed = line;
+    std::replace(pointed.begin(), pointed.end(), ',', '.');
+    line = pointed;
+  }
   for (std::size_t from = line.find_first_not_of(between); from != std::string_view::npos;) {
     const std::size_t to = std::min(line.find_first_of(between, from), line.size());
     found.push_back(number_in(line.substr(from, to - from)));

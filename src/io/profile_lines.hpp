@@ -29,7 +29,7 @@ class TextLines {
   [[noreturn]] void fail_whole(const std::string& what) const;
   /// A finite number that is all of the text; fails naming it.
   double number_in(std::string_view text) const;
-  /// Those of a line, apart by blanks, tabs, commas or semicolons.
+  /// Those of a line, apart by blanks, tabs, semicolons or commas that are not decimal ones.
   std::vector<double> numbers_in(std::string_view line) const;
 
  private:

@@ -109,6 +109,19 @@ TEST(profile_fit, order_doubles_and_zigzags_are_made_right) {
   expect_error("two points in the wrong order: radius", errors(mended, 5)[0], 1e-4);
 }
 
+TEST(profile_fit, an_outermost_point_that_turns_back_is_left_out_and_named) {
+  const std::vector<Vec2> good = circle(5, -1, 1, 101);
+  const ProfileCurve curve = through(good);
+  for (const bool last : {false, true}) {
+    std::vector<Vec2> wrong = good;
+    wrong.insert(last ? wrong.end() : wrong.begin(), (last ? good[99] : good[1]) + Vec2{0, -0.1});
+    std::string told;
+    EXPECT_EQ(profile_through(wrong, 0, numbered, &told).pieces(), curve.pieces());
+    EXPECT_EQ(told, last ? "the profile turns back at its end: point 101 is left out; "
+                         : "the profile turns back at its end: point 0 is left out; ");
+  }
+}
+
 TEST(profile_fit, bad_points_are_named) {
   expect_refused({}, 0, "the profile has 0 point(s); allowed: 2 or more");
   expect_refused({{1, 2}}, 0, "the profile has 1 point(s)");

@@ -74,6 +74,39 @@ TEST_F(ProfileFiles, three_formats) {
   EXPECT_EQ(difference(read("a.whl", "ColumnDef=A,Y,X\n\n9 1 2\n9 3 4\n").point, {{2, 1}, {4, 3}}), 0);
 }
 
+// What measuring devices and people write.
+TEST_F(ProfileFiles, forms_of_devices_and_people) {
+  const Points three{{-2, 4.5}, {0, 0}, {2, 4.5}};
+  const auto same = [&](const std::string& name, const std::string& text, const std::string& told = "") {
+    const ProfileFile file = read(name, text);
+    EXPECT_EQ(difference(file.point, three), 0) << text;
+    EXPECT_EQ(file.told.find(told), told.empty() ? file.told.size() : 0U) << file.told;
+  };
+  const std::string rows = "-2.0 4.5\n0.0 0\n2.0 4.5\n", words = "Stock.......:\n30.0 30.0 10.0 (Sd/Sh/qR)\n\n";
+  same("heading.csv", "Y,Z\n-2.0,4.5\n0,0\n2.0,4.5\n");
+  same("heading.csv", "\"Y\";\"Z\"\n-2.0;4.5\n0;0\n2.0;4.5\n");
+  same("count.txt", "3\n" + rows);
+  same("count.txt", "Rail 7, worn\n 3 ! points\n" + rows);
+  same("index.txt", "1\t-2.0\t4.5\n2\t0\t0\n3\t2\t4.5\n", "its first column counts");
+  same("index.txt", "no y z\n0, -2, 4.5\n1, 0, 0\n2, 2, 4.5\n", "its first column counts");
+  same("comma.txt", "-2,0;4,5\n0,0;0,0\n2;4,5\n");
+  same("comma.txt", "-2,0 4,5\n0,0 0,0\n2,0\t4,5\n");
+  same("comma.txt", "-2, 4.5\n0 ,0\n2,4.5\n");
+  same("fortran.txt", "-2.0D+00 4.5d0\n0.D0 +0.0D0\n+.2D1 45D-1\n");
+  same("old.whl", "#MINIWHEELPROF\nwheel.whl\nMINIPROF 2020\n\" 30.0 30.0 10.0\n" + words + rows);
+  same("older.whl", "MINIPROF 101 148 1994 3 24\n" + words + "-2.0 4.5 0.1\n0 0 0.1\n2.0 4.5 0.1\n");
+  same("bare.ban", rows);
+  same("empty.ban", "ProgramName=\nXOffset=\nYOffset=\nColumnDef=X,Y\n\n" + rows);
+  same("no_blank.ban", "ProgramName=MiniProf for Windows\nColumnDef=X,Y\n" + rows);
+  same("comments.ban", "ColumnDef=X,Y,A,C,N\n\n-2.0 4.5 0 0 1\n0 0 0 0 1 % dent\n2.0 4.5 0 0 1 ! edge\n");
+  same("one.mpt", "[FileInfo]\nProgramName=x\n\n[Profile1Info]\nXOffset=\n\n[Profile1Points]\n" + rows);
+  same("parts.mpt", "[Profile1Points]\n" + rows + "\n[Profile2Info]\nA=b\n[Profile2Points]\n9 9\n8 8\n",
+       "it has 1 more profile(s) behind the first");
+  same("vampire.rai", "RAILPROFILE\nA rail\nGAUGE 1435\n-2 4.5 -2 4.5\n0 0 0 0\n2 4.5 2 4.5\n");
+  same("vampire.rai", "RAILPROFILE\nA rail\n-2 4 -2 4.5\n0 0 0 0\n2 4.5 2 4.5\n", "its two rails differ");
+  same("empty.prr", "spline.begin\nshift.y=\npoint.begin\n" + rows + "point.end\nspline.end\n");
+}
+
 TEST_F(ProfileFiles, simpack_keys_in_their_order) {
   const auto with = [&](const std::string& keys) {
     return read("k.prw", "spline.begin\n" + keys + "point.begin\n0 0\n0.001 0\n1 0\n2 1\npoint.end\nspline.end\n")
@@ -121,7 +154,19 @@ TEST_F(ProfileFiles, bad_files_are_named_with_their_lines) {
   expect_refused("b.prr", "units.len.f = 0\npoint.begin\n0 0\n1 1\npoint.end\n", "units.len.f is not > 0");
   expect_refused("b.prr", "point.begin\n0\n", "line 2: 1 number; needed: y and z");
   expect_refused("b.prr", "point.begin\npoint.end\npoint.begin\n", "line 3: a second section of points");
-  expect_refused("b.ban", "Nothing\n", "line 1: no 'Key=Value'");
+  expect_refused("b.ban", "Nothing\n", "headings and no point below them");
+  expect_refused("b.ban", "MINIPROF 101\n1 2\n3 4\n", "no point below them; in files of Miniprof a blank line ends");
+  expect_refused("b.txt", "3\n0 0\n1 1\n", "it announces 3 points and has 2");
+  expect_refused("b.txt", "0 0 1\n0.5 0 1\n", "line 2: 3 number(s); needed: y and z; a third one");
+  expect_refused("b.txt", "1 0 0\n2 1 0\n4 2 0\n", "line 3: 3 number(s); needed: y and z");
+  expect_refused("b.txt", "0,5,1,5\n1,5,2,5\n", "line 1: 4 number(s); needed: y and z");
+  expect_refused("b.txt", "0,5;1,5;2,5\n", "line 1: 3 number(s)");
+  expect_refused("b.txt", "y z\n-3O.5 1\n", "line 2: '-3O.5' is no number");
+  expect_refused("b.txt", "0 0\ny z\n1 1\n", "line 2: 'y z' among the points");
+  expect_refused("b.txt",
+                 "\xE2\x88\x92"
+                 "1 0\n1 1\n",
+                 "line 1: '???1' is no number");
   expect_refused("b.ban", "ColumnDef=A,C\n\n1 2\n", "line 1: ColumnDef names no columns X and Y");
   expect_refused("b.ban", "ColumnDef=X,A,Y\n\n1 2\n", "line 3: 2 number(s); needed by ColumnDef: 3");
 }

@@ -3,9 +3,9 @@ function varargout = body_read_profile(varargin)
 %
 % Sets a profile through the points of a file, as rollcon.body_set_profile does: of Simpack, where the
 % name ends in .prr or .prw (its keys are obeyed but for smoothing), of Miniprof, where it ends in
-% .ban or .whl, else two columns, y and z. Simpack's and Miniprof's are millimetres. ERR_IO names the
-% line of a file that cannot be read, ERR_ARGUMENT that of a point at which the path turns back. z
-% goes where the file says: mirror it where the file counts upwards.
+% .ban, .whl or .mpt, else columns, y and z (docs/profiles.md). Simpack's and Miniprof's are
+% millimetres. ERR_IO names the line of a file that cannot be read, ERR_ARGUMENT that of a point at
+% which the path turns back. z goes where the file says: mirror it where the file counts upwards.
 %
 %   body (body): a half-space or rigid, without a mesh (else ERR_STATE)
 %   path (name of a file): name of the file

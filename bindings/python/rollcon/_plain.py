@@ -226,10 +226,10 @@ class BodyPlain:
                      filter_length: float = 0) -> None:
         """Sets a profile through the points of a file, as set_profile() does: of Simpack, where
         the name ends in .prr or .prw (its keys are obeyed but for smoothing), of Miniprof, where
-        it ends in .ban or .whl, else two columns, y and z. Simpack's and Miniprof's are
-        millimetres. ERR_IO names the line of a file that cannot be read, ERR_ARGUMENT that of a
-        point at which the path turns back. z goes where the file says: mirror it where the file
-        counts upwards.
+        it ends in .ban, .whl or .mpt, else columns, y and z (docs/profiles.md). Simpack's and
+        Miniprof's are millimetres. ERR_IO names the line of a file that cannot be read,
+        ERR_ARGUMENT that of a point at which the path turns back. z goes where the file says:
+        mirror it where the file counts upwards.
 
         path: name of the file.
         unit: factor on its numbers: length of a millimetre, > 0.
