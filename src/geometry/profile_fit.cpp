@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 #include "support/error.hpp"
@@ -164,8 +165,10 @@ std::vector<std::size_t> kinks_of(const std::vector<Vec2>& x, double filter_leng
   return found;
 }
 
-/// Second derivatives at the knots of the spline that has a third one continuous at the last but one, too.
-std::vector<double> second_derivatives(const std::vector<double>& h, const std::vector<double>& y) {
+/// Second derivatives at the knots of the spline with these first ones at its ends, null: one that has a third one
+/// continuous at the last knot but one, too.
+std::vector<double> second_derivatives(const std::vector<double>& h, const std::vector<double>& y, const double* begin,
+                                       const double* end) {
   const std::size_t n = y.size();
   const auto slope = [&](std::size_t i) { return (y[i + 1] - y[i]) / h[i]; };
   struct Row {
@@ -173,17 +176,22 @@ std::vector<double> second_derivatives(const std::vector<double>& h, const std::
   };
   std::vector<Row> row(n);
   std::vector<double> m(n);
-  if (n == 3) std::fill(m.begin(), m.end(), 2 * (slope(1) - slope(0)) / (h[0] + h[1]));
-  if (n < 4) return m;
+  const double bent = begin ? slope(0) - *begin : 0, bent_last = end ? *end - slope(n - 2) : 0;
+  if (n == 2 && begin && end) return {(4 * bent - 2 * bent_last) / h[0], (4 * bent_last - 2 * bent) / h[0]};
+  if (n == 2) return std::vector<double>(2, 2 * (bent + bent_last) / h[0]);
+  if (n == 3 && !begin && !end) std::fill(m.begin(), m.end(), 2 * (slope(1) - slope(0)) / (h[0] + h[1]));
+  if (n == 3 && !begin && !end) return m;
   for (std::size_t i = 1; i + 1 < n; ++i) {
     row[i] = {h[i - 1], 2 * (h[i - 1] + h[i]), h[i]};
     m[i] = 6 * (slope(i) - slope(i - 1));
   }
-  const double first = h[0] / h[1], last = h[n - 2] / h[n - 3];
-  row[1].middle += h[0] * (1 + first);
+  const double first = begin || n == 3 ? 0 : h[0] / h[1], last = end || n == 3 ? 0 : h[n - 2] / h[n - 3];
+  row[1].middle += begin ? -h[0] / 2 : h[0] * (1 + first);
   row[1].high -= h[0] * first;
-  row[n - 2].middle += h[n - 2] * (1 + last);
+  m[1] -= 3 * bent;
+  row[n - 2].middle += end ? -h[n - 2] / 2 : h[n - 2] * (1 + last);
   row[n - 2].low -= h[n - 2] * last;
+  m[n - 2] -= 3 * bent_last;
   for (std::size_t i = 2; i + 1 < n; ++i) {
     const double factor = row[i].low / row[i - 1].middle;
     row[i].middle -= factor * row[i - 1].high;
@@ -191,8 +199,8 @@ std::vector<double> second_derivatives(const std::vector<double>& h, const std::
   }
   m[n - 2] /= row[n - 2].middle;
   for (std::size_t i = n - 2; i-- > 1;) m[i] = (m[i] - row[i].high * m[i + 1]) / row[i].middle;
-  m[0] = m[1] + first * (m[1] - m[2]);
-  m[n - 1] = m[n - 2] + last * (m[n - 2] - m[n - 3]);
+  m[0] = begin ? 3 * bent / h[0] - m[1] / 2 : m[1] + first * (m[1] - m[2]);
+  m[n - 1] = end ? 3 * bent_last / h[n - 2] - m[n - 2] / 2 : m[n - 2] + last * (m[n - 2] - m[n - 3]);
   return m;
 }
 
@@ -254,7 +262,7 @@ void smooth_points(std::vector<Vec2>& point, double filter_length) {
     for (std::size_t j = 0; j < 4; ++j) point[i + j] = point[i + j] - third[i][j] / weight[i + j] * v[i];
 }
 
-std::vector<ProfilePiece> spline_through(const std::vector<Vec2>& x) {
+std::vector<ProfilePiece> spline_through(const std::vector<Vec2>& x, const Vec2* begin, const Vec2* end) {
   const std::size_t n = x.size();
   std::vector<double> h(n - 1), y(n);
   for (std::size_t i = 0; i + 1 < n; ++i) h[i] = length(x[i + 1] - x[i]);
@@ -263,7 +271,8 @@ std::vector<ProfilePiece> spline_through(const std::vector<Vec2>& x) {
   for (int round = 0; round < 5; ++round) {
     for (std::size_t c = 0; c < 2; ++c) {
       for (std::size_t i = 0; i < n; ++i) y[i] = x[i][c];
-      const std::vector<double> m = second_derivatives(h, y);
+      const std::vector<double> m =
+          second_derivatives(h, y, begin ? &(*begin)[c] : nullptr, end ? &(*end)[c] : nullptr);
       for (std::size_t i = 0; i + 1 < n; ++i) {
         ProfilePiece& p = piece[i];
         p.length = h[i];
@@ -278,6 +287,52 @@ std::vector<ProfilePiece> spline_through(const std::vector<Vec2>& x) {
   }
   return piece;
 }
+
+namespace {
+
+/// A spline through each run of points whose distances do not jump. The coarser of two runs that meet takes the finer
+/// one's direction there: curvature, continuous elsewhere, would carry a long chord far away.
+std::vector<ProfilePiece> splines_of_runs(const std::vector<Vec2>& x, int& jumps) {
+  constexpr double jump = 5;
+  const auto chord = [&](std::size_t i) { return length(x[i + 1] - x[i]); };
+  std::vector<std::size_t> joint{0};
+  for (std::size_t i = 1; i + 1 < x.size(); ++i)
+    if (std::max(chord(i - 1), chord(i)) > jump * std::min(chord(i - 1), chord(i))) joint.push_back(i);
+  jumps += static_cast<int>(joint.size()) - 1;
+  joint.push_back(x.size() - 1);
+  const std::size_t runs = joint.size() - 1;
+  std::vector<std::vector<ProfilePiece>> run(runs);
+  // A finer neighbour takes nothing from a coarser one: what waits for none on its right comes first, from the left.
+  for (const bool waits : {false, true})
+    for (std::size_t k = 0; k < runs; ++k) {
+      const std::size_t r = waits ? runs - 1 - k : k, from = joint[r], to = joint[r + 1];
+      const bool left = r > 0 && chord(from - 1) < chord(from), right = r + 1 < runs && chord(to) < chord(to - 1);
+      if (right != waits) continue;
+      const auto tangent = [](const ProfilePiece& p, double u) { return ProfileCurve({p}).at(0, u).tangent(); };
+      const Vec2 begin = left ? tangent(run[r - 1].back(), run[r - 1].back().length) : Vec2{};
+      const Vec2 end = right ? tangent(run[r + 1].front(), 0) : Vec2{};
+      run[r] = spline_through(
+          {x.begin() + static_cast<std::ptrdiff_t>(from), x.begin() + static_cast<std::ptrdiff_t>(to) + 1},
+          left ? &begin : nullptr, right ? &end : nullptr);
+    }
+  std::vector<ProfilePiece> all;
+  for (const std::vector<ProfilePiece>& r : run) all.insert(all.end(), r.begin(), r.end());
+  return all;
+}
+
+/// How far pieces leave their chords.
+double farthest(const ProfileCurve& curve) {
+  double far = 0;
+  for (std::size_t i = 0; i < curve.pieces().size(); ++i) {
+    const double whole = curve.pieces()[i].length;
+    const Vec2 from = curve.at(i, 0).x, chord = curve.at(i, whole).x - from;
+    for (const double part : {0.25, 0.5, 0.75})
+      far = std::max(far, std::abs(cross(chord, curve.at(i, part * whole).x - from)) / length(chord));
+  }
+  return far;
+}
+
+}  // namespace
 
 ProfileCurve profile_through(const std::vector<Vec2>& point, double filter_length, const PointName& name,
                              std::string* told) {
@@ -295,6 +350,7 @@ ProfileCurve profile_through(const std::vector<Vec2>& point, double filter_lengt
   ends.push_back(x.size() - 1);
   std::vector<ProfilePiece> piece;
   std::size_t from = 0;
+  int jumps = 0;
   Vec2 joint = x.front();
   for (const std::size_t to : ends) {
     std::vector<Vec2> part(x.begin() + static_cast<std::ptrdiff_t>(from),
@@ -303,11 +359,21 @@ ProfileCurve profile_through(const std::vector<Vec2>& point, double filter_lengt
     // Smoothing moves the two curves that meet in a kink by different amounts: they go on from where the first ends.
     if (from > 0) part.front() = joint;
     joint = part.back();
-    const std::vector<ProfilePiece> more = spline_through(part);
+    const std::vector<ProfilePiece> more = splines_of_runs(part, jumps);
     piece.insert(piece.end(), more.begin(), more.end());
     from = to;
   }
-  return ProfileCurve(std::move(piece));
+  ProfileCurve curve(std::move(piece));
+  if (jumps > 0) {
+    char text[200];
+    std::snprintf(
+        text, sizeof text,
+        "the distances of the profile's points jump fivefold and more at %d place(s), where its curvature may "
+        "jump; the curve leaves their chords by up to %.3g; ",
+        jumps, farthest(curve));
+    words += text;
+  }
+  return curve;
 }
 
 }  // namespace rollcon

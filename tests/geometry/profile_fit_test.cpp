@@ -109,6 +109,43 @@ TEST(profile_fit, order_doubles_and_zigzags_are_made_right) {
   expect_error("two points in the wrong order: radius", errors(mended, 5)[0], 1e-4);
 }
 
+// An arc, a straight line given by its ends alone, and an arc again: as drawings and gaps of measurements have it.
+TEST(profile_fit, distances_that_jump_leave_the_curve_at_its_points) {
+  for (const double radius : {13.0, 80.0})
+    for (const double line : {1.0, 20.0, 1e3, 1e6})
+      for (const bool second_arc : {false, true}) {
+        const double last = 0.6;
+        std::vector<Vec2> point = circle(radius, 0, last, 101);
+        const Vec2 along{std::cos(last), std::sin(last)}, end = point.back() + line * along;
+        point.push_back(end);
+        if (second_arc)
+          for (const Vec2& x : circle(radius, last, 0, 101))
+            if (length(x - Vec2{radius * std::sin(last), -radius * std::cos(last)}) > 0)
+              point.push_back(end - (x - Vec2{radius * std::sin(last), -radius * std::cos(last)}));
+        std::string told;
+        const ProfileCurve curve = profile_through(point, 0, numbered, &told);
+        const std::string where = std::to_string(radius) + ", " + std::to_string(line);
+        const bool jumps = line > 5 * radius * last / 100;
+        const double whole = (second_arc ? 2 : 1) * radius * last + line;
+        expect_error("arc and line: length " + where, curve.length() / whole - 1, 1e-5);
+        double off = 0;
+        for (int i = 0; i <= 1000; ++i) {
+          const Vec2 x = curve.at(radius * last + line * i / 1000).x - point[100];
+          off = std::max(off, std::abs(cross(along, x)));
+        }
+        expect_error("arc and line: off the line " + where, off / line, jumps ? 1e-6 : 1e-3);
+        EXPECT_EQ(told.find("the distances of the profile's points jump fivefold"), jumps ? 0U : told.npos) << told;
+      }
+  const std::vector<Vec2> even = circle(13, -1, 1, 60);
+  EXPECT_EQ(through(even).pieces(), spline_through(even)) << "even distances: one spline";
+  // A gap in measured points of a circle, at random distances besides.
+  std::mt19937 random(11);
+  std::vector<Vec2> gap;
+  for (double a = -1; a < 1; a += 0.002 + 0.03 * std::generate_canonical<double, 53>(random))
+    if (std::abs(a) > 0.15) gap.push_back({13 * std::sin(a), -13 * std::cos(a)});
+  expect_error("a gap of 0.3 rad: radius", errors(through(gap), 13)[0], 1e-4);
+}
+
 TEST(profile_fit, an_outermost_point_that_turns_back_is_left_out_and_named) {
   const std::vector<Vec2> good = circle(5, -1, 1, 101);
   const ProfileCurve curve = through(good);

@@ -29,7 +29,7 @@ constinit const Scheme Scheme::time_step = {"none: a step in time, displacements
 const std::string& scheme_names() {
   static const std::string names = [] {
     std::string text;
-    for (const Scheme& row : schemes) text += (text.empty() ? "" : "|") + std::string(row.name);
+    for (const Scheme& row : schemes) text.append(text.empty() ? "" : "|").append(row.name);
     return text;
   }();
   return names;
