@@ -90,6 +90,7 @@ void Body::read_mesh(const char* path, const char* part) {
   if (!traits_.meshed) fail(Status::err_state, "a %s has no mesh and takes no file of one", traits_.name);
   require_unprepared("mesh is");
   const MeshFile file = part_of(read_mesh_file(path), path, part, traits_.volume);
+  if (!file.told.empty()) context_->log(LogLevel::warning, "%s: %s", path, file.told.c_str());
   const std::lock_guard lock(mutex_);
   require_takes_mesh();
   const char* setter = "rollcon_body_read_mesh";

@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <unordered_set>
 
 #include "io/mesh_builder.hpp"
 #include "io/profile_lines.hpp"
@@ -92,7 +93,10 @@ class AbaqusReader {
     if (mesh_.elements() == 0) lines_.fail_whole("it has no *ELEMENT of a surface or a volume");
     mesh_.finish_mesh();
     for (const Mention& m : mention_) resolve(m);
-    return mesh_.take();
+    MeshFile file = mesh_.take();
+    for (const auto& [kind, n] : passed_)
+      file.told += (file.told.empty() ? "passed over: " : ", ") + printable(kind) + " (" + std::to_string(n) + ")";
+    return file;
   }
 
  private:
@@ -109,6 +113,7 @@ class AbaqusReader {
     split(std::string_view(whole).substr(1), words);
     now_ = {};
     take_line_ = nullptr;
+    goes_on_ = false;
     if (words.empty()) return;
     for (const char c : in_upper_case(words[0]))
       if (c != ' ' && c != '\t') now_.name += c;
@@ -133,8 +138,12 @@ class AbaqusReader {
 
   void open_block() {
     const std::string& name = now_.name;
-    for (const char* maker : {"NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY"})
+    for (const char* maker :
+         {"NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYMMETRICMODELGENERATION", "IMPORT"})
       if (name == maker) lines_.fail_here("*" + name + " is not read: write all nodes and elements out");
+    for (const char* reader : {"NODE", "ELEMENT", "NSET", "ELSET", "SURFACE"})
+      if (name == reader && now_.has("INPUT"))
+        lines_.fail_here("*" + name + " with INPUT is not followed: put the mesh into one file");
     if (name == "INCLUDE") lines_.fail_here("*INCLUDE is not followed: put the mesh into one file");
     if (name == "SYSTEM") lines_.fail_here("*SYSTEM is not read: write nodes in the global axes");
     if (name == "PART" && ++parts_ > 1)
@@ -155,7 +164,7 @@ class AbaqusReader {
       if (unsupported)
         lines_.fail_here("elements of type " + printable(given) +
                          "; allowed: solids of 4, 6, 8, 10, 15, 20 and 27 nodes, surfaces of 3, 4, 6, 8 and 9");
-      take_line_ = type_ ? &AbaqusReader::take_element : nullptr;
+      take_line_ = type_ ? &AbaqusReader::take_element : &AbaqusReader::pass_element;
       open_group("ELSET");
     } else if (name == "NSET" || name == "ELSET") {
       if (name == "NSET" && now_.has("GENERATE") && now_.has("ELSET"))
@@ -167,9 +176,11 @@ class AbaqusReader {
       }
     } else if (name == "SURFACE") {
       const std::string type = in_upper_case(now_.value("TYPE"));
-      if (!type.empty() && type != "ELEMENT" && type != "NODE") return;  // analytical ones, ...
+      const std::string combine = in_upper_case(now_.value("COMBINE"));
+      if (!combine.empty() && combine != "UNION") return pass("surfaces combined by " + combine);
+      if (!type.empty() && type != "ELEMENT" && type != "NODE") return pass("surfaces of type " + type);
       group_ = mesh_.group(needed("NAME"));
-      take_line_ = type == "NODE" ? &AbaqusReader::take_members : &AbaqusReader::take_face;
+      take_line_ = combine.empty() && type != "NODE" ? &AbaqusReader::take_face : &AbaqusReader::take_members;
     }
   }
 
@@ -187,7 +198,8 @@ class AbaqusReader {
   void take(std::string_view line) {
     if (!take_line_) return;
     split(line, words_);
-    (this->*take_line_)();
+    if (!words_.empty()) (this->*take_line_)();
+    goes_on_ = line.ends_with(',');
   }
 
   std::int64_t number(std::string_view text) {
@@ -199,7 +211,7 @@ class AbaqusReader {
   void refuse_place() { lines_.fail_here("an *INSTANCE that is moved: write nodes in the global axes"); }
 
   void take_node() {
-    if (words_.size() < 2 || words_.size() > 7)
+    if (words_.size() > 7)
       lines_.fail_here(std::to_string(words_.size()) + " entries; needed: a number and 3 coordinates");
     Vec3 x{0, 0, 0};
     for (std::size_t c = 0; c < 3 && c + 1 < words_.size(); ++c)
@@ -207,6 +219,16 @@ class AbaqusReader {
     const std::int64_t id = number(words_[0]);
     mesh_.add_node(id, x, lines_.number());
     if (grouped_) add_mention(Mention::node, id);
+  }
+
+  /// What makes or names mesh and is not read: told by kind and number.
+  void pass(const std::string& kind) { ++passed_[kind]; }
+
+  /// One of a kind that rollcon does not have.
+  void pass_element() {
+    if (goes_on_) return;
+    pass("elements of type " + in_upper_case(now_.value("TYPE")));
+    if (const auto id = integer(words_[0])) passed_element_.insert(*id);
   }
 
   /// An element may go on over several lines.
@@ -268,11 +290,12 @@ class AbaqusReader {
   void add_set(std::string_view name) { add_mention(Mention::set, known_set(name), 0, 1); }
 
   void take_face() {
-    if (words_.empty()) return;
     const std::string side = words_.size() > 1 ? in_upper_case(words_[1]) : "";
     std::int32_t s = -1;  // the elements themselves, of surfaces
     if (side.size() == 2 && side[0] == 'S' && side[1] >= '1' && side[1] <= '6')
       s = side[1] - '1';
+    else if (side == "EDGE" || side.starts_with("END") || (side.size() == 2 && side[0] == 'E'))
+      return pass("edges and ends in surfaces");
     else if (!side.empty() && side != "SPOS" && side != "SNEG")
       lines_.fail_here("face '" + printable(side) + "'; allowed: S1 to S6, SPOS, SNEG");
     const auto id = integer(words_[0]);
@@ -307,6 +330,7 @@ class AbaqusReader {
         break;
       case Mention::face: {
         const std::int64_t element = mesh_.element_numbers().find(m.first);
+        if (passed_element_.contains(m.first)) return pass("faces of elements that are passed over");
         if (element < 0) lines_.fail_at(m.line, "there is no element " + std::to_string(m.first));
         put_face(m.group, element, m.side, m.line);
         break;
@@ -338,6 +362,9 @@ class AbaqusReader {
   std::vector<std::int64_t> number_;  ///< of an element that is being read
   std::int64_t element_line_ = 0;
   std::vector<Mention> mention_;
+  bool goes_on_ = false;  ///< the line before ends in a comma
+  std::map<std::string, int> passed_;
+  std::unordered_set<std::int64_t> passed_element_;
 };
 
 }  // namespace

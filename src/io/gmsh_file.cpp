@@ -15,7 +15,8 @@ namespace rollcon {
 namespace {
 
 constexpr std::array<const char*, 4> dimension_names{"point", "curve", "surface", "volume"};
-constexpr int most_given = 27;  ///< nodes of an element
+constexpr int most_given = 27;              ///< nodes of an element
+constexpr std::int32_t any_dimension = -1;  ///< of a name: Gmsh 2.0 writes none
 
 class GmshReader {
  public:
@@ -77,21 +78,25 @@ class GmshReader {
 
   /// Text in files of both kinds.
   void read_names() {
-    const std::int64_t n = text_integer();
+    const std::int64_t n = text_integer(in_.word());
     for (std::int64_t i = 0; i < n; ++i) {
-      const std::int64_t dimension = text_integer(), number = text_integer();
+      std::int64_t dimension = text_integer(in_.word()), number = dimension;
       const std::string_view line = in_.rest_of_line();
       const std::size_t from = line.find('"'), to = line.rfind('"');
-      if (dimension < 0 || dimension > 3) in_.fail_here("dimension " + std::to_string(dimension) + "; allowed: 0 to 3");
       if (from == std::string_view::npos || to <= from + 1 || to - from > 1024)
         in_.fail_here("no name in quotation marks");
+      if (const std::string_view second = trimmed(line.substr(0, from)); !second.empty())
+        number = text_integer(second);
+      else
+        dimension = any_dimension;
+      if (dimension < any_dimension || dimension > 3)
+        in_.fail_here("dimension " + std::to_string(dimension) + "; allowed: 0 to 3");
       names_[{static_cast<std::int32_t>(dimension), number}] = line.substr(from + 1, to - from - 1);
     }
     in_.skip_section("PhysicalNames");
   }
 
-  std::int64_t text_integer() {
-    const std::string_view text = in_.word();
+  std::int64_t text_integer(std::string_view text) {
     std::int64_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (text.empty() || error != std::errc() || end != text.data() + text.size())
@@ -102,7 +107,8 @@ class GmshReader {
   std::size_t group_of(std::int32_t dimension, std::int64_t number) {
     const auto [entry, made] = groups_.try_emplace({dimension, number}, 0);
     if (made) {
-      const auto named = names_.find({dimension, number});
+      auto named = names_.find({dimension, number});
+      if (named == names_.end()) named = names_.find({any_dimension, number});
       entry->second =
           mesh_.group(named != names_.end() ? named->second
                                             : std::string(dimension_names[static_cast<std::size_t>(dimension)]) + " " +
@@ -115,7 +121,7 @@ class GmshReader {
 
   /// Text in files of both kinds.
   std::int64_t count_of_section() {
-    const std::int64_t n = text_integer();
+    const std::int64_t n = text_integer(in_.word());
     if (in_.binary()) in_.end_line();
     return n;
   }

@@ -80,6 +80,7 @@ MeshFile part_of(const MeshFile& file, const std::string& path, const std::strin
   if (volume) add_naming_surfaces(file, used, chosen);
 
   MeshFile result;
+  result.told = file.told;
   std::vector<std::int32_t> node(file.node.size(), -1), element(file.type.size(), -1);
   for (std::size_t i = 0; i < used.size(); ++i) {
     if (used[i] == 0) continue;
@@ -115,7 +116,10 @@ MeshFile part_of(const MeshFile& file, const std::string& path, const std::strin
     std::sort(kept.element.begin(), kept.element.end());
     std::sort(kept.node.begin(), kept.node.end());
     kept.node.erase(std::unique(kept.node.begin(), kept.node.end()), kept.node.end());
-    if (!kept.element.empty() || !kept.node.empty() || !kept.face.empty()) result.group.push_back(std::move(kept));
+    if (!kept.element.empty() || !kept.node.empty() || !kept.face.empty())
+      result.group.push_back(std::move(kept));
+    else if (part.empty() && volume)
+      result.told += (result.told.empty() ? "" : "; ") + ("group without anything of the mesh: " + printable(g.name));
   }
   return result;
 }

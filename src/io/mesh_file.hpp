@@ -33,6 +33,7 @@ struct MeshFile {
   std::vector<std::int64_t> offset{0};  ///< elements + 1, into connectivity
   std::vector<std::int32_t> connectivity;
   std::vector<MeshGroup> group;
+  std::string told;  ///< what the file has and was passed over, by kind and number; empty: nothing
 
   std::int64_t elements() const { return static_cast<std::int64_t>(type.size()); }
   std::int64_t nodes() const { return static_cast<std::int64_t>(node.size()); }

@@ -84,7 +84,7 @@ const ForeignType* gmsh_type(std::int64_t number) {
 
 const ForeignType* abaqus_type(std::string_view name, bool& unsupported) {
   unsupported = false;
-  for (const std::string_view family : {"C3D", "DC3D"}) {
+  for (const std::string_view family : {"C3D", "DC3D", "SC"}) {
     const int nodes = nodes_after(name, family);
     if (nodes < 0) continue;
     const ForeignType* type = with_nodes(volumes, nodes);

@@ -244,6 +244,12 @@ TEST_F(MeshFiles, of_abaqus_that_are_none_are_refused_by_line) {
            {"*Boundary", "*Include, input=other.inp", "line 40: *INCLUDE is not followed"},
            {"*Boundary", "*NGEN", "line 40: *NGEN is not read"},
            {"*Boundary", "*Part, name=a\n*Part, name=b", "line 41: a second *PART"},
+           {"*Boundary", "*Symmetric Model Generation", "line 40: *SYMMETRICMODELGENERATION is not read"},
+           {"*Boundary", "*Node, input=n.txt", "line 40: *NODE with INPUT is not followed: put the mesh into one file"},
+           {"*Boundary", "*Element, type=C3D8, input=e.txt", "line 40: *ELEMENT with INPUT is not followed"},
+           {"*Boundary", "*Nset, nset=n, input=n.txt", "line 40: *NSET with INPUT is not followed"},
+           {"*Boundary", "*Elset, elset=n, input=n.txt", "line 40: *ELSET with INPUT is not followed"},
+           {"*Boundary", "*Surface, name=n, input=n.txt", "line 40: *SURFACE with INPUT is not followed"},
            {"*Boundary", "*System", "line 40: *SYSTEM is not read"},
            {"*Node\n", "*Node, system=C\n", "line 13: *NODE with SYSTEM=C"},
            {"*Nset, nset=Foot, generate", "*Nset, generate", "*NSET without NSET"}}) {
@@ -256,6 +262,48 @@ TEST_F(MeshFiles, of_abaqus_that_are_none_are_refused_by_line) {
   } catch (const Error& e) {
     EXPECT_NE(std::string(e.what()).find("it has no *ELEMENT of a surface or a volume"), std::string::npos);
   }
+}
+
+// What makes or names mesh is read, or told by kind and number.
+TEST_F(MeshFiles, of_abaqus_tell_what_they_pass_over) {
+  const std::string cube =
+      "*NODE\n1\n2, 1.\n3,1,1,\n4,0,1,0\n5,0,0,1\n6,1,0,1\n7,1,1,1\n8,0,1,1\n9,0,0,2\n10,1,0,2\n11,1,1,2\n12,0,1,2\n"
+      "13,0,0,3\n*ELEMENT, TYPE=C3D8, ELSET=cube\n1, 1,2,3,4,5,6,7,8\n";
+  const auto whole = [&](const std::string& more) {
+    return part_of(read("told.inp", cube + more), "told.inp", "", true);
+  };
+  EXPECT_EQ(whole("").told, "");
+  EXPECT_EQ(whole("").node[1], (Vec3{1, 0, 0})) << "coordinates left out are 0";
+  const MeshFile shell = whole("*ELEMENT, TYPE=SC8R\n2, 5,6,7,8,9,10,11,12\n*NSET, NSET=Top\n9,10,11,12\n");
+  EXPECT_EQ(shell.elements(), 2) << "a continuum shell is a hexahedron";
+  EXPECT_EQ(group(shell, "Top").node.size(), 4U);
+  EXPECT_EQ(shell.told, "");
+  const std::string others =
+      "*ELEMENT, TYPE=COH3D8\n2, 5,6,7,8,\n9,10,11,12\n3, 5,6,7,8,9,10,11,12\n*ELEMENT, TYPE=B31\n4, 7,13\n";
+  EXPECT_EQ(whole(others).told, "passed over: elements of type B31 (1), elements of type COH3D8 (2)");
+  EXPECT_EQ(
+      whole(others + "*NSET, NSET=Far\n13\n").told,
+      "passed over: elements of type B31 (1), elements of type COH3D8 (2); group without anything of the mesh: Far");
+  const MeshFile surfaces =
+      whole(others +
+            "*SURFACE, NAME=top\ncube, S2\n*SURFACE, NAME=side\n1, S3\n4, END1\n4, S1\n"
+            "*SURFACE, NAME=both, COMBINE=UNION\ntop, side\n*SURFACE, NAME=less, COMBINE=DIFFERENCE\n"
+            "top, side\n*SURFACE, NAME=plane, TYPE=CYLINDER\nSTART, 0, 0\n");
+  EXPECT_EQ(group(surfaces, "side").face.size(), 1U);
+  EXPECT_EQ(group(surfaces, "both").face.size(), 2U);
+  for (const char* word : {"edges and ends in surfaces (1)", "faces of elements that are passed over (1)",
+                           "surfaces of type CYLINDER (1)", "surfaces combined by DIFFERENCE (1)"})
+    EXPECT_NE(surfaces.told.find(word), std::string::npos) << surfaces.told;
+}
+
+TEST_F(MeshFiles, of_gmsh_may_name_groups_without_their_dimension) {
+  const MeshFile file =
+      read("names.msh",
+           "$MeshFormat\n2 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n7 \"block\"\n2 9 \"top\"\n"
+           "$EndPhysicalNames\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n$Elements\n2\n"
+           "1 4 2 7 1 1 2 3 4\n2 2 2 9 1 1 2 3\n$EndElements\n");
+  EXPECT_EQ(group(file, "block").element, Ids{0});
+  EXPECT_EQ(group(file, "top").element, Ids{1});
 }
 
 TEST_F(MeshFiles, cannot_make_the_library_ask_for_more_memory_than_they_have_bytes) {
