@@ -83,22 +83,14 @@ void WheelRail::require_ready_for_positions() {
   prepare_search();
 }
 
-// Bodies may be given other profiles at any time.
 void WheelRail::prepare_search() {
-  auto wheel = given_wheel_->profile(), rail = given_rail_->profile();
-  if (search_ && wheel == wheel_curve_ && rail == rail_shape_.curve) return;
-  require_one_side(*wheel, radius_);
-  rail_shape_ = place_rail(std::move(rail), *track_);
-  if (search_) ++dimensions_;
-  search_.reset();
-  solved_.reset();
+  if (search_) return;
   wheel_ = given_wheel_->with_profile_alone();
   rail_ = given_rail_->with_profile_alone();
   const Vec3 centre{0, 0, -radius_}, axis{0, 1, 0};
   wheel_->revolve_profile(centre.data(), axis.data(), radius_);
   rail_->extrude_profile(rail_shape_.origin.data(), rail_shape_.along.data(), rail_shape_.down.data());
-  wheel_curve_ = std::move(wheel);
-  search_.emplace(WheelShape{wheel_curve_, centre, axis, radius_}, rail_shape_);
+  search_.emplace(WheelShape{given_wheel_->profile(), centre, axis, radius_}, rail_shape_);
   slot_.clear();
   spare_.clear();
   sink_ = 0;

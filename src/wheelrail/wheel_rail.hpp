@@ -194,7 +194,6 @@ class WheelRail {
 
   // Made from these.
   std::optional<ContactSearch> search_;
-  std::shared_ptr<const ProfileCurve> wheel_curve_;
   RailShape rail_shape_;
   std::vector<OverlapPatch> found_;
   std::vector<std::unique_ptr<Slot>> slot_;

@@ -37,7 +37,7 @@ void WheelRail::set_track(double gauge, double gauge_height, double cant) {
   constexpr double most = 0.5;
   if (!(std::abs(cant) <= most)) fail(Status::err_argument, "cant is %g; allowed: -0.5 to 0.5 (radian)", cant);
   const TrackGauge track{gauge, gauge_height, cant};
-  place_rail(given_rail_->profile(), track);  // a test
+  rail_shape_ = place_rail(given_rail_->profile(), track);
   track_ = track;
   search_.reset();
   solved_.reset();
