@@ -194,7 +194,7 @@ contains
       'rc_wheelrail%prescribe_vertical', stat, errmsg)
   end subroutine
 
-  !> Sets the coefficient of Coulomb's friction.
+  !> Sets the coefficient of Coulomb's friction. Not needed where rollcon_wheelrail_set_friction_by_angle gives it.
   subroutine wheelrail_set_friction(self, mu, stat, errmsg)
     class(rc_wheelrail_plain), intent(inout) :: self
     real(rc_real), intent(in) :: mu

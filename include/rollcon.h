@@ -2086,18 +2086,19 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_write(const rollcon_cont
 /* ------------------------------------------------------------- Wheel on rail: making, inputs */
 /* A wheel of a wheelset on its rail: profiles, dimensions, position and velocity in, patches and
    forces out. Axes of the track: x forward, y to the right, z down, the origin midway between the
-   rails at the height of their top. Roll, yaw and pitch are about x, z and y. Everything that is
-   set stays; docs/wheelrail.md has the figures. */
+   rails at the height of their top. Roll, yaw and pitch are about x, z and y: a point of the
+   wheelset is pitched about its axle, rolled about x, then yawed about z, all axes but the axle's
+   fixed in the track. Everything that is set stays; docs/wheelrail.md has the figures. */
 
 /*
  * Makes a wheel on its rail. Profile of the wheel: y from the tread's datum, the flange at lesser
  * y, z down (as "s1002"); of the rail: upright, its gauge side at lesser y, z down. They are the
  * same on both sides of the track: what is on the left is the mirror image. Where the profiles
  * lie in their bodies (rollcon_body_extrude_profile, rollcon_body_revolve_profile) is no matter,
- * and the bodies stay free for other uses. A profile that is set later counts after the next
- * rollcon_wheelrail_set_track and rollcon_wheelrail_set_wheelset. At least one body must be
- * elastic. Standard: rails without deviation, height prescribed by motion, accuracy 0.01;
- * everything else must be set before a solve.
+ * and the bodies stay free for other uses. A profile or elastic constants that the bodies are
+ * given later count from the next solve. At least one body must be elastic. Standard: rails
+ * without deviation, height prescribed by motion, accuracy 0.01; everything else must be set
+ * before a solve.
  *   wheel      a half-space or rigid, with a profile (else ROLLCON_ERR_STATE)
  *   rail       likewise; may be of another context
  *   side       ROLLCON_LEFT or ROLLCON_RIGHT
@@ -2127,7 +2128,8 @@ ROLLCON_API void ROLLCON_CALL rollcon_wheelrail_release(rollcon_wheelrail *wheel
  * Says where the rails lie: each is canted, its top is at z = 0, and its gauge side is half the
  * gauge from the middle of the track.
  *   gauge         > 0, length
- *   gauge_height  below the top of the rails, where the gauge is measured; > 0, length
+ *   gauge_height  below the top of the rails, where the gauge is measured; length; 0 places the
+ *                 rail by its profile's origin: half the gauge from the middle, z = 0
  *   cant          of each rail towards the middle of the track, radian, -0.5 to 0.5; 0 if the
  *                 profile is canted already
  * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
@@ -2187,7 +2189,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_prescribe_vertical(
     rollcon_wheelrail *wheelrail, int32_t how, double force);
 
 /*
- * Sets the coefficient of Coulomb's friction.
+ * Sets the coefficient of Coulomb's friction. Not needed where
+ * rollcon_wheelrail_set_friction_by_angle gives it.
  *   mu         0 to 10
  * Also returns: ROLLCON_ERR_NONFINITE.
  */

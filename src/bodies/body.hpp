@@ -81,6 +81,8 @@ class Body {
   /// Another body of this kind and material with this profile, which has no place yet; not prepared. err_state without
   /// a profile.
   std::shared_ptr<Body> with_profile_alone() const;
+  /// The elastic constants at the contact are those of the other.
+  bool same_elastic(const Body& other) const;
   double profile_length() const;
   ProfilePoint profile_point(double s) const;
   void set_int(const char* option, std::int64_t value);

@@ -164,6 +164,12 @@ std::shared_ptr<Body> Body::with_profile_alone() const {
   return body;
 }
 
+bool Body::same_elastic(const Body& other) const {
+  if (this == &other) return true;
+  const std::scoped_lock lock(mutex_, other.mutex_);
+  return model_->contact_material == other.model_->contact_material;
+}
+
 double Body::profile_length() const {
   const std::lock_guard lock(mutex_);
   require_profile();

@@ -1,7 +1,9 @@
 #include "wheelrail/rail_place.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "bodies/model/body_profile.hpp"
 #include "support/error.hpp"
 
 namespace rollcon {
@@ -41,11 +43,20 @@ RailShape place_rail(std::shared_ptr<const ProfileCurve> curve, const TrackGauge
   const double peak = valley(std::max(highest - 1, 0) * step, std::min(highest + 1, samples) * step,
                              [&](double at) { return canted(at)[1]; });
   const double top = canted(peak)[1];
+  if (const Vec2& end = canted(peak), inside = canted(std::abs(peak - step));
+      (highest == 0 || highest == samples) && std::abs(inside[1] - end[1]) > std::abs(inside[0] - end[0]))
+    fail(
+        Status::err_argument,
+        "the rail's profile is highest at its end (y = %g, z = %g) and steeper than 45 degrees there; allowed: z down, "
+        "the running surface between its ends",
+        curve->at(peak).x[0], curve->at(peak).x[1]);
+  if (track.height == 0) return {std::move(curve), {0, 0.5 * track.gauge, 0}, {1, 0, 0}, {0, s, c}};
   int below = highest;
   while (below > 0 && canted(below * step)[1] - top < track.height) --below;
   if (canted(below * step)[1] - top < track.height)
     fail(Status::err_argument,
-         "gauge_height is %g; allowed: at most %g, where the rail's profile ends on its gauge side, that of lesser y",
+         "gauge_height is %g; allowed: at most %g, where the rail's profile ends on its gauge side, that of lesser y, "
+         "or 0, which places it by its profile's origin",
          track.height, canted(0)[1] - top);
   double deep = below * step, shallow = std::max(peak, deep);
   constexpr int halvings = 60;
@@ -59,6 +70,25 @@ RailShape place_rail(std::shared_ptr<const ProfileCurve> curve, const TrackGauge
   rail.down = {0, s, c};
   rail.curve = std::move(curve);
   return rail;
+}
+
+// Both sides of y = 0 are compared: what is as high or as deep on both, a roller's crown, says nothing.
+void require_wheel_profile(const ProfileCurve& curve, double radius) {
+  require_one_side(curve, radius);
+  constexpr int samples = 500;
+  constexpr double flange = 0.02;  // of the radius; flanges are 6 to 10 percent high
+  double low[2] = {0, 0}, high[2] = {0, 0};
+  for (int i = 0; i <= samples; ++i) {
+    const Vec2 x = curve.at(i * curve.length() / samples).x;
+    const int field = x[0] > 0 ? 1 : 0;
+    low[field] = std::min(low[field], x[1]);
+    high[field] = std::max(high[field], x[1]);
+  }
+  const double least = flange * radius;
+  if ((high[1] > least && high[1] > 2 * high[0]) || (low[0] < -least && low[0] < 2 * low[1]))
+    fail(Status::err_argument,
+         "the wheel's profile has z from %g to %g at y < 0, %g to %g at y > 0; allowed: z down, the flange at lesser y",
+         low[0], high[0], low[1], high[1]);
 }
 
 }  // namespace rollcon

@@ -49,6 +49,8 @@ double depth_of(const OverlapPatch& patch) {
 // Of the wheel's radius. Overlaps of steel wheels under 200 kN are a third of the first at most; at it pressures are 2
 // to 5 percent of the modulus of contact.
 constexpr double too_deep = 1e-3, nonsense = 0.1;
+// Of the wheel's vertical force: a patch that carries less may have few nodes.
+constexpr double little_load = 0.01;
 
 /// The worse ones first; the rest may be success.
 int rank(Status status) {
@@ -70,30 +72,52 @@ void WheelRail::prepare() {
   require_dimensions();
   const char* missing = !in_.position_given   ? "rollcon_wheelrail_set_position"
                         : !in_.velocity_given ? "rollcon_wheelrail_set_velocity"
-                        : !in_.friction_given ? "rollcon_wheelrail_set_friction"
                                               : nullptr;
   if (missing) fail(Status::err_state, "something is missing: call %s first", missing);
+  require_friction();
   prepare_search();
 }
 
 void WheelRail::require_ready_for_positions() {
   require_dimensions();
-  if (!in_.friction_given)
-    fail(Status::err_state, "something is missing: call %s first", "rollcon_wheelrail_set_friction");
+  require_friction();
   prepare_search();
 }
 
+void WheelRail::require_friction() const {
+  if (!in_.friction_given && in_.friction_angle.empty())
+    fail(Status::err_state,
+         "something is missing: call rollcon_wheelrail_set_friction or rollcon_wheelrail_set_friction_by_angle first");
+}
+
+void WheelRail::follow_bodies() {
+  const bool same_bodies = !wheel_ || (given_wheel_->same_elastic(*wheel_) && given_rail_->same_elastic(*rail_));
+  auto wheel = given_wheel_->profile(), rail = given_rail_->profile();
+  if (same_bodies && wheel == wheel_curve_ && rail == rail_shape_.curve) return;
+  require_wheel_profile(*wheel, radius_);
+  rail_shape_ = place_rail(std::move(rail), *track_);
+  wheel_curve_ = std::move(wheel);
+  wheel_.reset();
+  rail_.reset();
+  search_.reset();
+  solved_.reset();
+  ++dimensions_;
+}
+
 void WheelRail::prepare_search() {
+  follow_bodies();
   if (search_) return;
   wheel_ = given_wheel_->with_profile_alone();
   rail_ = given_rail_->with_profile_alone();
   const Vec3 centre{0, 0, -radius_}, axis{0, 1, 0};
   wheel_->revolve_profile(centre.data(), axis.data(), radius_);
   rail_->extrude_profile(rail_shape_.origin.data(), rail_shape_.along.data(), rail_shape_.down.data());
-  search_.emplace(WheelShape{given_wheel_->profile(), centre, axis, radius_}, rail_shape_);
+  search_.emplace(WheelShape{wheel_curve_, centre, axis, radius_}, rail_shape_);
+  active_.clear();
   slot_.clear();
   spare_.clear();
   sink_ = 0;
+  derived_ = false;
 }
 
 Pose WheelRail::attitude_of(const WheelsetState& position) {
@@ -194,6 +218,9 @@ Status WheelRail::solve_at(double z) {
   }
   for (const Slot* slot : active_) {
     Status status = slot->contact.status();
+    if (status == Status::coarse && length(slot->contact.force()) < little_load * std::abs(vertical_force()))
+      status = Status::ok;
+    if (slot->contact.max_pressure() > slot->contact.contact()->modulus()) status = Status::too_deep;
     if (status == Status::ok && slot->contact.overlap().cut) status = Status::rim_contact;
     if (status != Status::no_contact && rank(status) < rank(worst)) worst = status;
   }
@@ -334,12 +361,19 @@ void WheelRail::tell(Status status) const {
   for (const OverlapPatch& patch : found_) deepest = std::max(deepest, patch.overlap);
   if (status == Status::derailed)
     context_->caveat(status, "the wheel is beside its rail (y is %g): it has derailed", side_ * in_.position.y);
-  if (status == Status::too_deep)
+  if (status == Status::too_deep && deepest > too_deep * radius_)
     context_->caveat(
         status,
         "wheel and rail overlap by %g, more than a thousandth of the wheel's radius (%g): check %s and all "
         "units",
         deepest, radius_, in_.by_force ? "the vertical force" : "z");
+  for (const Slot* slot : active_)
+    if (const double most = slot->contact.max_pressure(), modulus = slot->contact.contact()->modulus(); most > modulus)
+      context_->caveat(
+          Status::too_deep,
+          "the largest pressure of the patch at y = %g of the wheel is %g, more than the modulus of contact "
+          "(%g): check both profiles (flange and gauge side at lesser y, z down) and all units",
+          slot->wheel_y, most, modulus);
   for (std::size_t i = 0; i < active_.size(); ++i)
     if (const OverlapPatch& patch = active_[i]->contact.overlap(); patch.cut)
       context_->caveat(Status::rim_contact,

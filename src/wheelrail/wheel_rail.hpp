@@ -151,6 +151,9 @@ class WheelRail {
 
   void prepare();
   void prepare_search();
+  void require_friction() const;
+  /// Takes profiles and materials that the bodies were given since; what was solved with others is gone then.
+  void follow_bodies();
   Pose wheel_pose(const WheelsetState& position, double z) const;
   WheelMotion motion_at(double z) const { return motion_at(z, in_); }
   WheelMotion motion_at(double z, const Inputs& in) const;
@@ -185,7 +188,8 @@ class WheelRail {
 
   std::shared_ptr<Context> context_;
   std::shared_ptr<Body> given_wheel_, given_rail_, wheel_, rail_;
-  double side_;  ///< -1: everything is solved in a mirror
+  std::shared_ptr<const ProfileCurve> wheel_curve_;  ///< that was taken; the rail's is in rail_shape_
+  double side_;                                      ///< -1: everything is solved in a mirror
   std::optional<TrackGauge> track_;
   double back_to_back_ = 0, flange_back_ = 0, radius_ = 0;
   bool wheelset_given_ = false;

@@ -33,7 +33,9 @@ void WheelRail::set_track(double gauge, double gauge_height, double cant) {
   require_finite(gauge_height, "gauge_height");
   require_finite(cant, "cant");
   if (!(gauge > 0)) fail(Status::err_argument, "gauge is %g; allowed: > 0", gauge);
-  if (!(gauge_height > 0)) fail(Status::err_argument, "gauge_height is %g; allowed: > 0", gauge_height);
+  if (!(gauge_height >= 0))
+    fail(Status::err_argument, "gauge_height is %g; allowed: > 0, or 0: the rail is placed by its profile's origin",
+         gauge_height);
   constexpr double most = 0.5;
   if (!(std::abs(cant) <= most)) fail(Status::err_argument, "cant is %g; allowed: -0.5 to 0.5 (radian)", cant);
   const TrackGauge track{gauge, gauge_height, cant};
@@ -49,8 +51,10 @@ void WheelRail::set_wheelset(double back_to_back, double flange_back, double rad
   require_finite(flange_back, "flange_back");
   require_finite(radius, "radius");
   if (!(back_to_back > 0)) fail(Status::err_argument, "back_to_back is %g; allowed: > 0", back_to_back);
-  require_one_side(*given_wheel_->profile(), radius);
   if (!(radius > 0)) fail(Status::err_argument, "radius is %g; allowed: > 0", radius);
+  auto curve = given_wheel_->profile();
+  require_wheel_profile(*curve, radius);
+  wheel_curve_ = std::move(curve);
   back_to_back_ = back_to_back;
   flange_back_ = flange_back;
   radius_ = radius;

@@ -60,6 +60,7 @@ void WheelRail::return_to(const Kept& kept) {
   derived_ = false;
   active_.clear();
   if (kept.slots > 0) prepare_search();
+  if (kept.dimensions != dimensions_) return;  // the bodies have changed: inputs are all that is left
   while (slot_.size() > kept.slots) {
     spare_.push_back(std::move(slot_.back()));
     slot_.pop_back();
@@ -101,8 +102,10 @@ void WheelRail::restore(std::int32_t place) {
   const auto k = static_cast<std::size_t>(place);
   if (kept_.size() <= k || !kept_[k] || !kept_[k]->used)
     fail(Status::err_state, "nothing was saved at place %d: call rollcon_wheelrail_save first", place);
+  if (track_ && wheelset_given_) follow_bodies();
   if (kept_[k]->dimensions != dimensions_)
-    fail(Status::err_state, "what was saved at place %d was with other dimensions of track or wheelset", place);
+    fail(Status::err_state,
+         "what was saved at place %d was with other dimensions of track or wheelset, or other bodies", place);
   return_to(*kept_[k]);
 }
 
@@ -111,6 +114,7 @@ std::unique_ptr<WheelRail> WheelRail::copy(const std::shared_ptr<Context>& conte
                                            static_cast<std::int32_t>(side_));
   other->track_ = track_;
   other->rail_shape_ = rail_shape_;
+  other->wheel_curve_ = wheel_curve_;
   other->back_to_back_ = back_to_back_;
   other->flange_back_ = flange_back_;
   other->radius_ = radius_;

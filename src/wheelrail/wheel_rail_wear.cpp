@@ -58,7 +58,7 @@ PointsUnderPatch points_under(const PatchOnProfile& patch, const std::vector<Vec
 }  // namespace
 
 std::vector<Vec2> WheelRail::profile_points(std::int32_t body, std::int64_t n) const {
-  const auto curve = (body == 1 ? given_wheel_ : given_rail_)->profile();
+  const auto curve = body == 1 ? wheel_curve_ : rail_shape_.curve;
   std::vector<Vec2> point;
   for (std::int64_t j = 0; j < n; ++j)
     point.push_back(curve->at(curve->length() * (static_cast<double>(j) / static_cast<double>(n - 1))).x);

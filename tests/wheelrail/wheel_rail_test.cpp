@@ -364,4 +364,76 @@ TEST_F(wheel_rail, bad_input_is_refused) {
 }
 
 }  // namespace
+// Whatever was called in which order: the next solve has the profiles and constants that the bodies have then.
+TEST_F(wheels, follow_profiles_and_materials_that_are_set_later) {
+  const auto pressure = [](WheelRail& w) {
+    EXPECT_GE(static_cast<int>(w.solve()), 0);
+    return w.patch_stat(0, "max_pressure");
+  };
+  for (const bool of_wheel : {true, false}) {
+    SetUp();
+    const auto used = make();
+    used->prescribe_vertical(2, 10000);
+    const double before = pressure(*used);
+    used->save(0);
+    const double larger = 1.03;
+    (of_wheel ? wheel : rail)->set_profile_shape(of_wheel ? "s1002" : "60e1", 1, &larger);
+    refused([&] { used->restore(0); }, Status::err_state, {"other bodies"});
+    const double after = pressure(*used);
+    const auto fresh = make();
+    fresh->prescribe_vertical(2, 10000);
+    EXPECT_NEAR(after, pressure(*fresh), 1e-5 * after);
+    EXPECT_NE(after, before);
+    EXPECT_NEAR(used->stat("vertical_force"), 10000, 0.1);
+    wheel->set_elastic(0, 1000000, 0.28);
+    const double stiffer = pressure(*used), copied = pressure(*used->copy());
+    EXPECT_GT(stiffer, 1.1 * after);
+    EXPECT_NEAR(copied, stiffer, 1e-5 * stiffer);
+  }
+}
+
+TEST_F(wheels, refuse_profiles_that_are_turned) {
+  const auto turned = [](const Body& body, double y, double z) {
+    std::vector<double> points;
+    for (int i = 0; i < 700; ++i) {
+      const Vec2 x = body.profile_point(std::min(body.profile_length() * i / 699, body.profile_length())).x;
+      points.insert(points.end(), {y * x[0], z * x[1]});
+    }
+    return points;
+  };
+  for (const double z : {1.0, -1.0}) {
+    SetUp();
+    const auto points = turned(*wheel, z == 1 ? -1 : 1, z);
+    wheel->set_profile(700, points.data(), 0);
+    refused([&] { make(); }, Status::err_argument, {"wheel's profile", "the flange at lesser y"});
+  }
+  SetUp();
+  const auto points = turned(*rail, 1, -1);
+  rail->set_profile(700, points.data(), 0);
+  refused([&] { make(); }, Status::err_argument, {"rail's profile", "z down"});
+}
+
+TEST_F(wheels, stand_on_a_rail_without_a_side_by_its_origin) {
+  const double flat[] = {-40, 0, 0, 0, 40, 0};
+  std::vector<double> crown;
+  for (int i = -50; i <= 50; ++i) {
+    const double t = 0.3 * i / 50;
+    crown.insert(crown.end(), {100 * std::sin(t), 100 * (std::cos(t) - 1)});
+  }
+  rail->set_profile(3, flat, 0);
+  wheel->set_profile(101, crown.data(), 0);
+  WheelRail w(context, wheel, rail, 1);
+  w.set_track(1435, 0, 0);
+  w.set_wheelset(1435, 0, 460);
+  const double by_angle[] = {-0.5, 0.2, 0.5, 0.2}, velocity[6] = {2000, 0, 0, 0, 0, -2000.0 / 460}, at[6] = {};
+  w.set_velocity(velocity);
+  w.set_position(at);
+  w.prescribe_vertical(2, 10000);
+  refused([&] { w.solve(); }, Status::err_state, {"rollcon_wheelrail_set_friction_by_angle"});
+  w.set_friction_by_angle(2, by_angle);
+  EXPECT_GE(static_cast<int>(w.solve()), 0);
+  EXPECT_NEAR(w.patch_stat(0, "y"), 717.5, 1e-3);
+  EXPECT_NEAR(w.stat("vertical_force"), 10000, 0.1);
+}
+
 }  // namespace rollcon

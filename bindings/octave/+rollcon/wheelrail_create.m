@@ -5,10 +5,9 @@ function varargout = wheelrail_create(varargin)
 % down (as "s1002"); of the rail: upright, its gauge side at lesser y, z down. They are the same on
 % both sides of the track: what is on the left is the mirror image. Where the profiles lie in their
 % bodies (rollcon.body_extrude_profile, rollcon.body_revolve_profile) is no matter, and the bodies
-% stay free for other uses. A profile that is set later counts after the next
-% rollcon.wheelrail_set_track and rollcon.wheelrail_set_wheelset. At least one body must be elastic.
-% Standard: rails without deviation, height prescribed by motion, accuracy 0.01; everything else must
-% be set before a solve.
+% stay free for other uses. A profile or elastic constants that the bodies are given later count from
+% the next solve. At least one body must be elastic. Standard: rails without deviation, height
+% prescribed by motion, accuracy 0.01; everything else must be set before a solve.
 %
 %   context (context)
 %   wheel (body): a half-space or rigid, with a profile (else ERR_STATE)

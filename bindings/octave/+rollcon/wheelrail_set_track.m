@@ -6,7 +6,8 @@ function varargout = wheelrail_set_track(varargin)
 %
 %   wheelrail (wheelrail)
 %   gauge (real): > 0, length
-%   gauge_height (real): below the top of the rails, where the gauge is measured; > 0, length
+%   gauge_height (real): below the top of the rails, where the gauge is measured; length; 0 places the
+%   rail by its profile's origin: half the gauge from the middle, z = 0
 %   cant (real): of each rail towards the middle of the track, radian, -0.5 to 0.5; 0 if the profile is
 %   canted already
 %

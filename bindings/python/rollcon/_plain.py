@@ -776,7 +776,8 @@ class WheelrailPlain:
         half the gauge from the middle of the track.
 
         gauge: > 0, length.
-        gauge_height: below the top of the rails, where the gauge is measured; > 0, length.
+        gauge_height: below the top of the rails, where the gauge is measured; length; 0 places
+          the rail by its profile's origin: half the gauge from the middle, z = 0.
         cant: of each rail towards the middle of the track, radian, -0.5 to 0.5; 0 if the profile
           is canted already.
         """
@@ -833,7 +834,8 @@ class WheelrailPlain:
         self._call("prescribe_vertical", how, force)
 
     def set_friction(self, mu: float) -> None:
-        """Sets the coefficient of Coulomb's friction.
+        """Sets the coefficient of Coulomb's friction. Not needed where set_friction_by_angle()
+        gives it.
 
         mu: 0 to 10.
         """

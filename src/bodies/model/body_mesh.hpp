@@ -51,6 +51,7 @@ struct FaceNaming {
 
 struct Elastic {
   double young = 0, poisson = 0;
+  bool operator==(const Elastic&) const = default;
 };
 
 struct BodyMesh {
