@@ -84,26 +84,6 @@ void WheelRail::require_ready_for_positions() {
   prepare_search();
 }
 
-void WheelRail::require_friction() const {
-  if (!in_.friction_given && in_.friction_angle.empty())
-    fail(Status::err_state,
-         "something is missing: call rollcon_wheelrail_set_friction or rollcon_wheelrail_set_friction_by_angle first");
-}
-
-void WheelRail::follow_bodies() {
-  const bool same_bodies = !wheel_ || (given_wheel_->same_elastic(*wheel_) && given_rail_->same_elastic(*rail_));
-  auto wheel = given_wheel_->profile(), rail = given_rail_->profile();
-  if (same_bodies && wheel == wheel_curve_ && rail == rail_shape_.curve) return;
-  require_wheel_profile(*wheel, radius_);
-  rail_shape_ = place_rail(std::move(rail), *track_);
-  wheel_curve_ = std::move(wheel);
-  wheel_.reset();
-  rail_.reset();
-  search_.reset();
-  solved_.reset();
-  ++dimensions_;
-}
-
 void WheelRail::prepare_search() {
   follow_bodies();
   if (search_) return;
