@@ -14,8 +14,7 @@ struct TrackGauge {
 };
 
 /// The rail on the right; upright, the profile's y points to the right and its z down. err_argument: on its gauge side
-/// the profile does not reach down to the gauge's height,
-/// or its z points up.
+/// the profile does not reach down to the gauge's height, or its z points up.
 RailShape place_rail(std::shared_ptr<const ProfileCurve> curve, const TrackGauge& track);
 
 /// Keeps on one side of the axis, z down and the flange, if there is one, at lesser y. err_argument.

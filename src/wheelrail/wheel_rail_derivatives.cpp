@@ -118,6 +118,8 @@ void WheelRail::differentiate_by_solves(const Inputs& in, std::size_t entry, dou
 
 WheelRail::Derivative WheelRail::derivative(std::int32_t i) {
   require_solved();
+  prepare_search();
+  require_solved();  // not with other bodies since
   if (i < 0 || i >= static_cast<std::int32_t>(entries))
     fail(Status::err_argument, "entry is %d; allowed: 0 to 5 of the position, 6 to 11 of the velocity", i);
   if (solved_->status == Status::not_converged || solved_->status == Status::cancelled)

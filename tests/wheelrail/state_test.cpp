@@ -123,3 +123,30 @@ TEST_F(state, what_cannot_be_restored_is_told) {
   w->set_track(1436, 14, 0.025);
   refused([&] { w->restore(15); }, Status::err_state, {"other dimensions"});
 }
+
+// Bodies have other profiles after a solve: worn ones that stand 0.2 mm and a little more inclined beside.
+TEST_F(state, profiles_that_are_given_later_count) {
+  for (const bool of_wheel : {true, false}) {
+    const auto w = make();
+    w->prescribe_vertical(2, 10000);
+    const Result before = step(*w, 2);
+    w->save(0);
+    Body& body = of_wheel ? *wheel : *rail;
+    const auto points = body.profile()->points();
+    std::vector<double> worn;
+    for (const Vec2& x : points) worn.insert(worn.end(), {x[0], x[1] + 2e-3 * x[0]});
+    body.set_profile(static_cast<std::int64_t>(points.size()), worn.data(), 0);
+    refused([&] { w->derivative(1); }, Status::err_state, {"no solution yet"});
+    refused([&] { w->restore(0); }, Status::err_state, {"other bodies"});
+    const auto copied = w->copy();
+    copied->prescribe_vertical(2, 10000);
+    const auto fresh = make();
+    fresh->prescribe_vertical(2, 10000);
+    Result a = step(*fresh, 2), b = step(*w, 2), c = step(*copied, 2);
+    for (Result* r : {&a, &b, &c}) r->numbers[9] = r->numbers[10] = 0;
+    expect_same(a, b, of_wheel ? "wheel" : "rail");
+    expect_same(a, c, "copy");
+    EXPECT_GT(std::abs(a.numbers[1] / before.numbers[1] - 1), 1e-3) << "the profiles differ too little to tell";
+    SetUp();
+  }
+}
