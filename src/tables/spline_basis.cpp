@@ -25,7 +25,8 @@ void add_end(double* row, std::int64_t outermost, std::int64_t inwards, SplineEn
 
 SplineWeights spline_weights(double t, std::int64_t intervals) {
   SplineWeights w;
-  w.first = static_cast<std::int64_t>(std::clamp(std::floor(t), 0.0, static_cast<double>(intervals - 1)));
+  // NaN takes the first interval: its weights are NaN, too.
+  w.first = t > 0 ? static_cast<std::int64_t>(std::min(t, static_cast<double>(intervals - 1))) : 0;
   const double x = t - static_cast<double>(w.first), y = 1 - x;
   w.value[0] = y * y * y / 6;
   w.value[1] = (4 - 6 * x * x + 3 * x * x * x) / 6;
