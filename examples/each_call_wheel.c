@@ -106,6 +106,7 @@ static void wheels(rollcon_context* context) {
   double ellipse[9], center[2], of_table[3], looked_up;
   rollcon_contact* contact;
   must(rollcon_wheelrail_set_accuracy(right, 0.02));
+  must(rollcon_wheelrail_set_roll_outside(right, 1)); /* positions as CONTACT has them */
   must(rollcon_wheelrail_set_position(right, position));
   must(rollcon_wheelrail_set_velocity(right, velocity));
   must(rollcon_wheelrail_solve(right));

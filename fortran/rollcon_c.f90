@@ -1640,6 +1640,15 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_set_position
 
+    function rollcon_wheelrail_set_roll_outside(wheelrail, on) &
+        result(rc) bind(C, name="rollcon_wheelrail_set_roll_outside")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int32_t), value :: on
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_set_roll_outside
+
     function rollcon_wheelrail_set_velocity(wheelrail, velocity) &
         result(rc) bind(C, name="rollcon_wheelrail_set_velocity")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr

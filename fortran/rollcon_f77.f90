@@ -1544,6 +1544,14 @@ subroutine rcwpos(iwr, position, ierr)
   ierr = rollcon_wheelrail_set_position(wheelrail_of(iwr), position)
 end subroutine
 
+!> Says in which order positions turn a wheelset.
+subroutine rcword(iwr, ion, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ion, ierr
+  ierr = rollcon_wheelrail_set_roll_outside(wheelrail_of(iwr), narrow(ion))
+end subroutine
+
 !> Sets the velocity of the wheelset.
 subroutine rcwvel(iwr, velocity, ierr)
   use rollcon_f77_support

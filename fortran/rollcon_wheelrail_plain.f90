@@ -24,6 +24,7 @@ module rollcon_wheelrail_plain
     procedure :: set_wheelset => wheelrail_set_wheelset
     procedure :: set_rail_deviation => wheelrail_set_rail_deviation
     procedure :: set_position => wheelrail_set_position
+    procedure :: set_roll_outside => wheelrail_set_roll_outside
     procedure :: set_velocity => wheelrail_set_velocity
     procedure :: prescribe_vertical => wheelrail_prescribe_vertical
     procedure :: set_friction => wheelrail_set_friction
@@ -168,6 +169,19 @@ contains
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
     call finish(rollcon_wheelrail_set_position(self%p, position), self%p, 'rc_wheelrail%set_position', stat, errmsg)
+  end subroutine
+
+  !> Says in which order positions turn a wheelset: a point of it is pitched about its axle, then yawed about z, then
+  !> rolled about x, as in CONTACT; or rolled, then yawed, as in a new handle. Rates of roll and yaw are those of these
+  !> angles. Counts from the next solve, for positions that were set before, too. Without roll or without yaw both
+  !> orders are one.
+  subroutine wheelrail_set_roll_outside(self, on, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    integer, intent(in) :: on
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_wheelrail_set_roll_outside(self%p, int(on, rc_int)), self%p, 'rc_wheelrail%set_roll_outside', &
+      stat, errmsg)
   end subroutine
 
   !> Sets the velocity of the wheelset.

@@ -2088,7 +2088,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_write(const rollcon_cont
    forces out. Axes of the track: x forward, y to the right, z down, the origin midway between the
    rails at the height of their top. Roll, yaw and pitch are about x, z and y: a point of the
    wheelset is pitched about its axle, rolled about x, then yawed about z, all axes but the axle's
-   fixed in the track. Everything that is set stays; docs/wheelrail.md has the figures. */
+   fixed in the track; rollcon_wheelrail_set_roll_outside changes that order. Everything that is
+   set stays; docs/wheelrail.md has the figures. */
 
 /*
  * Makes a wheel on its rail. Profile of the wheel: y from the tread's datum, the flange at lesser
@@ -2168,6 +2169,17 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_rail_deviation(
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_position(
     rollcon_wheelrail *wheelrail, const double *position);
+
+/*
+ * Says in which order positions turn a wheelset: a point of it is pitched about its axle, then
+ * yawed about z, then rolled about x, as in CONTACT; or rolled, then yawed, as in a new handle.
+ * Rates of roll and yaw are those of these angles. Counts from the next solve, for positions that
+ * were set before, too. Without roll or without yaw both orders are one.
+ *   on         1: the roll outside the yaw; 0: the yaw outside the roll, as in a new handle
+ * Source: docs/wheelrail.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_roll_outside(
+    rollcon_wheelrail *wheelrail, int32_t on);
 
 /*
  * Sets the velocity of the wheelset.

@@ -1800,6 +1800,16 @@ static void call_wheelrail_set_position(call *self) {
   finish(self, rc);
 }
 
+static void call_wheelrail_set_roll_outside(call *self) {
+  int32_t rc = 0;
+  rollcon_wheelrail *wheelrail = rollcon_wheelrail_from_id(take_handle(self, "wheelrail"));
+  const int32_t on = take_enumerator(self, "on", no_names, 0);
+  no_more(self);
+  rc = rollcon_wheelrail_set_roll_outside(wheelrail, on);
+  if (rc < 0) finish(self, rc);
+  finish(self, rc);
+}
+
 static void call_wheelrail_set_velocity(call *self) {
   int32_t rc = 0;
   rollcon_wheelrail *wheelrail = rollcon_wheelrail_from_id(take_handle(self, "wheelrail"));
@@ -2531,6 +2541,7 @@ const entry calls[] = {
   {"wheelrail_set_wheelset", call_wheelrail_set_wheelset, 1},
   {"wheelrail_set_rail_deviation", call_wheelrail_set_rail_deviation, 1},
   {"wheelrail_set_position", call_wheelrail_set_position, 1},
+  {"wheelrail_set_roll_outside", call_wheelrail_set_roll_outside, 1},
   {"wheelrail_set_velocity", call_wheelrail_set_velocity, 1},
   {"wheelrail_prescribe_vertical", call_wheelrail_prescribe_vertical, 1},
   {"wheelrail_set_friction", call_wheelrail_set_friction, 1},

@@ -438,6 +438,12 @@ rollcon_status rollcon_wheelrail_set_position(rollcon_wheelrail *wheelrail,
   });
 }
 
+rollcon_status rollcon_wheelrail_set_roll_outside(rollcon_wheelrail *wheelrail, int32_t on) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    self.set_roll_outside(on);
+  });
+}
+
 rollcon_status rollcon_wheelrail_set_velocity(rollcon_wheelrail *wheelrail,
     const double *velocity) {
   return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {

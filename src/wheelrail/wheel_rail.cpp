@@ -12,12 +12,11 @@
 namespace rollcon {
 namespace {
 
-/// About x within a turn about z.
-Pose attitude(double roll, double yaw) {
+/// The roll about x is within the yaw about z, or outside.
+Pose attitude(double roll, double yaw, bool roll_outside = false) {
   const double cr = std::cos(roll), sr = std::sin(roll), cy = std::cos(yaw), sy = std::sin(yaw);
-  Pose pose;
-  pose.rotation = {{{cy, -sy * cr, sy * sr}, {sy, cy * cr, -cy * sr}, {0, sr, cr}}};
-  return pose;
+  if (roll_outside) return {.rotation = {{{cy, -sy, 0}, {cr * sy, cr * cy, -sr}, {sr * sy, sr * cy, cr}}}};
+  return {.rotation = {{{cy, -sy * cr, sy * sr}, {sy, cy * cr, -cy * sr}, {0, sr, cr}}}};
 }
 
 Velocity seen_from(const Pose& pose, const Velocity& v) {
@@ -101,7 +100,7 @@ void WheelRail::prepare_search() {
 }
 
 Pose WheelRail::attitude_of(const WheelsetState& position) {
-  return attitude(position.roll, position.yaw);
+  return attitude(position.roll, position.yaw, position.roll_outside);
 }
 
 // Rails roll about the point of the track that the gauge is measured to, at the height of their top.
@@ -122,9 +121,9 @@ WheelMotion WheelRail::motion_at(double z, const Inputs& in) const {
   const Pose set = attitude_of(in.position), wheel = wheel_pose(in.position, z);
   const Vec3 centre{0, in.position.y, z - radius_};
   const Pose rail = rail_pose(in.deviation);
-  const Pose yawed = attitude(0, in.position.yaw);
-  const Vec3 turning = in.velocity.yaw * Vec3{0, 0, 1} + in.velocity.roll * yawed.turn({1, 0, 0}) +
-                       in.velocity.pitch * set.turn({0, 1, 0});
+  // The outer turn keeps its own axis and turns that of the inner one.
+  const Pose outer = in.position.roll_outside ? attitude(in.position.roll, 0) : attitude(0, in.position.yaw);
+  const Vec3 turning = outer.turn({in.velocity.roll, 0, in.velocity.yaw}) + set.turn({0, in.velocity.pitch, 0});
   WheelMotion motion;
   motion.pose = relative(rail, wheel);
   motion.velocity = seen_from(rail, {{in.velocity.x, in.velocity.y, in.velocity.z}, turning, centre});

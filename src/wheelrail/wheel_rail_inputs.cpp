@@ -18,6 +18,11 @@ WheelsetState state_of(const double* v, const char* name, double side) {
   return {v[0], side * v[1], v[2], side * v[3], side * v[4], v[5]};
 }
 
+bool switched_on(std::int32_t on) {
+  if (on != 0 && on != 1) fail(Status::err_argument, "on is %d; allowed: 0, 1", on);
+  return on == 1;
+}
+
 }  // namespace
 
 WheelRail::WheelRail(std::shared_ptr<Context> context, std::shared_ptr<Body> wheel, std::shared_ptr<Body> rail,
@@ -74,12 +79,17 @@ void WheelRail::set_rail_deviation(const double* deviation, const double* rate) 
 }
 
 void WheelRail::set_position(const double* position) {
-  const WheelsetState now = state_of(position, "position", side_);
+  WheelsetState now = state_of(position, "position", side_);
+  now.roll_outside = in_.position.roll_outside;
   constexpr double most = 0.5;
   if (!(std::abs(now.roll) <= most && std::abs(now.yaw) <= most))
     fail(Status::err_argument, "roll is %g and yaw is %g; allowed: -0.5 to 0.5 (radian)", position[3], position[4]);
   in_.position = now;
   in_.position_given = true;
+}
+
+void WheelRail::set_roll_outside(std::int32_t on) {
+  in_.position.roll_outside = switched_on(on);
 }
 
 void WheelRail::set_velocity(const double* velocity) {
@@ -114,13 +124,11 @@ void WheelRail::set_table(std::shared_ptr<const ForceTable> table) {
 }
 
 void WheelRail::set_hertzian(std::int32_t on) {
-  if (on != 0 && on != 1) fail(Status::err_argument, "on is %d; allowed: 0, 1", on);
-  in_.hertzian = on == 1;
+  in_.hertzian = switched_on(on);
 }
 
 void WheelRail::set_conformal(std::int32_t on) {
-  if (on != 0 && on != 1) fail(Status::err_argument, "on is %d; allowed: 0, 1", on);
-  in_.conformal = on == 1;
+  in_.conformal = switched_on(on);
 }
 
 void WheelRail::require_solved_friction(const char* wanted) const {

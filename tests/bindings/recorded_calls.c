@@ -151,6 +151,7 @@ const char* const recorded_names[] = {
   "wheelrail_set_wheelset",
   "wheelrail_set_rail_deviation",
   "wheelrail_set_position",
+  "wheelrail_set_roll_outside",
   "wheelrail_set_velocity",
   "wheelrail_prescribe_vertical",
   "wheelrail_set_friction",
@@ -209,7 +210,7 @@ const char* const recorded_names[] = {
   "table_evaluate_contact",
 };
 
-const int recorded_number = 202;
+const int recorded_number = 203;
 
 enum {
   recorded_rollcon_version,
@@ -358,6 +359,7 @@ enum {
   recorded_rollcon_wheelrail_set_wheelset,
   recorded_rollcon_wheelrail_set_rail_deviation,
   recorded_rollcon_wheelrail_set_position,
+  recorded_rollcon_wheelrail_set_roll_outside,
   recorded_rollcon_wheelrail_set_velocity,
   recorded_rollcon_wheelrail_prescribe_vertical,
   recorded_rollcon_wheelrail_set_friction,
@@ -1810,6 +1812,13 @@ rollcon_status rollcon_wheelrail_set_position(rollcon_wheelrail *wheelrail,
   record_begin(recorded_rollcon_wheelrail_set_position);
   record_handle(wheelrail);
   record_reals(position, 6);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_set_roll_outside(rollcon_wheelrail *wheelrail, int32_t on) {
+  record_begin(recorded_rollcon_wheelrail_set_roll_outside);
+  record_handle(wheelrail);
+  record_integer(on);
   return record_end();
 }
 

@@ -285,6 +285,8 @@ void with_each_wheelrail_call(const void* handle, Check&& check) {
         rollcon_wheelrail_set_rail_deviation(object, a.reals, a.reals));
   check("rollcon_wheelrail_set_position", false,
         rollcon_wheelrail_set_position(object, a.reals));
+  check("rollcon_wheelrail_set_roll_outside", false,
+        rollcon_wheelrail_set_roll_outside(object, 1));
   check("rollcon_wheelrail_set_velocity", false,
         rollcon_wheelrail_set_velocity(object, a.reals));
   check("rollcon_wheelrail_prescribe_vertical", false,

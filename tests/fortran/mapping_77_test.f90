@@ -128,6 +128,7 @@ program mapping_77_test
   call test_rcwset()
   call test_rcwdev()
   call test_rcwpos()
+  call test_rcword()
   call test_rcwvel()
   call test_rcwvrt()
   call test_rcwfri()
@@ -1990,6 +1991,19 @@ contains
     call rcwpos(iwr, [1.125d0, 1.25d0, 1.375d0, 1.5d0, 1.625d0, 1.75d0], stat)
     call rclerr(message)
     call failed('wheelrail_set_position', stat, message)
+  end subroutine
+
+  subroutine test_rcword()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcword(iwr, 11, stat)
+    call told('wheelrail_set_roll_outside', 'wheelrail1 11', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcword(iwr, 11, stat)
+    call rclerr(message)
+    call failed('wheelrail_set_roll_outside', stat, message)
   end subroutine
 
   subroutine test_rcwvel()

@@ -72,6 +72,7 @@ program mapping_test
   call wheelrail_set_wheelset()
   call wheelrail_set_rail_deviation()
   call wheelrail_set_position()
+  call wheelrail_set_roll_outside()
   call wheelrail_set_velocity()
   call wheelrail_prescribe_vertical()
   call wheelrail_set_friction()
@@ -996,6 +997,18 @@ contains
     call wheelrail%set_position([1.125_rc_real, 1.25_rc_real, 1.375_rc_real, 1.5_rc_real, 1.625_rc_real, &
       1.75_rc_real], stat, message)
     call failed('wheelrail_set_position', stat, message)
+  end subroutine
+
+  subroutine wheelrail_set_roll_outside()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call wheelrail%set_roll_outside(11, stat, message)
+    call told('wheelrail_set_roll_outside', 'wheelrail1 11', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call wheelrail%set_roll_outside(11, stat, message)
+    call failed('wheelrail_set_roll_outside', stat, message)
   end subroutine
 
   subroutine wheelrail_set_velocity()

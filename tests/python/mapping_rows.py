@@ -86,6 +86,7 @@ ROWS = list(starmap(Row, [
     ('wheelrail', 'set_wheelset', False, (1.5, 2.5, 3.5), 'wheelrail_set_wheelset', 'wheelrail1 1.5 2.5 3.5', None),
     ('wheelrail', 'set_rail_deviation', False, ([1.125, 1.25, 1.375], [2.125, 2.25, 2.375]), 'wheelrail_set_rail_deviation', 'wheelrail1 [1.125 1.25 1.375] [2.125 2.25 2.375]', None),
     ('wheelrail', 'set_position', False, ([1.125, 1.25, 1.375, 1.5, 1.625, 1.75],), 'wheelrail_set_position', 'wheelrail1 [1.125 1.25 1.375 1.5 1.625 1.75]', None),
+    ('wheelrail', 'set_roll_outside', False, (11,), 'wheelrail_set_roll_outside', 'wheelrail1 11', None),
     ('wheelrail', 'set_velocity', False, ([1.125, 1.25, 1.375, 1.5, 1.625, 1.75],), 'wheelrail_set_velocity', 'wheelrail1 [1.125 1.25 1.375 1.5 1.625 1.75]', None),
     ('wheelrail', 'prescribe_vertical', False, (11, 2.5), 'wheelrail_prescribe_vertical', 'wheelrail1 11 2.5', None),
     ('wheelrail', 'prescribe_vertical', False, (11,), 'wheelrail_prescribe_vertical', 'wheelrail1 11 0', None),

@@ -815,6 +815,16 @@ class WheelrailPlain:
         position, position_at = vector(position, 6)
         self._call("set_position", position_at)
 
+    def set_roll_outside(self, on: int) -> None:
+        """Says in which order positions turn a wheelset: a point of it is pitched about its axle,
+        then yawed about z, then rolled about x, as in CONTACT; or rolled, then yawed, as in a new
+        handle. Rates of roll and yaw are those of these angles. Counts from the next solve, for
+        positions that were set before, too. Without roll or without yaw both orders are one.
+
+        on: 1: the roll outside the yaw; 0: the yaw outside the roll, as in a new handle.
+        """
+        self._call("set_roll_outside", on)
+
     def set_velocity(self, velocity: ArrayLike) -> None:
         """Sets the velocity of the wheelset.
 

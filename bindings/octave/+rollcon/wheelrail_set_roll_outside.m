@@ -1,0 +1,15 @@
+function varargout = wheelrail_set_roll_outside(varargin)
+% WHEELRAIL_SET_ROLL_OUTSIDE  rollcon.wheelrail_set_roll_outside(wheelrail, on)
+%
+% Says in which order positions turn a wheelset: a point of it is pitched about its axle, then yawed
+% about z, then rolled about x, as in CONTACT; or rolled, then yawed, as in a new handle. Rates of
+% roll and yaw are those of these angles. Counts from the next solve, for positions that were set
+% before, too. Without roll or without yaw both orders are one.
+%
+%   wheelrail (wheelrail)
+%   on (int32): 1: the roll outside the yaw; 0: the yaw outside the roll, as in a new handle
+%
+% Nodes, elements and rows count from 1. Failures are errors rollcon:ERR_..., caveats are warnings.
+% Generated from bindings/api.toml; do not edit.
+rollcon_mex('wheelrail_set_roll_outside', varargin{:});
+end
