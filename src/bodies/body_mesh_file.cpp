@@ -104,6 +104,7 @@ void Body::read_mesh(const char* path, const char* part) {
       mesh.naming.push_back(naming_of(type, n, nodes, tag));
   });
   drop_inner_faces(mesh);
+  mesh.passed_over = file.told;
   std::vector<BodyGroup> groups;
   for (const MeshGroup& g : file.group) groups.push_back(group_of(g, file, mesh.volume));
   std::swap(given(), mesh);

@@ -138,8 +138,8 @@ class AbaqusReader {
 
   void open_block() {
     const std::string& name = now_.name;
-    for (const char* maker :
-         {"NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYMMETRICMODELGENERATION", "IMPORT"})
+    for (const char* maker : {"NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYMMETRICMODELGENERATION",
+                              "CYCLICSYMMETRYMODEL", "IMPORT"})
       if (name == maker) lines_.fail_here("*" + name + " is not read: write all nodes and elements out");
     for (const char* reader : {"NODE", "ELEMENT", "NSET", "ELSET", "SURFACE"})
       if (name == reader && now_.has("INPUT"))

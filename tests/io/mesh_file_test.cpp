@@ -245,6 +245,7 @@ TEST_F(MeshFiles, of_abaqus_that_are_none_are_refused_by_line) {
            {"*Boundary", "*NGEN", "line 40: *NGEN is not read"},
            {"*Boundary", "*Part, name=a\n*Part, name=b", "line 41: a second *PART"},
            {"*Boundary", "*Symmetric Model Generation", "line 40: *SYMMETRICMODELGENERATION is not read"},
+           {"*Boundary", "*Cyclic Symmetry Model, n=12", "line 40: *CYCLICSYMMETRYMODEL is not read"},
            {"*Boundary", "*Node, input=n.txt", "line 40: *NODE with INPUT is not followed: put the mesh into one file"},
            {"*Boundary", "*Element, type=C3D8, input=e.txt", "line 40: *ELEMENT with INPUT is not followed"},
            {"*Boundary", "*Nset, nset=n, input=n.txt", "line 40: *NSET with INPUT is not followed"},

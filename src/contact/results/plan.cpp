@@ -34,7 +34,7 @@ const char* where_prepared(const Body& body) {
 }
 
 std::string slow_factors(const Body& body) {
-  if (!body.traits().dense || !body.response()) return {};
+  if (!body.traits().dense || !body.response() || body.shared() || body.loaded()) return {};
   return slow_factorization(blas_kernels(), body.response()->statistics().unknowns);
 }
 
@@ -53,6 +53,8 @@ void describe_bodies(std::string& text, const SolverState& s, const Body& body1,
            where_prepared(*body));
       if (const std::string slow = slow_factors(*body); !slow.empty()) line(text, "body %d: %s", number, slow.c_str());
     }
+    if (const std::string& what = body->mesh().passed_over; !what.empty())
+      text += "body " + std::to_string(number) + ": of its mesh file, " + what + '\n';
     ++number;
   }
   if (body1.response() && body1.same_as(body2))
