@@ -7,7 +7,8 @@ CLASSES = [("Context", ["context"]), ("Body", ["body"]), ("Contact", ["contact"]
            ("Table", ["table"])]
 RESULTS = [("Cases", "contact"), ("Event", "contact"), ("Positions", "wheelrail"), ("ContactPoints", "wheelrail"),
            ("Touch", "wheelrail"), ("Status", "status"), ("RollconError", "_library")]
-FUNCTIONS = [("wheelrail", ["contact_points", "conicity"]), ("stresses", ["stress_invariants"]),
+FUNCTIONS = [("wheelrail", ["contact_points", "conicity", "nonlinearity_parameter", "rolling_radii_coefficient"]),
+             ("stresses", ["stress_invariants"]),
              ("options", ["option_table", "body_option_table", "stat_names", "body_stat_names", "wheelrail_stat_names",
                           "wheelrail_patch_stat_names"]),
              ("_library", ["version", "version_string", "build_info", "has_feature", "status_string", "last_error", "last_caveat"])]

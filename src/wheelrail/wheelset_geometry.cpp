@@ -13,14 +13,17 @@ WheelsetGeometry::WheelsetGeometry(WheelRail& left, WheelRail& right) : wheel_{&
     fail(Status::err_argument, "right is a wheel on the left; allowed: one made with ROLLCON_RIGHT");
   left.require_dimensions();
   right.require_dimensions();
-  radius_ = right.radius();
+  radius_ = 0.5 * (left.radius() + right.radius());
 }
 
 // By how much deeper the wheelset's centre is where the right wheel touches.
 double WheelsetGeometry::rise(double shift, Height height, double roll, Standing& standing) {
   standing.roll = roll;
   standing.y = shift + (height == Height::rails ? radius_ * std::sin(roll) : 0);
-  for (std::size_t i = 0; i < 2; ++i) standing.touch[i] = wheel_[i]->touch(standing.y, roll);
+  for (std::size_t i = 0; i < 2; ++i) {
+    standing.touch[i] = wheel_[i]->touch(standing.y, roll);
+    standing.touch[i].height += radius_ - wheel_[i]->radius();  // of the wheelset with the mean radius
+  }
   standing.z = 0.5 * (standing.touch[0].height + standing.touch[1].height);
   return standing.touch[1].height - standing.touch[0].height;
 }

@@ -55,6 +55,21 @@ class OnRail(unittest.TestCase):
         np.testing.assert_array_equal(contact.resultant()[0], force)
         self.assertEqual(contact.tractions().shape, (contact.size[0], 3))
 
+    def test_rolling_radii_coefficient(self):
+        """Cones on narrow rail heads: their difference of 2 g y turns a wheelset round the radius e r / (2 g y)."""
+        slope, shift, curve = 0.05, 3.0, 5e5
+        self.bodies[0].set_profile([[-60, 60 * slope], [80, -80 * slope]])
+        self.bodies[1].set_profile_shape("arc", [-1.0, 0.99])
+        wheelset = [rc.WheelRail(self.context, *self.bodies, side=side) for side in ("left", "right")]
+        for wheel in wheelset:
+            wheel.set_track(1500, 0, 0)
+            wheel.set_wheelset(1360, -70, 460)
+        points = rc.contact_points(*wheelset, [0.0])
+        distance, radius = points.right.y[0] - points.left.y[0], points.right.rolling_radius[0]
+        found = rc.rolling_radii_coefficient(*wheelset, shift, curve)
+        self.assertAlmostEqual(found, 2 * slope * shift * curve / (distance * radius), delta=2e-3 * found)
+        self.assertAlmostEqual(rc.rolling_radii_coefficient(*wheelset, -shift, curve), -found, delta=1e-9)
+
     def test_conicity(self):
         """Often quoted as 0.18 at 3 mm."""
         wheelset = [rc.WheelRail(self.context, *self.bodies, side=side) for side in ("left", "right")]
@@ -63,6 +78,10 @@ class OnRail(unittest.TestCase):
             wheel.set_wheelset(1360, -70, 460)
         found, _ = rc.conicity(*wheelset, [3.0])
         self.assertAlmostEqual(found[0], 0.18, delta=0.002)
+        at_two_and_four, _ = rc.conicity(*wheelset, [2.0, 4.0])
+        parameter = rc.nonlinearity_parameter(*wheelset)
+        self.assertAlmostEqual(parameter, (at_two_and_four[1] - at_two_and_four[0]) / 2, delta=1e-12)
+        self.assertAlmostEqual(parameter, -0.0327, delta=5e-4)
         points = rc.contact_points(*wheelset, [-2.0, 0.0, 2.0])
         np.testing.assert_allclose(points.difference, -points.difference[::-1], atol=1e-9)
         np.testing.assert_allclose(points.left.y, -points.right.y[::-1], atol=1e-9)

@@ -142,6 +142,27 @@ TEST_F(wheelset_geometry, wheels_touch_where_they_begin_to_overlap) {
   }
 }
 
+// One axle carries both: the wheel on the left has to come down by the difference.
+TEST_F(wheelset_geometry, radii_may_differ) {
+  left = make(-1);
+  right = make(1);
+  left->set_wheelset(1360, -70, 459);
+  WheelsetGeometry geometry(*left, *right);
+  for (const double y : {-2.0, 1.0}) {
+    const auto stand = geometry.at(y, Height::axle);
+    EXPECT_LT(stand.roll, -4e-4) << "down on the left";
+    for (WheelRail* w : {left.get(), right.get()}) {
+      const double sunk = 1e-5, axle = stand.z - 459.5,
+                   position[6] = {0, y, axle + w->radius() + sunk, stand.roll, 0, 0};
+      w->set_position(position);
+      w->solve();
+      ASSERT_EQ(w->patches(), 1);
+      expect_error("y " + std::to_string(y) + ": overlap, mm",
+                   w->patch_stat(0, "overlap") - sunk * std::cos(w->patch_stat(0, "angle")), 5e-12);
+    }
+  }
+}
+
 TEST_F(wheelset_geometry, a_shifted_track_shifts_all) {
   WheelsetGeometry geometry = standing();
   double nominal = 0, moved = 0;

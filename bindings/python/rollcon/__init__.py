@@ -18,11 +18,12 @@ from .options import (body_option_table, body_stat_names, option_table, stat_nam
 from .stresses import stress_invariants
 from .table import Table
 from .wear import wear_profile
-from .wheelrail import WheelRail, conicity, contact_points
+from .wheelrail import (WheelRail, conicity, contact_points, nonlinearity_parameter,
+                        rolling_radii_coefficient)
 
 __version__ = _api.VERSION_TEXT.replace("-", "")  # as PEP 440 writes it: 1.0.0rc1
 __all__ = [name for name, value in vars(_api).items() if name.isupper() and isinstance(value, int)]
 __all__ += ["Body", "Contact", "Context", "RollconError", "Status", "Table", "WheelRail", "body_option_table", "body_stat_names",
-            "build_info", "conicity", "contact_points", "has_feature", "last_caveat", "last_error", "library_path", "option_table",
-            "stat_names", "status_string", "stress_invariants", "version", "version_string", "wear_profile", "wheelrail_patch_stat_names",
+            "build_info", "conicity", "contact_points", "has_feature", "last_caveat", "last_error", "library_path",
+            "nonlinearity_parameter", "option_table", "rolling_radii_coefficient", "stat_names", "status_string", "stress_invariants", "version", "version_string", "wear_profile", "wheelrail_patch_stat_names",
             "wheelrail_stat_names"]

@@ -57,8 +57,12 @@ class ContactPoints:
 
 
 def contact_points(left: WheelRail, right: WheelRail, shift: ArrayLike) -> ContactPoints:
-    """Where both wheels of a rigid wheelset touch rigid rails over its lateral shift[n], without
-    yaw: a ContactPoints. left, right: the WheelRail of each side, with track and wheelset set."""
+    """Where both wheels of a rigid wheelset touch rigid rails over its lateral shift[n]; a
+    ContactPoints. The wheelset does not yaw, and rolls until both wheels touch.
+
+    left: the WheelRail on the left, with track and wheelset set.
+    right: that on the right.
+    shift: y of the wheelset's centre."""
     shift, shift_at = reals(shift)
     table, table_at = room(len(shift), 13)
     left._call("find_contact_points", right.handle, len(shift), shift_at, table_at)
@@ -66,12 +70,43 @@ def contact_points(left: WheelRail, right: WheelRail, shift: ArrayLike) -> Conta
 
 
 def conicity(left: WheelRail, right: WheelRail, amplitude: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-    """Equivalent conicity of EN 15302 for each amplitude[n], and the wavelength of the motion."""
+    """Equivalent conicity of EN 15302 for each amplitude[n], and the wavelength of the motion.
+
+    left: the WheelRail on the left, with track and wheelset set.
+    right: that on the right.
+    amplitude: half the distance between the turning points of the motion."""
     amplitude, amplitude_at = reals(amplitude)
     found, found_at = room(len(amplitude))
     wavelength, wavelength_at = room(len(amplitude))
     left._call("find_conicity", right.handle, len(amplitude), amplitude_at, found_at, wavelength_at)
     return found, wavelength
+
+
+def nonlinearity_parameter(left: WheelRail, right: WheelRail, millimetre: float = 1.0) -> float:
+    """Nonlinearity parameter of EN 15302:2021, in 1/length: how much equivalent conicity grows from an
+    amplitude of 2 mm to one of 4 mm, over 2 mm.
+
+    left: the WheelRail on the left, with track and wheelset set.
+    right: that on the right.
+    millimetre: its length in the caller's unit; 0.001 if that is the metre."""
+    found, _ = conicity(left, right, [2 * millimetre, 4 * millimetre])
+    return (found[1] - found[0]) / (2 * millimetre)
+
+
+def rolling_radii_coefficient(left: WheelRail, right: WheelRail, shift: float, curve: float) -> float:
+    """Rolling radii coefficient of EN 15302:2021: the rolling-radius difference that a wheelset has over
+    the one with which it rolls round a curve without slip; 1 and more: it can steer.
+
+    left: the WheelRail on the left, with track and wheelset set.
+    right: that on the right, on the outer rail.
+    shift: of the wheelset to the outside at the height of the rails, as far as the standard says.
+    curve: radius of the track's middle."""
+    centre = shift
+    for _ in range(4):
+        points = contact_points(left, right, [centre])
+        radius = 0.5 * (points.left.rolling_radius[0] + points.right.rolling_radius[0])
+        centre = shift + radius * np.sin(points.roll[0])
+    return points.difference[0] * curve / (radius * (points.right.y[0] - points.left.y[0]))
 
 
 class WheelRail(WheelrailPlain, Handle):
