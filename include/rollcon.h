@@ -81,7 +81,7 @@ enum {
   ROLLCON_NOT_CONVERGED   = 1,    /* iteration limit reached; the best iterate is kept */
   ROLLCON_NO_CONTACT      = 2,    /* the bodies do not touch; tractions are zero */
   ROLLCON_CANCELLED       = 3,    /* stopped by the progress callback or by a cancel request */
-  ROLLCON_RIM_CONTACT     = 4,    /* the contact reaches the rim of the frame (a body's own edge does not count): enlarge it, or mend the gap's sign or the units; the plan says which */
+  ROLLCON_RIM_CONTACT     = 4,    /* the contact reaches the rim of the frame (a body's own edge does not count) or the end of a profile: caveat and plan say what to mend */
   ROLLCON_COARSE          = 5,    /* too few nodes touch, results may be off by half and more: refine the frame there */
   ROLLCON_INACCURATE      = 6,    /* the accuracy asked for (option frame_accuracy) was not reached; statistic error_estimate says which was */
   ROLLCON_TOO_DEEP        = 7,    /* wheel and rail overlap by more than a thousandth of the wheel's radius, as no metal bears: check heights, load and units */

@@ -17,6 +17,7 @@ rollcon_status with_wheelset(const char* function, rollcon_wheelrail* left, roll
   return with_wheelrail(function, left, [&](WheelRail& one) {
     require_pointer(right, "right");
     if (one.side() > 0) fail(Status::err_argument, "left is a wheel on the right; allowed: one made with ROLLCON_LEFT");
+    if (right == left) fail(Status::err_argument, "right is a wheel on the left; allowed: one made with ROLLCON_RIGHT");
     const std::shared_ptr<Object> other = handles().find(Kind::wheelrail, right);
     if (!other) fail(Status::err_handle, "right is not a live wheel on its rail");
     const InUse use(*other, "wheel on the right");

@@ -139,9 +139,9 @@ class AutomaticFrames final : public FrameMaker {
   static HertzContact find_ellipse(Contact& contact, const QuadraticGap& gap) {
     if (!has_ellipse(gap))
       fail(Status::err_state,
-           "no frame was given, and the gap %g x^2 + %g y^2 + %g x y does not grow in all directions: no ellipse "
+           "no frame was given, and the gap %g x^2 %c %g y^2 %c %g x y does not grow in all directions: no ellipse "
            "bounds the contact; call rollcon_contact_frame_rectangle or another maker of frames",
-           gap.a, gap.b, gap.c);
+           gap.a, gap.b < 0 ? '-' : '+', std::abs(gap.b), gap.c < 0 ? '-' : '+', std::abs(gap.c));
     const Load& normal = contact.scene.load(Direction::normal);
     const double modulus = contact.modulus();
     HertzContact hertz = normal.how == How::by_force ? hertz_by_load(gap, modulus, normal.value)

@@ -97,15 +97,16 @@ void check_elements(const SurfaceMesh& mesh, std::span<const double> x, std::spa
   names.refuse(folded, "degenerate element: its Jacobian changes sign");
   if (flipped.count == mesh.elements())
     names.refuse(flipped,
-                 "all elements are flipped (clockwise seen from the tip of the "
-                 "normal n): reverse "
-                 "the order of their nodes, or n (rollcon_contact_set_axes)");
+                 "all elements look away from the normal n (flipped: clockwise seen from its tip): turn n "
+                 "(rollcon_contact_set_axes), or reverse the order of their nodes");
   if (steep.count > 0)
     names.refuse(flipped,
                  "the frame bends away from the normal n, as one closed about an axis does; a contact has one tangent "
                  "plane (rollcon_contact_set_axes) and takes faces within 60 degrees of it: give it those of a part of "
                  "the circumference. Element that looks away from n");
-  names.refuse(flipped, "flipped element: clockwise seen from the tip of the normal n");
+  names.refuse(flipped,
+               "element that looks away from the normal n (flipped: clockwise seen from its tip): reverse the order of "
+               "its nodes, or leave the faces of a far side out");
   names.refuse(steep,
                "element steeper than 60 degrees against the tangent plane of the axes "
                "(rollcon_contact_set_axes sets it)");

@@ -335,7 +335,12 @@ void PatchContact::take_creepages() {
              rail = motion.rail.at(now_.patch.reference), slip = wheel - rail;
   const Vec3 turning = motion.velocity.angular - motion.rail.angular;
   // At which both surfaces run through the contact, on average.
-  const double speed = std::abs(motion.speed - 0.5 * (wheel[0] + rail[0]));
+  const double through = motion.speed - 0.5 * (wheel[0] + rail[0]), speed = std::abs(through);
+  if (!(through * motion.speed > 0))
+    fail(Status::err_argument,
+         "the pitch rate, entry 5 of velocity, is %g: with the forward speed, entry 0, of %g surfaces run backwards "
+         "through the contact; a wheel that rolls has about %g",
+         motion.velocity.angular[1], motion.speed, -motion.speed / now_.patch.rolling_radius);
   now_.creepages = {slip[0] / speed, dot(slip, now_.patch.lateral) / speed, -dot(turning, now_.patch.normal) / speed};
 }
 

@@ -317,6 +317,9 @@ Status WheelRail::meet_force() {
     sink = next;
   }
   sink_ = 0;
+  context_->caveat(Status::not_converged,
+                   "the vertical force is %.10g for %.10g; no height of %d tried brought it nearer", vertical_force(),
+                   in_.load, most);
   return Status::not_converged;
 }
 

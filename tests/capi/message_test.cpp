@@ -50,7 +50,7 @@ TEST_F(message, rim_contact_tells_wrong_sign_wrong_units_and_small_frames_apart)
   ASSERT_OK(add_elements(frame));
   ASSERT_OK(rollcon_contact_set_axes(contact, aside, along, up));
   expect_rim("enlarge the frame");
-  expect_words(rollcon_status_string(ROLLCON_RIM_CONTACT), {"enlarge", "sign", "units"});
+  expect_words(rollcon_status_string(ROLLCON_RIM_CONTACT), {"rim of the frame", "end of a profile", "plan"});
 }
 
 TEST_F(message, the_plan_says_how_a_solve_ended) {

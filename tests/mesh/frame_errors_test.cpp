@@ -84,7 +84,9 @@ TEST(FrameErrors, AreNamed) {
             },
             "its Jacobian changes sign"},
            {quads, [](M& m) { std::swap(m.connectivity[9], m.connectivity[11]); },
-            "flipped element: clockwise seen from the tip of the normal n; 1 such in the frame; first: element 3"},
+            "element that looks away from the normal n (flipped: clockwise seen from its tip): reverse the order of "
+            "its "
+            "nodes, or leave the faces of a far side out; 1 such in the frame; first: element 3"},
        }) {
     SurfaceMesh mesh = wrong.mesh;
     wrong.spoil(mesh);
@@ -116,7 +118,7 @@ TEST(FrameErrors, AllElementsFlipped) {
   Axes down;
   down.t2 = {0, -1, 0};
   down.n = {0, 0, -1};
-  expect_refused(grid(ElementType::tri6), "all elements are flipped", Status::err_mesh, down);
+  expect_refused(grid(ElementType::tri6), "all elements look away from the normal n", Status::err_mesh, down);
 }
 
 TEST(FrameErrors, SteepElement) {

@@ -1,6 +1,7 @@
 #include "contact/estimate/few_nodes.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "contact/solution.hpp"
 
@@ -75,15 +76,32 @@ bool too_few_nodes(const SolverState& s) {
   return nodes_inside(s) < least(s);
 }
 
+namespace {
+
+// Few nodes, or corners of quad8, which weigh less than nothing, carry what friction cannot.
+Line beyond_friction(const SolverState& s) {
+  Vec3 force{}, moment{};
+  sum_tractions(s.prepared->problem, s.prepared->frame, s.iterate.lambda, force, moment);
+  const std::vector<double>& mu = s.prepared->problem.mu;
+  const double carried = mu.empty() ? 0 : *std::max_element(mu.begin(), mu.end()) * std::abs(force[2]);
+  const double tangential = std::hypot(force[0], force[1]);
+  constexpr double rounding = 1e-6;
+  if (s.frictionless || tangential <= (1 + rounding) * carried) return {};
+  return line_of("; the tangential force is %.3g times what friction carries under the normal force",
+                 tangential / carried);
+}
+
+}  // namespace
+
 Line describe_few_nodes(const SolverState& s) {
   const std::vector<double>& normal = s.iterate.lambda[2];
   return line_of(
       "too few nodes in contact to trust: %lld touch, %lld of them with all their neighbours "
       "(at least %lld should): forces, pressures and the approach (%.6g) are those of the "
-      "frame and may be off by half and more; take a finer frame where the bodies touch",
+      "frame and may be off by half and more%s; take a finer frame where the bodies touch",
       static_cast<long long>(std::count_if(normal.begin(), normal.end(), [](double l) { return l < 0; })),
       static_cast<long long>(nodes_inside(s)), static_cast<long long>(least(s)),
-      s.given.approach_of(s.iterate.motion, s.prepared->problem.datum));
+      s.given.approach_of(s.iterate.motion, s.prepared->problem.datum), beyond_friction(s).c_str());
 }
 
 }  // namespace rollcon
