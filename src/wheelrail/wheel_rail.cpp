@@ -357,7 +357,7 @@ void WheelRail::tell(Status status) const {
           "(%g): check both profiles (flange and gauge side at lesser y, z down) and all units",
           slot->wheel_y, most, modulus);
   for (std::size_t i = 0; i < active_.size(); ++i)
-    if (const OverlapPatch& patch = active_[i]->contact.overlap(); patch.cut)
+    if (const OverlapPatch& patch = active_[i]->contact.overlap(); patch.cut && status == Status::rim_contact)
       context_->caveat(Status::rim_contact,
                        "patch %d (counting from 0), at y = %g of the wheel, ends where a profile does",
                        static_cast<int>(i), patch.wheel_y);
