@@ -134,6 +134,10 @@ class AutomaticFrames final : public FrameMaker {
     beyond_bounds_ = patches.at_bounds ? gap_->beyond_bounds() : nullptr;
     found_ = now;
     ++shapes_;
+    // Pressures at a sharp end are those of its frame, which is not that of the scene before.
+    if (shape_.at_body_ends == AtBodyEnds::closer &&
+        std::any_of(shape_.outline.begin(), shape_.outline.end(), [](const Outline& o) { return o.ends_body(); }))
+      level_ = levels.size();
   }
 
   static HertzContact find_ellipse(Contact& contact, const QuadraticGap& gap) {
@@ -259,7 +263,10 @@ class AutomaticFrames final : public FrameMaker {
     std::vector<std::vector<Strip>> patch;
     for (const Outline& outline : shape_.outline) {
       patch.push_back(outline.strips(across, shape_.stretch, shape_.at_body_ends));
-      for (Strip& strip : patch.back()) cut_where_body_ends(strip);
+      std::vector<Strip>& strip = patch.back();
+      keep_on_body(strip.front(), strip[1]);
+      keep_on_body(strip.back(), strip[strip.size() - 2]);
+      for (Strip& s : strip) cut_where_body_ends(s);
     }
     return strips_mesh(scene.axes(), patch, along);
   }
@@ -284,8 +291,7 @@ class AutomaticFrames final : public FrameMaker {
   /// Of a stretched range with one interval more on either side; where a body ends before, it ends there.
   std::int64_t intervals(double& low, double& high, double size, const std::function<double(double)>& gap) const {
     const double more = size + 0.5 * (shape_.stretch - 1) * (high - low), middle = 0.5 * (low + high);
-    // Ends of tilted bodies are slightly curved.
-    const double before = 1e-4 * size;
+    const double before = before_end * size;
     const auto first = end_of_body(gap, middle, low - more), last = end_of_body(gap, middle, high + more);
     low = first ? *first + before : low - more;
     high = last ? *last - before : high + more;
@@ -303,6 +309,14 @@ class AutomaticFrames final : public FrameMaker {
     return inside;
   }
 
+  /// An outermost strip; the end of a tilted body is curved and leaves it in its middle or at its ends.
+  void keep_on_body(Strip& strip, const Strip& next) const {
+    const auto gap = [&](double y) {
+      return std::max({(*gap_)(strip.from, y), (*gap_)(0.5 * (strip.from + strip.to), y), (*gap_)(strip.to, y)});
+    };
+    if (const auto end = end_of_body(gap, next.y, strip.y)) strip.y = *end + before_end * (next.y - *end);
+  }
+
   /// Strips that would end a little before or beyond where a body does end there.
   void cut_where_body_ends(Strip& strip) const {
     const double middle = 0.5 * (strip.from + strip.to), before = 0.05 * (strip.to - strip.from);
@@ -311,6 +325,8 @@ class AutomaticFrames final : public FrameMaker {
       *end = end_of_body(gap, middle, *end + std::copysign(before, *end - middle)).value_or(*end);
   }
 
+  /// Of an interval, that ends of tilted bodies may be curved by.
+  static constexpr double before_end = 1e-4;
   /// Outlines are too short by up to 3 parts in a thousand. Strips that are too short by 2 % cost 1.5 % of the force,
   /// too long by as much up to 0.2 %.
   static constexpr double usual_stretch = 1.004;

@@ -169,7 +169,7 @@ void Outline::find_density(std::span<const LoadAt> load, double cell) {
 Rectangle Outline::box() const {
   constexpr int steps = 64;
   Rectangle box{INFINITY, -INFINITY, end_[0].y, end_[1].y};
-  for (const Strip& s : strips(steps, 1)) {
+  for (const Strip& s : strips(steps, 1, AtBodyEnds::even)) {
     box.x_least = std::min(box.x_least, s.from);
     box.x_greatest = std::max(box.x_greatest, s.to);
   }
@@ -178,7 +178,7 @@ Rectangle Outline::box() const {
 
 double Outline::hollow() const {
   constexpr int steps = 32;
-  const std::vector<Strip> all = strips(steps, 1);
+  const std::vector<Strip> all = strips(steps, 1, AtBodyEnds::even);
   const auto reach = [&](std::size_t i) { return all[i].to - all[i].from; };
   double longest = 0, deepest = 0;
   for (std::size_t j = 0; j < all.size(); ++j) {
@@ -253,9 +253,11 @@ std::vector<Strip> Outline::strips(std::int64_t across, double stretch, AtBodyEn
     const double factor = end.line || (j > 0 && j < last) ? shape(height, end_[0].line, end_[1].line) : 0;
     const double x = middle(y);
     const auto long_enough = [&](const Side& side) {
-      const double there = reach(side, angle);
-      if (at_ends == AtBodyEnds::closer || !end.ends_body || std::abs(height) < near_end) return there;
-      return std::max(there, reach(side, std::acos(std::copysign(near_end, height))));
+      const double there = reach(side, angle), beyond = std::abs(height) - near_end;
+      if (!end.ends_body || beyond < 0) return there;
+      // The contact is widest where a sharp end is pressed in.
+      const double longer = at_ends == AtBodyEnds::closer ? 1 + 0.25 * beyond / (1 - near_end) : 1;
+      return longer * std::max(there, reach(side, std::acos(std::copysign(near_end, height))));
     };
     strip.push_back({y, x - stretch * factor * long_enough(side_[0]), x + stretch * factor * long_enough(side_[1])});
   }

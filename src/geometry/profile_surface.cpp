@@ -28,13 +28,17 @@ struct StraightLine {
 struct LineAboutAxis {
   double y0, y1, slant, t_least, square;
   double radius;  ///< of z = 0
+  bool one_half;  ///< Counts what it meets on this side of the axis alone.
 
   double y(double t) const { return y0 + t * y1; }
   bool steep() const { return slant >= y1 * y1; }
+  bool counts(double sign) const { return !one_half || (sign < 0) == (t_least > 0); }
 };
 
-/// r: from a point of the axis to one of the line.
-LineAboutAxis about_axis(const Vec3& r, const Vec3& direction, const Vec3& axis, double radius) {
+/// r: from a point of the axis to one of the line. Normals of a contact look along `facing`: beyond the axis they meet
+/// the far side of a body, however near to its end.
+LineAboutAxis about_axis(const Vec3& r, const Vec3& direction, const Vec3& facing, const Vec3& axis, double radius) {
+  constexpr double parallel = 1 - 1e-9;
   LineAboutAxis line{};
   line.y0 = dot(r, axis);
   line.y1 = dot(direction, axis);
@@ -44,6 +48,7 @@ LineAboutAxis about_axis(const Vec3& r, const Vec3& direction, const Vec3& axis,
   line.t_least = line.slant > 0 ? -dot(off, across) / line.slant : 0;
   const Vec3 closest = off + line.t_least * across;
   line.square = dot(closest, closest);
+  line.one_half = std::abs(dot(direction, facing)) > parallel;
   return line;
 }
 
@@ -191,14 +196,16 @@ std::array<double, 2> ExtrudedProfile::extent(const Vec3& direction) const {
   return range;
 }
 
-std::optional<RevolvedProfile::Hit> RevolvedProfile::meet(const Vec3& from, const Vec3& direction) const {
-  const LineAboutAxis line = about_axis(from - origin_, direction, axis_, radius_);
+std::optional<RevolvedProfile::Hit> RevolvedProfile::meet(const Vec3& from, const Vec3& direction,
+                                                          const Vec3& facing) const {
+  const LineAboutAxis line = about_axis(from - origin_, direction, facing, axis_, radius_);
   std::optional<Hit> best;
   const auto take = [&](double t, const ProfilePoint& p, const SurfaceHint& at) {
     if (!best || std::abs(t) < std::abs(best->t)) best = Hit{t, p, at};
   };
   if (line.steep()) {
     for (const double sign : {-1.0, 1.0}) {
+      if (!line.counts(sign)) continue;
       const SteepHalf half{line, sign};
       for_each_crossing(*curve_, half, [&](const ProfilePoint& p, std::size_t piece, double u) {
         take(half.t(radius_ + p.x[1]), p, {sign < 0 ? 0 : 1, piece, u});
@@ -213,17 +220,18 @@ std::optional<RevolvedProfile::Hit> RevolvedProfile::meet(const Vec3& from, cons
   return best;
 }
 
-std::optional<double> RevolvedProfile::distance_near(const Vec3& from, const Vec3& direction, const Vec3&,
+std::optional<double> RevolvedProfile::distance_near(const Vec3& from, const Vec3& direction, const Vec3& facing,
                                                      SurfaceHint& hint) const {
-  const LineAboutAxis line = about_axis(from - origin_, direction, axis_, radius_);
+  const LineAboutAxis line = about_axis(from - origin_, direction, facing, axis_, radius_);
   if (hint.branch == 2 && !line.steep()) {
     const FlatLine flat{line};
     if (const auto p = crossing_near(*curve_, flat, hint)) return flat.t(p->x[0]);
   } else if (hint.branch >= 0 && hint.branch < 2 && line.steep()) {
     const SteepHalf half{line, hint.branch == 0 ? -1.0 : 1.0};
-    if (const auto p = crossing_near(*curve_, half, hint)) return half.t(radius_ + p->x[1]);
+    if (const auto p = crossing_near(*curve_, half, hint); p && line.counts(half.sign))
+      return half.t(radius_ + p->x[1]);
   }
-  const auto hit = meet(from, direction);
+  const auto hit = meet(from, direction, facing);
   hint = hit ? hit->at : SurfaceHint{};
   if (!hit) return std::nullopt;
   return hit->t;
@@ -235,14 +243,14 @@ Vec3 RevolvedProfile::outward(const Vec3& point) const {
   return normalized(cross(axis_, std::abs(axis_[0]) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
 }
 
-std::optional<double> RevolvedProfile::distance(const Vec3& from, const Vec3& direction, const Vec3&) const {
-  const auto hit = meet(from, direction);
+std::optional<double> RevolvedProfile::distance(const Vec3& from, const Vec3& direction, const Vec3& facing) const {
+  const auto hit = meet(from, direction, facing);
   if (!hit) return std::nullopt;
   return hit->t;
 }
 
 std::optional<Vec3> RevolvedProfile::normal(const Vec3& from, const Vec3& direction, const Vec3& facing) const {
-  const auto hit = meet(from, direction);
+  const auto hit = meet(from, direction, facing);
   if (!hit) return std::nullopt;
   const Vec2 n = normal_of(hit->point);
   return towards(facing, n[0] * axis_ + n[1] * outward(from + hit->t * direction));

@@ -56,7 +56,7 @@ class RevolvedProfile final : public Surface {
     ProfilePoint point;
     SurfaceHint at;
   };
-  std::optional<Hit> meet(const Vec3& from, const Vec3& direction) const;
+  std::optional<Hit> meet(const Vec3& from, const Vec3& direction, const Vec3& facing) const;
   /// Unit vector away from the axis.
   Vec3 outward(const Vec3& point) const;
 

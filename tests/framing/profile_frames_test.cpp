@@ -161,6 +161,50 @@ TEST(profile_frames, bodies_that_give_no_frame_are_told) {
   refused(nothing, "no frame was given");
 }
 
+/// A roller of radius 6 and half length 5 on a plane; its axis is level until it is posed.
+void lay_roller_that_ends(RollingPair& pair, const char* shape, const std::vector<double>& parameter) {
+  pair.load(1500).friction(0);
+  give_shape(pair, 1, shape, parameter);
+  const double centre[3] = {0, 0, 0}, axis[3] = {0, 1, 0}, origin[3] = {0, 0, 0}, x[3] = {1, 0, 0}, z[3] = {0, 0, 1};
+  ASSERT_EQ(rollcon_body_revolve_profile(pair.body(1), centre, axis, 6), ROLLCON_OK);
+  give_shape(pair, 2, "line", {20, 0});
+  ASSERT_EQ(rollcon_body_extrude_profile(pair.body(2), origin, x, z), ROLLCON_OK);
+}
+
+// The far side of a roller takes no part beyond its near end, a body's end is no rim, and the largest pressure there
+// does not depend on the scenes before.
+TEST(profile_frames, tilted_rollers_mirrored_give_the_mirrored_result) {
+  const struct {
+    const char* shape;
+    std::vector<double> parameter;
+  } shapes[] = {{"arc", {2000, 5}},
+                {"line", {5, 0}},
+                {"arcs", {-4.999993385, -0.0068125, 0.00325, 1.5, -1e-3, 7, -5e-4, 1.5, -1e-3}}};
+  for (const auto& [shape, parameter] : shapes) {
+    RollingPair warm(steel, steel);
+    lay_roller_that_ends(warm, shape, parameter);
+    for (const double tilt : {5e-4, 1e-2, 1e-3}) {
+      double pressure[2], approach[2];
+      for (const bool mirrored : {false, true}) {
+        const auto turn = about_x(mirrored ? -tilt : tilt);
+        RollingPair cold(steel, steel);
+        lay_roller_that_ends(cold, shape, parameter);
+        for (RollingPair* const pair : {&cold, &warm}) {
+          pair->pose(1, turn, {0, 0, -6});
+          ASSERT_EQ(pair->solve(), ROLLCON_OK) << shape << " at " << tilt << ": " << rollcon_last_caveat();
+        }
+        const std::string name = std::string(shape) + " tilted by " + std::to_string(tilt);
+        pressure[mirrored] = cold.stat("max_pressure");
+        approach[mirrored] = cold.solution().approach;
+        expect_error(name + ": approach, warm", relative(warm.solution().approach, approach[mirrored]), 5e-3);
+        expect_error(name + ": largest pressure, warm", relative(warm.stat("max_pressure"), pressure[mirrored]), 5e-3);
+      }
+      expect_error("approach, mirrored", relative(approach[1], approach[0]), 1e-3);
+      expect_error("largest pressure, mirrored", relative(pressure[1], pressure[0]), 1e-3);
+    }
+  }
+}
+
 TEST(profile_frames, bodies_in_the_other_order_are_refused) {
   for (const bool exchanged : {false, true}) {
     RollingPair pair(steel, steel);

@@ -202,6 +202,34 @@ TEST(profile_surface, extruded_circle_and_line_are_cylinder_and_plane) {
   }
 }
 
+// A roller of radius 6 that ends at y = 5, and the bore of a ring, touched where they reach z = 0 when they are level.
+TEST(profile_surface, normals_of_a_contact_meet_no_far_side) {
+  constexpr double radius = 6, half = 5;
+  for (const double tilt : {-1e-2, -5e-4, 5e-4, 1e-2})
+    for (const double inside : {-1.0, 1.0})
+      for (const double direction : {-1.0, 1.0}) {
+        const RevolvedProfile body(shape("line", {half, 0}), {0, 0, -inside * radius},
+                                   {0, std::cos(tilt), std::sin(tilt)}, radius);
+        const Vec3 along{0, 0, direction}, facing{0, 0, inside};
+        // The side of the roller that is shorter at this height, and the one that is longer.
+        const double end = half * std::cos(tilt), off = inside * radius * std::sin(tilt);
+        for (const double side : {-1.0, 1.0}) {
+          const double last = side * end - off;
+          SurfaceHint hint;
+          for (const double y : {last - side * 1e-6, last + side * 1e-6}) {
+            const Vec3 from{0, y, 1e-4};
+            const bool there = y != last + side * 1e-6;
+            EXPECT_EQ(body.distance(from, along, facing).has_value(), there) << tilt << " " << inside << " " << y;
+            EXPECT_EQ(body.distance_near(from, along, facing, hint).has_value(), there);
+            EXPECT_EQ(body.normal(from, along, facing).has_value(), there);
+            if (there) {
+              EXPECT_LT(std::abs(*body.distance(from, along, facing)), 0.1);
+            }
+          }
+        }
+      }
+}
+
 TEST(profile_surface, lines_along_the_extrusion_miss) {
   const ExtrudedProfile body(shape("line", {1, 0}), {0, 0, 0}, {1, 0, 0}, {0, 0, 1});
   EXPECT_FALSE(body.distance({0, 0, 1}, {1, 0, 0}, any));

@@ -71,9 +71,9 @@ class GapOfSurfaces final : public KnownGap {
   }
   bool measured() const { return !given_; }
 
-  // An edge, whatever its direction, is passed by one of the diagonals.
+  // An edge, whatever its direction, is passed by one of the diagonals; those of tilted bodies are slightly curved.
   bool ends_at(double x, double y, double size) const override {
-    const double beside = 1e-3 * size;
+    const double beside = 2e-2 * size;
     for (const double sx : {-beside, beside})
       for (const double sy : {-beside, beside})
         if (!std::isfinite((*this)(x + sx, y + sy))) return true;
