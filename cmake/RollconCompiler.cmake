@@ -1,7 +1,7 @@
 # How rollcon's own code is compiled. Nothing here reaches a user of the library.
 
-# Instruction sets are chosen at run time: there is no -march here. A kernel compiled for one set
-# has it in its file name (*_avx2.cpp); RollconLibrary.cmake gives that file its flags.
+# Instruction sets are chosen at run time: there is no -march here. RollconKernels.cmake
+# compiles what differs once for each of them.
 add_library(rollcon_flags INTERFACE)
 target_compile_features(rollcon_flags INTERFACE cxx_std_20)
 target_compile_options(rollcon_flags INTERFACE

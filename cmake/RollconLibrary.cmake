@@ -7,7 +7,8 @@ set(ROLLCON_ROOMS support linalg mesh io quadrature geometry bodies contact proc
 add_library(rollcon_objects OBJECT)
 set(ROLLCON_SOURCES "")
 foreach(_room IN LISTS ROLLCON_ROOMS)
-  file(GLOB_RECURSE _found CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/${_room}/*.cpp")
+  file(GLOB_RECURSE _found CONFIGURE_DEPENDS
+    "${PROJECT_SOURCE_DIR}/src/${_room}/*.cpp" "${PROJECT_SOURCE_DIR}/src/${_room}/*_each_set.hpp")
   list(APPEND ROLLCON_SOURCES ${_found})
 endforeach()
 include(RollconSources)
@@ -49,25 +50,11 @@ if(ROLLCON_TESTS AND NOT ROLLCON_SANITIZE)
   target_sources(rollcon_objects PRIVATE ${_capi})
 endif()
 
-# Kernels for one instruction set.
-if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-  set(_flags_avx2 -mavx2 -mfma)
-  set(_flags_avx512 -mavx512f -mavx512dq -mavx512vl -mavx512bw -mfma -mprefer-vector-width=512)
-  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # GCC's own AVX-512 header, inlined, draws this warning.
-    list(APPEND _flags_avx512 -Wno-maybe-uninitialized -Wno-uninitialized)
-  endif()
-  foreach(_set IN ITEMS avx2 avx512)
-    file(GLOB_RECURSE _kernels CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/*_${_set}.cpp")
-    set_source_files_properties(${_kernels} PROPERTIES COMPILE_OPTIONS "${_flags_${_set}}"
-      SKIP_PRECOMPILE_HEADERS ON)
-  endforeach()
-endif()
-
+rollcon_kernels(ROLLCON_SOURCES ROLLCON_KERNELS)
 if(ROLLCON_UNITY STREQUAL "ALL")
   rollcon_unity(ROLLCON_SOURCES 8)
 endif()
-target_sources(rollcon_objects PRIVATE ${ROLLCON_SOURCES})
+target_sources(rollcon_objects PRIVATE ${ROLLCON_SOURCES} ${ROLLCON_KERNELS})
 
 function(rollcon_common_properties target)
   set_target_properties(${target} PROPERTIES OUTPUT_NAME rollcon LINKER_LANGUAGE CXX)

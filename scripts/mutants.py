@@ -35,7 +35,7 @@ GROUPS = [
         "mesh/surface_geometry.cpp", "mesh/dual_cells.cpp"]),
 ]
 # No code of their own, or a choice of starts that the solution does not depend on.
-LEFT_OUT = re.compile(r"_absent\.cpp$|_(avx2|avx512|baseline)\.cpp$|nested_start\.cpp$")
+LEFT_OUT = re.compile(r"_absent\.cpp$|nested_start\.cpp$")
 
 TOKEN = re.compile(r"""
     (?P<skip>//[^\n]*|/\*.*?\*/|^[ \t]*\#(?:[^\n\\]|\\.|\\\n)*|R"\((?:.*?)\)"|"(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)+')

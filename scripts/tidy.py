@@ -114,7 +114,8 @@ def main():
                 if re.search(r"rollcon_objects\.dir/\S+\.cpp\.o", command["command"])]
     if not any(parts_of(pathlib.Path(command["file"])) for command in commands):
         sys.exit(f"tidy.py: {build} was not configured with ROLLCON_UNITY")
-    sources = sorted(str(path) for path in (ROOT / "src").rglob("*.cpp"))
+    made = {command["file"] for command in commands if "/generated/src/" in command["file"]}
+    sources = sorted({str(path) for path in (ROOT / "src").rglob("*.cpp")} | made)
     changed = set()
     if options.changed:
         changed = changed_files(options.changed)

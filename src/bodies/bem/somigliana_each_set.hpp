@@ -1,4 +1,4 @@
-// The kernels, written once and compiled for each instruction set by the somigliana_*.cpp files. Internal linkage
+// The kernels, written once and compiled for each instruction set (cmake/RollconKernels.cmake). Internal linkage
 // throughout; only the table of functions leaves the file. Formulas and names: somigliana_kernels.hpp.
 #pragma once
 
@@ -111,3 +111,10 @@ void face(const LoadedFace& face, NearPoints& points, const double* x, double po
 }
 
 }  // namespace
+
+namespace rollcon::bem {
+
+extern const SomiglianaKernels ROLLCON_COMPILED(somigliana);
+const SomiglianaKernels ROLLCON_COMPILED(somigliana) = {ROLLCON_SET_NAME, face};
+
+}  // namespace rollcon::bem

@@ -1,4 +1,4 @@
-// The loop, written once and compiled for each instruction set by the lattice_far_*.cpp files. Internal linkage
+// The loop, written once and compiled for each instruction set (cmake/RollconKernels.cmake). Internal linkage
 // throughout; only one function's address leaves the file.
 #pragma once
 
@@ -86,3 +86,10 @@ inline void far_any(const LatticeFar& job, int terms) {
 }
 
 }  // namespace
+
+namespace rollcon::halfspace {
+
+extern const LatticeFarFunction ROLLCON_COMPILED(lattice_far);
+const LatticeFarFunction ROLLCON_COMPILED(lattice_far) = far_any;
+
+}  // namespace rollcon::halfspace

@@ -1,4 +1,4 @@
-// The kernels, written once and compiled for each instruction set by the kernels_*.cpp files. Internal linkage
+// The kernels, written once and compiled for each instruction set (cmake/RollconKernels.cmake). Internal linkage
 // throughout; only the table of functions leaves the file.
 #pragma once
 
@@ -146,3 +146,10 @@ void near(const NearElement& element, NearPoints& points, int terms, double* int
 }
 
 }  // namespace
+
+namespace rollcon::halfspace {
+
+extern const Kernels ROLLCON_COMPILED(kernels);
+const Kernels ROLLCON_COMPILED(kernels) = {ROLLCON_SET_NAME, far, push, near};
+
+}  // namespace rollcon::halfspace

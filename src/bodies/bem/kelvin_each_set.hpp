@@ -1,4 +1,4 @@
-// The kernels, written once and compiled for each instruction set by the kelvin_*.cpp files. Internal linkage
+// The kernels, written once and compiled for each instruction set (cmake/RollconKernels.cmake). Internal linkage
 // throughout; only the table of functions leaves the file.
 #pragma once
 
@@ -256,3 +256,10 @@ void near(const NearElement& element, NearPoints& points, const KelvinConstants&
 }
 
 }  // namespace
+
+namespace rollcon::bem {
+
+extern const Kernels ROLLCON_COMPILED(kelvin);
+const Kernels ROLLCON_COMPILED(kelvin) = {ROLLCON_SET_NAME, place, far, near};
+
+}  // namespace rollcon::bem

@@ -1,4 +1,4 @@
-// The kernels, written once and compiled for each instruction set by the interior_kernels_*.cpp files. Internal linkage
+// The kernels, written once and compiled for each instruction set (cmake/RollconKernels.cmake). Internal linkage
 // throughout; only the table of functions leaves the file.
 #pragma once
 
@@ -89,3 +89,10 @@ void element(const InteriorElement& element, const NearPoints& points, const Int
 }
 
 }  // namespace
+
+namespace rollcon::halfspace {
+
+extern const InteriorKernels ROLLCON_COMPILED(interior_kernels);
+const InteriorKernels ROLLCON_COMPILED(interior_kernels) = {ROLLCON_SET_NAME, push, element};
+
+}  // namespace rollcon::halfspace

@@ -1,5 +1,5 @@
-// The products, written once and compiled for each instruction set by the spectrum_product_*.cpp files. Internal
-// linkage throughout; only tables of functions leave the file.
+// The products, written once and compiled for each instruction set (cmake/RollconKernels.cmake). Internal linkage
+// throughout; only tables of functions leave the file.
 #pragma once
 
 #include <cstring>
@@ -85,6 +85,11 @@ void any(const rollcon::SpectrumProduct& job) {
   }
 }
 
-constexpr rollcon::SpectrumProducts products{any<false>, any<true>};
-
 }  // namespace
+
+namespace rollcon {
+
+extern const SpectrumProducts ROLLCON_COMPILED(products);
+const SpectrumProducts ROLLCON_COMPILED(products) = {any<false>, any<true>};
+
+}  // namespace rollcon
