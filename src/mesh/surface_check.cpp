@@ -10,7 +10,6 @@
 
 #include "mesh/coinciding_nodes.hpp"
 #include "mesh/mesh_errors.hpp"
-#include "mesh/surface_crossing.hpp"
 #include "mesh/surface_shells.hpp"
 #include "support/index.hpp"
 
@@ -138,7 +137,6 @@ void check_surface(const SurfaceMesh& mesh, SurfaceKind kind) {
   check_closed(mesh, sides);
   check_fans(mesh, sides);
   check_outward(mesh, find_shells(mesh, sides));
-  check_crossing(mesh);
 }
 
 }  // namespace rollcon

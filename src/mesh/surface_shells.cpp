@@ -1,12 +1,14 @@
 #include "mesh/surface_shells.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
+#include "mesh/box.hpp"
 #include "mesh/mesh_errors.hpp"
 #include "mesh/node_fans.hpp"
-#include "mesh/shell_nesting.hpp"
 #include "mesh/surface_geometry.hpp"
 
 namespace rollcon {
@@ -196,32 +198,63 @@ void check_neighbours(const SurfaceMesh& mesh, const Shells& shells) {
                "reverse the order of its nodes");
 }
 
+std::vector<double> shell_volumes(const SurfaceMesh& mesh, const Shells& shells) {
+  const auto first_node = [&](std::int64_t e) { return mesh.node[static_cast<std::size_t>(mesh.element(e)[0])]; };
+  std::vector<double> volume(shells.size(), 0), area(shells.size(), 0), far(shells.size(), 0);
+  for (std::int64_t e = 0; e < mesh.elements(); ++e) {
+    const auto s = static_cast<std::size_t>(shells.shell[static_cast<std::size_t>(e)]);
+    volume[s] += shells.sign[static_cast<std::size_t>(e)] * cone_volume(mesh, e, first_node(shells.first[s]));
+    area[s] += element_area(mesh, e);
+    for (std::int32_t k : mesh.element(e))
+      for (double c : mesh.node[static_cast<std::size_t>(k)]) far[s] = std::max(far[s], std::abs(c));
+  }
+  Tally flat;
+  for (std::size_t s = 0; s < shells.size(); ++s) {
+    const double noise = 16 * std::numeric_limits<double>::epsilon() * far[s];
+    if (!(std::abs(volume[s]) > area[s] * std::max(1e-12 * std::sqrt(area[s]), noise)))
+      flat.add("the one of element %lld", static_cast<long long>(shells.first[s]) + mesh.index_base);
+  }
+  flat.fail_if_any("a closed part encloses no volume", "surface", mesh.index_base);
+  return volume;
+}
+
 void check_outward(const SurfaceMesh& mesh, const Shells& shells) {
   const Names names = names_of(mesh);
   const std::vector<double> volume = shell_volumes(mesh, shells);
-  const std::vector<int> depth = nesting_depths(mesh, shells, volume);
-
-  std::int64_t bodies = 0, first = -1, second = -1;
-  for (std::size_t s = 0; s < shells.size(); ++s) {
-    if (depth[s] % 2 != 0) continue;
-    if (bodies == 0) first = shells.first[s];
-    if (bodies == 1) second = shells.first[s];
-    ++bodies;
+  std::vector<Box> box(shells.size());
+  std::vector<std::int64_t> balance(shells.size(), 0);  // elements that look outwards, less the others
+  const auto looks_outward = [&](std::size_t e) {
+    return volume[static_cast<std::size_t>(shells.shell[e])] * shells.sign[e] > 0;
+  };
+  for (std::size_t e = 0; e < shells.sign.size(); ++e) {
+    const auto s = static_cast<std::size_t>(shells.shell[e]);
+    box[s].add(box_of(mesh.node, mesh.element(static_cast<std::int64_t>(e))));
+    balance[s] += looks_outward(e) ? 1 : -1;
   }
-  if (bodies > 1)
+  // What lies within the largest shell and looks the other way bounds a cavity.
+  const auto largest = static_cast<std::size_t>(
+      std::max_element(volume.begin(), volume.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) -
+      volume.begin());
+  const Vec3 margin = 0.25 * box[largest].size();  // curved elements leave the box of their nodes
+  const Box around{box[largest].low - margin, box[largest].high + margin};
+  std::vector<char> cavity(shells.size(), 0);
+  for (std::size_t s = 0; s < shells.size(); ++s) {
+    cavity[s] = s != largest && (balance[s] > 0) != (balance[largest] > 0) && around.holds(box[s].low) &&
+                around.holds(box[s].high);
+    if (s == largest || cavity[s]) continue;
     fail(Status::err_mesh,
-         "the surface encloses %lld bodies that do not hang together; give "
-         "each its own body; "
-         "first: those of elements %lld and %lld (counting from %d)",
-         static_cast<long long>(bodies), names.element(first), names.element(second), mesh.index_base);
+         "the surface encloses several bodies that do not hang together, as those of elements %lld and %lld (counting "
+         "from %d): give each its own body; the elements of a cavity look into the cavity",
+         names.element(shells.first[std::min(s, largest)]), names.element(shells.first[std::max(s, largest)]),
+         mesh.index_base);
+  }
 
   Tally inward;
   for (std::size_t e = 0; e < shells.sign.size(); ++e) {
-    const auto s = static_cast<std::size_t>(shells.shell[e]);
-    const bool cavity = depth[s] % 2 != 0;
-    if ((volume[s] * shells.sign[e] > 0) == !cavity) continue;
+    const bool wall = cavity[static_cast<std::size_t>(shells.shell[e])] != 0;
+    if (looks_outward(e) == !wall) continue;
     inward.add("element %lld (%s)%s", names.element(static_cast<std::int64_t>(e)),
-               names.type(static_cast<std::int64_t>(e)), cavity ? " on the wall of a cavity" : "");
+               names.type(static_cast<std::int64_t>(e)), wall ? " on the wall of a cavity" : "");
   }
   if (inward.count == mesh.elements())
     names.refuse(inward,

@@ -5,7 +5,7 @@
 
 #include "linalg/lapack.hpp"
 #include "mesh/box.hpp"
-#include "mesh/shell_nesting.hpp"
+#include "mesh/surface_shells.hpp"
 #include "support/error.hpp"
 
 namespace rollcon {
