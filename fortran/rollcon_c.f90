@@ -67,6 +67,8 @@ module rollcon_c
   integer(c_int32_t), parameter :: rollcon_lateral = 2_c_int32_t
   integer(c_int32_t), parameter :: rollcon_normal = 3_c_int32_t
   integer(c_int32_t), parameter :: rollcon_spin = 4_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_tilt_1 = 6_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_tilt_2 = 7_c_int32_t
 
   ! parameter
   integer(c_int32_t), parameter :: rollcon_friction = 5_c_int32_t
@@ -1357,6 +1359,15 @@ module rollcon_c
       real(c_double), intent(out) :: creep(*)
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_motion
+
+    function rollcon_contact_get_tilt(contact, tilt) &
+        result(rc) bind(C, name="rollcon_contact_get_tilt")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      real(c_double), intent(out) :: tilt(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_get_tilt
 
     function rollcon_contact_get_sensitivity(contact, parameter, force, moment, approach, creep) &
         result(rc) bind(C, name="rollcon_contact_get_sensitivity")

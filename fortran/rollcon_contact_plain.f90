@@ -52,6 +52,7 @@ module rollcon_contact_plain
     procedure :: get_size => contact_get_size
     procedure :: get_resultant => contact_get_resultant
     procedure :: get_motion => contact_get_motion
+    procedure :: get_tilt => contact_get_tilt
     procedure :: get_sensitivity => contact_get_sensitivity
     procedure :: get_fatigue_index => contact_get_fatigue_index
     procedure :: get_equivalent_ellipse => contact_get_equivalent_ellipse
@@ -496,8 +497,10 @@ contains
       'rc_contact%set_creep_field', stat, errmsg)
   end subroutine
 
-  !> Prescribes one direction by motion or by force; the other quantity is found by the solve. Forces act on body 1.
-  !> Standard: all by motion, 0.
+  !> Prescribes one direction by motion or by force; the other quantity is found by the solve. Forces act on body 1. A
+  !> tilt turns body 1 against body 2 about t1 or t2 through the origin: at (x, y) of a flat frame it takes (tilt 1) y -
+  !> (tilt 2) x from the gap. Its moment is that of the contact's tractions on body 1 about the same axis: a load F that
+  !> presses body 1 at (x, y) asks for the moments -F y (tilt 1) and F x (tilt 2). Standard: all by motion, 0.
   subroutine contact_prescribe(self, direction, how, value, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     integer(rc_int), intent(in) :: direction
@@ -714,6 +717,17 @@ contains
     approach = 0
     creep = 0
     call finish(rollcon_contact_get_motion(self%p, approach, creep), self%p, 'rc_contact%get_motion', stat, errmsg)
+  end subroutine
+
+  !> Rotations of body 1 against body 2 about t1 and t2, as given or as found for prescribed moments
+  !> (rollcon_contact_prescribe).
+  subroutine contact_get_tilt(self, tilt, stat, errmsg)
+    class(rc_contact_plain), intent(in) :: self
+    real(rc_real), intent(out) :: tilt(2)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    tilt = 0
+    call finish(rollcon_contact_get_tilt(self%p, tilt), self%p, 'rc_contact%get_tilt', stat, errmsg)
   end subroutine
 
   !> Derivatives of what rollcon_contact_get_resultant (local axes) and rollcon_contact_get_motion give, by one

@@ -1286,6 +1286,15 @@ subroutine rcmotn(icon, approach, creep, ierr)
   ierr = rollcon_contact_get_motion(contact_of(icon), approach, creep)
 end subroutine
 
+!> Rotations of body 1 against body 2 about t1 and t2, as given or as found for prescribed moments (rollcon_conta.
+subroutine rctilt(icon, tilt, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ierr
+  double precision :: tilt(2)
+  ierr = rollcon_contact_get_tilt(contact_of(icon), tilt)
+end subroutine
+
 !> Derivatives of what rollcon_contact_get_resultant (local axes) and rollcon_contact_get_motion give, by one par.
 subroutine rcsens(icon, iparameter, force, xmoment, approach, creep, ierr)
   use rollcon_f77_support

@@ -147,7 +147,9 @@ enum {
   ROLLCON_LONGITUDINAL = 1,    /* along t1, the rolling direction */
   ROLLCON_LATERAL      = 2,    /* along t2 = n x t1 */
   ROLLCON_NORMAL       = 3,    /* along n, the outward normal of body 1 */
-  ROLLCON_SPIN         = 4     /* rotation about n */
+  ROLLCON_SPIN         = 4,    /* rotation about n */
+  ROLLCON_TILT_1       = 6,    /* rotation about t1 (5 is ROLLCON_FRICTION) */
+  ROLLCON_TILT_2       = 7     /* rotation about t2 */
 };
 
 /* What rollcon_contact_get_sensitivity differentiates by, besides what is prescribed in a
@@ -1365,11 +1367,15 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_creep_field(rollcon_
 
 /*
  * Prescribes one direction by motion or by force; the other quantity is found by the solve.
- * Forces act on body 1. Standard: all by motion, 0.
- *   direction  ROLLCON_LONGITUDINAL, LATERAL, NORMAL or SPIN
+ * Forces act on body 1. A tilt turns body 1 against body 2 about t1 or t2 through the origin: at
+ * (x, y) of a flat frame it takes (tilt 1) y - (tilt 2) x from the gap. Its moment is that of the
+ * contact's tractions on body 1 about the same axis: a load F that presses body 1 at (x, y) asks
+ * for the moments -F y (tilt 1) and F x (tilt 2). Standard: all by motion, 0.
+ *   direction  ROLLCON_LONGITUDINAL, LATERAL, NORMAL, SPIN, TILT_1 or TILT_2
  *   how        ROLLCON_BY_MOTION or ROLLCON_BY_FORCE
- *   value      motion: creepage, spin (1/length), approach (length); force: force, spin moment
- *              about the origin, and for NORMAL the compressive load >= 0
+ *   value      motion: creepage, spin (1/length), approach (length), tilt (radian, small); force:
+ *              force, moment about the axis through the origin, and for NORMAL the compressive
+ *              load >= 0
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_NONFINITE.
  * Source: docs/theory.md, loads.
  */
@@ -1643,16 +1649,16 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_solve(rollcon_contact *c
  * iterations of the calling thread, and of ROLLCON_PHASE_CASES. The procedures of the paper use
  * one thread.
  *   parameters  columns of values, separated by blanks, each once, of: longitudinal, lateral,
- *               normal, spin, friction; NULL: none
+ *               normal, spin, friction, tilt_1, tilt_2; NULL: none
  *   n_cases     >= 0
  *   values      [n_cases][parameters]; a normal load, and a factor on friction, are >= 0; NULL
  *               only without cases or parameters
  *   columns     columns of results, separated by blanks, of: force (3 numbers, on body 1), moment
  *               (3, about the origin of the axes), approach, creep (3: longitudinal, lateral,
- *               spin), derivatives (10 for each parameter: by its value, of force, moment,
- *               approach and creep, see rollcon_contact_get_sensitivity; NaN where there are
- *               none, such as by friction at 0), tractions (3 for each node of the frame, on body
- *               1), and the statistics iterations, fallbacks, residual_normal,
+ *               spin), tilt (2), derivatives (10 for each parameter: by its value, of force,
+ *               moment, approach and creep, see rollcon_contact_get_sensitivity; NaN where there
+ *               are none, such as by friction at 0), tractions (3 for each node of the frame, on
+ *               body 1), and the statistics iterations, fallbacks, residual_normal,
  *               residual_tangential, nodes_contact, contact_area, max_pressure, friction_power,
  *               friction_power_balance; NULL: none
  *   capacity    numbers for each case at results; at least those of the columns; 0 with columns
@@ -1775,6 +1781,16 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_motion(
     const rollcon_contact *contact, double *approach, double *creep);
 
 /*
+ * Rotations of body 1 against body 2 about t1 and t2, as given or as found for prescribed moments
+ * (rollcon_contact_prescribe).
+ *   tilt     [2], out; radian
+ * Also returns: ROLLCON_ERR_STATE.
+ * Source: docs/theory.md, loads.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_tilt(const rollcon_contact *contact,
+    double *tilt);
+
+/*
  * Derivatives of what rollcon_contact_get_resultant (local axes) and rollcon_contact_get_motion
  * give, by one parameter. A direction stands for the value last solved with there: creepage, spin
  * or approach where the motion was prescribed; force, spin moment or compressive load where the
@@ -1787,7 +1803,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_motion(
  * tangential force or spin moment without friction. ROLLCON_ERR_SINGULAR: a load at the limit of
  * friction. ROLLCON_ERR_UNSUPPORTED: friction follows the whole solution (of temperature, with a
  * memory, of a layer that flows).
- *   parameter  ROLLCON_LONGITUDINAL, LATERAL, NORMAL, SPIN or FRICTION
+ *   parameter  ROLLCON_LONGITUDINAL, LATERAL, NORMAL, SPIN, FRICTION, TILT_1 or TILT_2
  *   force      [3], out, may be NULL; of the force on body 1, local axes
  *   moment     [3], out, may be NULL; of its moment about the origin, local axes
  *   approach   out, may be NULL; of the approach

@@ -28,12 +28,16 @@ static const enumerator names_of_direction[] = {
   {"lateral", 2},
   {"normal", 3},
   {"spin", 4},
+  {"tilt_1", 6},
+  {"tilt_2", 7},
   {NULL, 0}};
 static const enumerator names_of_direction_or_parameter[] = {
   {"longitudinal", 1},
   {"lateral", 2},
   {"normal", 3},
   {"spin", 4},
+  {"tilt_1", 6},
+  {"tilt_2", 7},
   {"friction", 5},
   {NULL, 0}};
 static const enumerator names_of_dof[] = {
@@ -1431,6 +1435,18 @@ static void call_contact_get_motion(call *self) {
   finish(self, rc);
 }
 
+static void call_contact_get_tilt(call *self) {
+  int32_t rc = 0;
+  rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
+  double *tilt = NULL;
+  no_more(self);
+  tilt = room(1 * (2), sizeof *tilt);
+  rc = rollcon_contact_get_tilt(contact, tilt);
+  if (rc < 0) finish(self, rc);
+  give_reals(self, tilt, 1, 2);
+  finish(self, rc);
+}
+
 static void call_contact_get_sensitivity(call *self) {
   int32_t rc = 0;
   rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
@@ -2516,6 +2532,7 @@ const entry calls[] = {
   {"contact_get_status", call_contact_get_status, 1},
   {"contact_get_resultant", call_contact_get_resultant, 2},
   {"contact_get_motion", call_contact_get_motion, 2},
+  {"contact_get_tilt", call_contact_get_tilt, 1},
   {"contact_get_sensitivity", call_contact_get_sensitivity, 4},
   {"contact_get_displacements_at", call_contact_get_displacements_at, 1},
   {"contact_get_stresses_at", call_contact_get_stresses_at, 2},

@@ -99,12 +99,22 @@ rollcon_status rollcon_contact_get_motion(const rollcon_contact* contact, double
   });
 }
 
+rollcon_status rollcon_contact_get_tilt(const rollcon_contact* contact, double* tilt) {
+  return with_contact(__func__, contact, [&](const Contact& c) {
+    require_pointer(tilt, "tilt");
+    double found[2];
+    c.motion(nullptr, nullptr, found);
+    std::copy_n(found, 2, tilt);
+  });
+}
+
 rollcon_status rollcon_contact_get_sensitivity(const rollcon_contact* contact, int32_t parameter, double* force,
                                                double* moment, double* approach, double* creep) {
   return with_contact(__func__, contact, [&](const Contact& c) {
-    if (parameter < ROLLCON_LONGITUDINAL || parameter > ROLLCON_FRICTION)
-      fail(Status::err_argument, "parameter is %d; allowed: %d to %d (longitudinal, lateral, normal, spin, friction)",
-           parameter, ROLLCON_LONGITUDINAL, ROLLCON_FRICTION);
+    if (parameter < ROLLCON_LONGITUDINAL || parameter > ROLLCON_TILT_2)
+      fail(Status::err_argument,
+           "parameter is %d; allowed: %d to %d (longitudinal, lateral, normal, spin, friction, tilt 1, tilt 2)",
+           parameter, ROLLCON_LONGITUDINAL, ROLLCON_TILT_2);
     double f[3], m[3], a = 0, xi[3];
     c.sensitivity(static_cast<Parameter>(parameter), f, m, &a, xi);
     if (force) std::copy_n(f, 3, force);

@@ -28,14 +28,15 @@ void each_word(const char* text, F&& f) {
 }
 
 std::vector<Parameter> read_parameters(const char* names) {
-  static constexpr const char* known[] = {"longitudinal", "lateral", "normal", "spin", "friction"};
+  static constexpr const char* known[] = {"longitudinal", "lateral", "normal", "spin", "friction", "tilt_1", "tilt_2"};
   std::vector<Parameter> list;
   each_word(names, [&](const char* word, std::size_t length) {
     int p = 0;
-    while (p < 5 && (std::strlen(known[p]) != length || std::memcmp(known[p], word, length) != 0)) ++p;
+    while (p < std::ssize(known) && (std::strlen(known[p]) != length || std::memcmp(known[p], word, length) != 0)) ++p;
     const int shown = static_cast<int>(std::min<std::size_t>(length, 60));
-    if (p == 5)
-      fail(Status::err_argument, "parameters has '%.*s'; allowed: longitudinal, lateral, normal, spin, friction", shown,
+    if (p == std::ssize(known))
+      fail(Status::err_argument,
+           "parameters has '%.*s'; allowed: longitudinal, lateral, normal, spin, friction, tilt_1, tilt_2", shown,
            word);
     const auto parameter = static_cast<Parameter>(p + 1);
     if (std::find(list.begin(), list.end(), parameter) != list.end())

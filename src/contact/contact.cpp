@@ -308,6 +308,7 @@ Status Contact::solve_scene() {
 
   s.settled = true;
   if (s.frictionless) refuse_tangential_loads(s.given);
+  refuse_load_beside_frame(s);
   refuse_overflow(s);
   s.settled = false;
   solve_prepared(s, scene.options, watch);

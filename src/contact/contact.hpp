@@ -140,7 +140,8 @@ class Contact {
   std::int64_t field(Field field, InAxes axes, std::int64_t capacity, double* v) const;
   void node_status(std::int64_t capacity, std::int32_t* status) const;
   void resultant(InAxes axes, double* force, double* moment) const;
-  void motion(double* approach, double* creep) const;
+  /// tilts: about t1 and t2. Any pointer may be null.
+  void motion(double* approach, double* creep, double* tilts = nullptr) const;
   /// Derivatives of what resultant(local) and motion() give; any pointer may be null. err_state: the last solve did not
   /// converge, or a tangential load is prescribed without friction.
   void sensitivity(Parameter parameter, double* force, double* moment, double* approach, double* creep) const;

@@ -46,6 +46,8 @@ void OwnFramesSolver::write(const CaseColumn& column, std::span<const Parameter>
       return contact_->motion(to, nullptr);
     case CaseColumn::Kind::creep:
       return contact_->motion(nullptr, to);
+    case CaseColumn::Kind::tilt:
+      return contact_->motion(nullptr, nullptr, to);
     case CaseColumn::Kind::number:
       *to = contact_->number(column.number);
       return;

@@ -176,19 +176,20 @@ void Contact::resultant(InAxes axes, double* force, double* moment) const {
   if (state_->extrapolated)
     f = state_->extrapolated->force, m = state_->extrapolated->moment;
   else
-    sum_tractions(state_->prepared->problem, state_->prepared->frame, state_->iterate.lambda, f, m);
+    sum_tractions(state_->prepared->problem, state_->iterate.lambda, f, m);
   const Triad local = triad_of(state_->prepared->frame.axes);
   if (force) put(local, axes, f[0], f[1], f[2], force);
   if (moment) put(local, axes, m[0], m[1], m[2], moment);
 }
 
-void Contact::motion(double* depth, double* creep) const {
+void Contact::motion(double* depth, double* creep, double* tilts) const {
   require_solution();
   auto m = state_->iterate.motion;
   m[approach] = state_->given.approach_of(m, state_->prepared->problem.datum);
   if (state_->extrapolated) m = state_->extrapolated->motion;
   if (depth) *depth = m[approach];
   if (creep) creep[0] = m[xi1], creep[1] = m[xi2], creep[2] = m[spin];
+  if (tilts) tilts[0] = m[tilt1], tilts[1] = m[tilt2];
 }
 
 namespace {
@@ -229,7 +230,7 @@ void Contact::read_givens(NodeGivens& now) {
   for (auto& slip : now.slip) slip.resize(n);
   for (std::size_t k = 0; k < n; ++k) {
     const auto i = static_cast<std::int64_t>(k);
-    now.gap[k] = p.gap[k] - p.closing(k) * s.given.value[approach];
+    now.gap[k] = p.rigid_gap(k, s.given.value);
     now.slip[0][k] = p.rigid_slip1(i, s.given.value);
     now.slip[1][k] = p.rigid_slip2(i, s.given.value);
   }

@@ -52,16 +52,16 @@ struct ErrorEstimate {
 
 /// What results on two frames of a family tend to (contact/results/extrapolation.hpp).
 struct Extrapolated {
-  Vec3 force{}, moment{};          ///< on body 1, about the origin, in the axes
-  std::array<double, 4> motion{};  ///< by Motion; the approach from no approach on
-  double area = 0;                 ///< in contact
-  double left_over = 0;            ///< of the difference of the frames, by which the finer one is off
+  Vec3 force{}, moment{};  ///< on body 1, about the origin, in the axes
+  MotionValues motion{};        ///< by Motion; the approach from no approach on
+  double area = 0;         ///< in contact
+  double left_over = 0;    ///< of the difference of the frames, by which the finer one is off
 };
 
 /// Derivatives of results (contact/results/sensitivity.hpp), per unit of a parameter, in the axes.
 struct Rates {
-  Vec3 force{}, moment{};          ///< on body 1, about the origin
-  std::array<double, 4> motion{};  ///< by Motion
+  Vec3 force{}, moment{};  ///< on body 1, about the origin
+  MotionValues motion{};        ///< by Motion
 };
 
 /// What scene, poses and velocities prescribe at the nodes of a frame, or how fast that changes.
@@ -72,7 +72,7 @@ struct NodeGivens {
 };
 
 struct Sensitivities {
-  static constexpr std::size_t parameters = 5;
+  static constexpr std::size_t parameters = 7;
   std::array<bool, parameters> known{};  ///< by Parameter, minus one
   std::array<Rates, parameters> rates{};
 
@@ -202,6 +202,8 @@ void solve_prepared(SolverState& state, const Options& options, Monitor& monitor
 
 /// err_load if a frictionless problem prescribes what only friction can carry.
 void refuse_tangential_loads(const Prescribed& given);
+/// err_load if a normal load and moments act beside the nodes of a flat frame.
+void refuse_load_beside_frame(const SolverState& state);
 /// err_argument, with the node, where the gaps and motions of the prepared scene go beyond what double precision can
 /// calculate with.
 void refuse_overflow(const SolverState& state);

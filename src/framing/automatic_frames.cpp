@@ -46,9 +46,47 @@ struct Shape {
   bool lattice = false;
 };
 
+using Tilts = std::array<double, 2>;
+
 class AutomaticFrames final : public FrameMaker {
  public:
+  /// Tilts that moments ask for move the contact along the bodies: frames are made for those that were found last,
+  /// until they differ by less than matters beside the bodies' flattening.
   Status solve(Contact& contact) override {
+    constexpr int most_rounds = 8;
+    constexpr double little = 0.02;
+    for (int round = 1;; ++round) {
+      const Status status = solve_on_levels(contact);
+      const Tilts before = tilts_;
+      if (!Contact::is_answer(status) || shape_.outline.empty() || !take_found_tilts(contact)) return status;
+      double x = 0, y = 0;
+      for (const Outline& outline : shape_.outline) {
+        const Rectangle b = outline.box();
+        x = std::max(x, 0.5 * (b.x_greatest - b.x_least)), y = std::max(y, 0.5 * (b.y_greatest - b.y_least));
+      }
+      Vec3 force{};
+      contact.resultant(InAxes::local, force.data(), nullptr);
+      const double moved = y * std::abs(tilts_[0] - before[0]) + x * std::abs(tilts_[1] - before[1]);
+      if (moved <= little * std::abs(force[2]) / (contact.modulus() * std::max(x, y)) || round == most_rounds)
+        return status;
+    }
+  }
+
+  void end_step(Status status) override {
+    if (coarse_) coarse_->end_step(status);
+  }
+  void repeat_step() override {
+    if (coarse_) coarse_->repeat_step();
+  }
+
+  void reset() override {
+    level_ = levels.size();
+    tilts_known_ = false;
+    if (coarse_) coarse_->reset();
+  }
+
+ private:
+  Status solve_on_levels(Contact& contact) {
     find_shape(contact);
     // A level is kept while the accuracy asked for is.
     if (const double asked = contact.scene.options.frame_accuracy; level_ == levels.size() || asked != asked_) {
@@ -76,19 +114,6 @@ class AutomaticFrames final : public FrameMaker {
     return Status::rim_contact;
   }
 
-  void end_step(Status status) override {
-    if (coarse_) coarse_->end_step(status);
-  }
-  void repeat_step() override {
-    if (coarse_) coarse_->repeat_step();
-  }
-
-  void reset() override {
-    level_ = levels.size();
-    if (coarse_) coarse_->reset();
-  }
-
- private:
   static std::size_t first_level(double accuracy) {
     std::size_t level = 0;
     while (level + 1 < levels.size() && levels[level].usual > 1.1 * accuracy) ++level;
@@ -98,7 +123,7 @@ class AutomaticFrames final : public FrameMaker {
   /// Sets shape_ and counts what changed it.
   void find_shape(Contact& contact) {
     const Scene& scene = contact.scene;
-    if (const auto quadratic = scene.quadratic_gap(); quadratic && contact.half_spaces()) {
+    if (const auto quadratic = scene.quadratic_gap(); quadratic && contact.half_spaces() && !scene.tilts()) {
       shape_.outline.clear();
       const HertzContact hertz = find_ellipse(contact, {(*quadratic)[0], (*quadratic)[1], (*quadratic)[2]});
       shape_.place = place_of_disc(hertz.larger, hertz.smaller, hertz.angle);
@@ -119,11 +144,15 @@ class AutomaticFrames final : public FrameMaker {
       now.pose = scene.revision.pose;
       now.axes = scene.revision.axes;
     }
+    now.tilted = scene.tilts();
+    if (now.tilted) now.tilts = tilts_for(contact);
     if (!shape_.outline.empty() && now == found_) return;
     gap_ = contact.gap_between_nodes();
-    const Patches patches =
-        search_.find(contact, {[this](double x, double y) { return (*gap_)(x, y); }, gap_->bounds(), now.modulus,
-                               normal.how == How::by_force, normal.value, !scene.has_gap() && !contact.meshed()});
+    const auto gap = [this, now](double x, double y) {
+      return (*gap_)(x, y) - (now.tilted ? now.tilts[0] * y - now.tilts[1] * x : 0);
+    };
+    const Patches patches = search_.find(contact, {gap, gap_->bounds(), now.modulus, normal.how == How::by_force,
+                                                   normal.value, !scene.has_gap() && !contact.meshed()});
     shape_.outline = patches.outline;
     constexpr double too_hollow = 0.1;
     // Outlines are those in the plane of the axes: a conformal contact ends elsewhere.
@@ -138,6 +167,36 @@ class AutomaticFrames final : public FrameMaker {
     if (shape_.at_body_ends == AtBodyEnds::closer &&
         std::any_of(shape_.outline.begin(), shape_.outline.end(), [](const Outline& o) { return o.ends_body(); }))
       level_ = levels.size();
+  }
+
+  /// Those given; those found last for moments, at first the slope of the gap where the load acts.
+  Tilts tilts_for(Contact& contact) {
+    const Scene& scene = contact.scene;
+    const Load* const load[2] = {&scene.load(Direction::tilt1), &scene.load(Direction::tilt2)};
+    if (const double normal = scene.load(Direction::normal).value;
+        !std::exchange(tilts_known_, true) && normal > 0 && scene.load(Direction::normal).how == How::by_force) {
+      const std::unique_ptr<KnownGap> gap = contact.gap_between_nodes();
+      const double x = load[1]->value / normal, y = -load[0]->value / normal;
+      const Rectangle b = gap->bounds();
+      const double step = 1e-3 * std::min(b.x_greatest - b.x_least, b.y_greatest - b.y_least);
+      tilts_ = {((*gap)(x, y + step) - (*gap)(x, y - step)) / (2 * step),
+                ((*gap)(x - step, y) - (*gap)(x + step, y)) / (2 * step)};
+    }
+    for (std::size_t t = 0; t < 2; ++t) {
+      if (load[t]->how == How::by_motion) tilts_[t] = load[t]->value;
+      if (!std::isfinite(tilts_[t])) tilts_[t] = 0;
+    }
+    return tilts_;
+  }
+
+  /// False: none is unknown.
+  bool take_found_tilts(const Contact& contact) {
+    Tilts found{};
+    contact.motion(nullptr, nullptr, found.data());
+    bool any = false;
+    for (const auto& [t, direction] : {std::pair{0, Direction::tilt1}, {1, Direction::tilt2}})
+      if (contact.scene.load(direction).how == How::by_force) tilts_[at(t)] = found[at(t)], any = true;
+    return any;
   }
 
   static HertzContact find_ellipse(Contact& contact, const QuadraticGap& gap) {
@@ -339,6 +398,8 @@ class AutomaticFrames final : public FrameMaker {
     std::array<std::int64_t, 2> pose{-1, -1};
     std::int64_t axes = -1;
     bool conformal = false;
+    bool tilted = false;
+    Tilts tilts{};
     bool operator==(const Found&) const = default;
   };
   struct Made {
@@ -353,6 +414,8 @@ class AutomaticFrames final : public FrameMaker {
   std::unique_ptr<HertzFriction> hertz_friction_;  ///< made when it is asked for
   Shape shape_;
   Found found_;
+  Tilts tilts_{};                        ///< that frames were made for last
+  bool tilts_known_ = false;             ///< from a solve or a guess
   std::unique_ptr<KnownGap> gap_;        ///< of the scene being solved
   const char* beyond_bounds_ = nullptr;  ///< what to tell
   std::int64_t shapes_ = 0;              ///< found so far

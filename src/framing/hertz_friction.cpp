@@ -32,7 +32,7 @@ HertzFriction::HertzFriction() {
 FrictionShare HertzFriction::share(const Scene& scene, const FramePlace& place, double load) {
   Prescribed given;
   for (const Direction d : {Direction::longitudinal, Direction::lateral, Direction::spin}) {
-    const auto m = static_cast<std::size_t>(d) - 1;
+    const std::size_t m = motion_of(d);
     given.by_force[m] = scene.load(d).how == How::by_force;
     given.value[m] = scene.load(d).value;
   }

@@ -80,7 +80,7 @@ void ContactEquations::add(const Step& step, std::int64_t k) {
   unknown_.push_back(normal);
 }
 
-// Motions count as the tractions that they cause at a pair, loads as their means over the pairs.
+// MotionValues count as the tractions that they cause at a pair, loads as their means over the pairs.
 void ContactEquations::take_motions() {
   const Problem& p = problem_;
   double rn = 0, rt = 0, area = 0;
@@ -91,16 +91,16 @@ void ContactEquations::take_motions() {
   }
   const double count = std::max<double>(1, static_cast<double>(node_.size()));
   motion_.clear();
-  for (const int m : {xi1, xi2, spin, approach}) {
-    if (!given_.by_force[at(m)] || (m != approach && images_.kind() == Tangential::none)) continue;
-    const double unit = m == spin ? p.length : 1;
-    motion_.push_back({m, (m == approach ? rn : rt) / count * unit, 1 / (area * unit)});
+  for (const int m : {xi1, xi2, spin, tilt1, tilt2, approach}) {
+    if (!given_.by_force[at(m)] || (!changes_gap(m) && images_.kind() == Tangential::none)) continue;
+    const double unit = m >= spin ? p.length : 1;
+    motion_.push_back({m, (changes_gap(m) ? rn : rt) / count * unit, 1 / (area * unit)});
   }
 }
 
 double ContactEquations::motion_entry(const Unknown& row, const Motion& motion) const {
   const std::size_t k = at(row.node);
-  if (row.direction[2] != 0) return motion.which == approach ? row.image[2] * problem_.closing(k) / motion.scale : 0;
+  if (row.direction[2] != 0) return row.image[2] * problem_.closing(motion.which, k) / motion.scale;
   const auto slip = problem_.slip_column(motion.which, k);
   const double sum = row.image[0] * slip[0] + row.image[1] * slip[1];
   return (images_.kind() == Tangential::shift ? row.reach : 1) * sum / motion.scale;
@@ -150,15 +150,15 @@ void ContactEquations::contact_matrix(const Blocks& blocks, RowMatrix<double>& o
 void ContactEquations::right_side(const Step& step, std::vector<double>& b) const {
   const Problem& p = problem_;
   b.assign(at(size()), 0.0);
-  std::array<double, 4> known{};
-  for (std::size_t m = 0; m < 4; ++m) known[m] = given_.by_force[m] ? 0 : given_.value[m];
+  MotionValues known{};
+  for (std::size_t m = 0; m < motion_count; ++m) known[m] = given_.by_force[m] ? 0 : given_.value[m];
   const bool shift = images_.kind() == Tangential::shift;
   double* right = b.data() + inner();
   for (const Unknown& row : unknown_) {
     const std::size_t k = at(row.node);
     const double given[2] = {shift ? step.target[0][k] : -p.rigid_slip1(row.node, known),
                              shift ? step.target[1][k] : -p.rigid_slip2(row.node, known)};
-    *right++ = row.direction[2] != 0 ? row.image[2] * p.rigid_gap(k, known[approach])
+    *right++ = row.direction[2] != 0 ? row.image[2] * p.rigid_gap(k, known)
                                      : row.image[0] * given[0] + row.image[1] * given[1];
   }
   for (const Motion& motion : motion_) *right++ = motion.per_load * given_.value[at(motion.which)];
@@ -187,7 +187,7 @@ void ContactEquations::scatter(const std::vector<double>& x, Point& next) const 
   tractions(x.data() + inner(), t);
   for (std::size_t c = 0; c < 3; ++c)
     for (std::size_t k = 0; k < at(problem_.nodes); ++k) next.lambda[c][k] = t[3 * k + c];
-  for (std::size_t m = 0; m < 4; ++m)
+  for (std::size_t m = 0; m < motion_count; ++m)
     if (!given_.by_force[m]) next.motion[m] = given_.value[m];
   for (std::size_t m = 0; m < motion_.size(); ++m)
     next.motion[at(motion_[m].which)] = x[at(inner()) + unknown_.size() + m] / motion_[m].scale;

@@ -28,7 +28,7 @@ struct AtPoint {
   const Point& z;
 
   double lambda(int c, std::size_t k) const { return z.lambda[c][k]; }
-  SummedGap gap(std::size_t k) const { return {p.rigid_gap(k, z.motion[approach]) - z.depth[k], 0}; }
+  SummedGap gap(std::size_t k) const { return {p.rigid_gap(k, z.motion) - z.depth[k], 0}; }
   static bool slip_known(std::size_t) { return true; }
   SummedSlip slip(std::size_t k) const {
     const auto i = static_cast<std::int64_t>(k);
@@ -97,7 +97,7 @@ void Gnmls::linearise() {
       continue;
     }
     const auto i = static_cast<std::int64_t>(k);
-    const double pressure = -(z_.lambda[2][k] + p.rn[k] * (p.rigid_gap(k, z_.motion[approach]) - z_.depth[k]));
+    const double pressure = -(z_.lambda[2][k] + p.rn[k] * (p.rigid_gap(k, z_.motion) - z_.depth[k]));
     TangentialLaw& law = step_.law[k];
     law = linearise_friction(p, given_, k, z_.lambda, p.rigid_slip1(i, z_.motion) + z_.slip[0][k],
                              p.rigid_slip2(i, z_.motion) + z_.slip[1][k], pressure, true);
@@ -115,8 +115,8 @@ void Gnmls::linearise() {
 void Gnmls::estimate_slip() {
   const Problem& p = *problem_;
   const SparseRows& d = p.convection.rows;
-  std::array<double, 4> known{};
-  for (std::size_t m = 0; m < 4; ++m) known[m] = given_.by_force[m] ? 0 : given_.value[m];
+  MotionValues known{};
+  for (std::size_t m = 0; m < motion_count; ++m) known[m] = given_.by_force[m] ? 0 : given_.value[m];
   double fastest = 0;
   for (std::size_t k = 0; k < at(p.nodes); ++k) {
     double own = 0, largest = 0;
@@ -247,7 +247,7 @@ void Gnmls::begin(Iterate& iterate, bool frictionless) {
   eta_ = last_merit_ = 0;
   sharpening_ = 1;
   const std::size_t n = at(p.nodes);
-  for (std::size_t m = 0; m < 4; ++m)
+  for (std::size_t m = 0; m < motion_count; ++m)
     if (!given_.by_force[m]) iterate.motion[m] = given_.value[m];
   for (const int m : {xi1, xi2, spin})
     if (frictionless && given_.by_force[at(m)]) iterate.motion[at(m)] = 0;

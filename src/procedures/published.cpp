@@ -39,7 +39,7 @@ class Published final : public PublishedSolver {
   Gnmls gnmls_;
   std::unique_ptr<StepSystem> system_;
   StepOptions made_for_;
-  std::array<bool, 4> by_force_{};
+  std::array<bool, motion_count> by_force_{};
 };
 
 }  // namespace

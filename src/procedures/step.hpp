@@ -14,12 +14,12 @@ enum class PairState : std::uint8_t { unused, open, stick, slip };
 
 /// An iterate z of the method: tractions and what they do, at all nodes of the frame.
 struct Point {
-  std::vector<double> lambda[3];   ///< tractions t1, t2, n
-  std::vector<double> slip[2];     ///< D (A lambda)_t: slip over speed less the rigid slip
-  std::vector<double> depth;       ///< (A lambda)_n: gap lost to elastic displacements is minus it
-  std::vector<double> shift[2];    ///< (A lambda)_t; kept for reduced unknowns only, else empty
-  std::array<double, 4> motion{};  ///< as in Problem: xi1, xi2, approach, spin
-  std::vector<double> inner;       ///< unknowns of the bodies, where they are written out
+  std::vector<double> lambda[3];  ///< tractions t1, t2, n
+  std::vector<double> slip[2];    ///< D (A lambda)_t: slip over speed less the rigid slip
+  std::vector<double> depth;      ///< (A lambda)_n: gap lost to elastic displacements is minus it
+  std::vector<double> shift[2];   ///< (A lambda)_t; kept for reduced unknowns only, else empty
+  MotionValues motion{};               ///< as in Problem: xi1, xi2, approach, spin
+  std::vector<double> inner;      ///< unknowns of the bodies, where they are written out
 };
 
 /// z + alpha (next - z), (87).

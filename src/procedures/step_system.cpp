@@ -51,7 +51,7 @@ void blend(Point& z, const Point& next, double alpha) {
   for (int c = 0; c < 2; ++c) mix(z.slip[c], next.slip[c]), mix(z.shift[c], next.shift[c]);
   mix(z.depth, next.depth);
   mix(z.inner, next.inner);
-  for (std::size_t m = 0; m < 4; ++m)
+  for (std::size_t m = 0; m < motion_count; ++m)
     z.motion[m] = alpha == 1 ? next.motion[m] : z.motion[m] + alpha * (next.motion[m] - z.motion[m]);
 }
 

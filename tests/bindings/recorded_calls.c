@@ -125,6 +125,7 @@ const char* const recorded_names[] = {
   "contact_get_status",
   "contact_get_resultant",
   "contact_get_motion",
+  "contact_get_tilt",
   "contact_get_sensitivity",
   "contact_get_displacements_at",
   "contact_get_stresses_at",
@@ -210,7 +211,7 @@ const char* const recorded_names[] = {
   "table_evaluate_contact",
 };
 
-const int recorded_number = 203;
+const int recorded_number = 204;
 
 enum {
   recorded_rollcon_version,
@@ -333,6 +334,7 @@ enum {
   recorded_rollcon_contact_get_status,
   recorded_rollcon_contact_get_resultant,
   recorded_rollcon_contact_get_motion,
+  recorded_rollcon_contact_get_tilt,
   recorded_rollcon_contact_get_sensitivity,
   recorded_rollcon_contact_get_displacements_at,
   recorded_rollcon_contact_get_stresses_at,
@@ -1524,6 +1526,14 @@ rollcon_status rollcon_contact_get_motion(const rollcon_contact *contact, double
   record_room(creep);
   give_reals(approach, 1, 1);
   give_reals(creep, 3, 2);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_get_tilt(const rollcon_contact *contact, double *tilt) {
+  record_begin(recorded_rollcon_contact_get_tilt);
+  record_handle(contact);
+  record_room(tilt);
+  give_reals(tilt, 2, 1);
   return record_end();
 }
 

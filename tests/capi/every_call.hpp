@@ -239,6 +239,8 @@ void with_each_contact_call(const void* handle, Check&& check) {
         rollcon_contact_get_resultant(object, 1, a.out, a.out));
   check("rollcon_contact_get_motion", false,
         rollcon_contact_get_motion(object, a.out, a.out));
+  check("rollcon_contact_get_tilt", false,
+        rollcon_contact_get_tilt(object, a.out));
   check("rollcon_contact_get_sensitivity", false,
         rollcon_contact_get_sensitivity(object, 1, a.out, a.out, a.out, a.out));
   check("rollcon_contact_get_displacements_at", false,

@@ -213,7 +213,7 @@ Point condensed_step(const Case& c) {
   std::vector<int> motion;
   for (int m = 0; m < 4; ++m)
     if (c.step.given.by_force[at(m)] && (m == approach || c.tangential != Tangential::none)) motion.push_back(m);
-  std::array<double, 4> known{};
+  MotionValues known{};
   for (std::size_t m = 0; m < 4; ++m) known[m] = c.step.given.by_force[m] ? 0 : c.step.given.value[m];
   // Motions count in units that keep the matrix's entries within a few orders of magnitude.
   const double rate = c.traction * p.length / std::abs(p.rn[at(n / 2)] * p.length);
@@ -242,7 +242,7 @@ Point condensed_step(const Case& c) {
       }
       if (r == 2) {
         operator_row(2, k, p.rn[at(k)], row);
-        right = p.rn[at(k)] * p.rigid_gap(at(k), known[approach]);
+        right = p.rn[at(k)] * p.rigid_gap(at(k), known);
         for (std::size_t m = 0; m < motion.size(); ++m)
           if (motion[m] == approach)
             row[3 * n + static_cast<std::int64_t>(m)] = p.rn[at(k)] * p.closing(at(k)) * unit(approach);

@@ -84,7 +84,7 @@ struct Setting {
     askew_compliance = std::make_unique<Stretched>(make_halfspace_compliance(flat, c, 1e-8, 1), 1 / cosine);
   }
 
-  Solved solve(bool tilted, Scheme scheme, const std::array<bool, 4>& by_force, const std::array<double, 4>& value,
+  Solved solve(bool tilted, Scheme scheme, const std::array<bool, motion_count>& by_force, const MotionValues& value,
                double mu) const {
     Solved s;
     Problem& p = s.problem;
@@ -121,9 +121,9 @@ double difference(const Solved& a, const Solved& b) {
 }
 
 constexpr double depth = 0.02, creep1 = -1.2e-3, creep2 = 4e-4, spin_rate = 3e-4;
-constexpr std::array<bool, 4> by_motion{};
+constexpr std::array<bool, motion_count> by_motion{};
 
-std::array<double, 4> askew_motion(const Setting& s) {
+MotionValues askew_motion(const Setting& s) {
   return {creep1 / s.cosine, creep2, depth / s.cosine, spin_rate / s.cosine};
 }
 
@@ -150,7 +150,7 @@ TEST(tilted_plane, loads_are_the_resultant_in_the_axes) {
     for (std::size_t k = 0; k < flat.problem.gap.size(); ++k)
       about_t1 += flat.problem.moment_y[k] * flat.iterate.lambda[2][k];
     const double fx = load(flat, xi1), fz = -load(flat, approach);
-    const std::array<double, 4> expected{s.cosine * fx - s.sine * fz, load(flat, xi2), -(s.sine * fx + s.cosine * fz),
+    const MotionValues expected{s.cosine * fx - s.sine * fz, load(flat, xi2), -(s.sine * fx + s.cosine * fz),
                                          s.sine * about_t1 + s.cosine * load(flat, spin)};
     const Solved askew = s.solve(true, Scheme::characteristic, by_motion, askew_motion(s), 0.3);
     for (int m = 0; m < 4; ++m) {
@@ -160,13 +160,13 @@ TEST(tilted_plane, loads_are_the_resultant_in_the_axes) {
     }
 
     // The motions come back when loads are given: all of them, or some.
-    const std::array<double, 4> motion = askew_motion(s);
-    for (const std::array<bool, 4>& by_force : {std::array<bool, 4>{true, true, true, true},
+    const MotionValues motion = askew_motion(s);
+    for (const std::array<bool, motion_count>& by_force : {std::array<bool, motion_count>{true, true, true, true},
                                                 {true, false, false, false},
                                                 {false, false, true, false},
                                                 {true, true, false, false},
                                                 {false, true, true, true}}) {
-      std::array<double, 4> value = motion;
+      MotionValues value = motion;
       for (std::size_t m = 0; m < 4; ++m)
         if (by_force[m]) value[m] = expected[m];
       const Solved found = s.solve(true, Scheme::characteristic, by_force, value, 0.3);
@@ -184,7 +184,7 @@ TEST(tilted_plane, loads_are_the_resultant_in_the_axes) {
 
 TEST(tilted_plane, normal_load_without_friction) {
   const Setting s(0.4, pairs[0]);
-  const std::array<bool, 4> by_force{false, false, true, false};
+  const std::array<bool, motion_count> by_force{false, false, true, false};
   const Solved flat = s.solve(false, Scheme::characteristic, by_force, {0, 0, 400, 0}, 0);
   const Solved askew = s.solve(true, Scheme::characteristic, by_force, {0, 0, 400 * s.cosine, 0}, 0);
   ASSERT_EQ(askew.report.outcome, Outcome::converged);
@@ -204,7 +204,7 @@ TEST(tilted_plane, a_load_beyond_friction_is_seen_for_what_friction_carries) {
     force -= carried;
     pressures += slow.problem.turn[k][2][0] * carried;
   }
-  const std::array<bool, 4> by_force{true, false, false, false};
+  const std::array<bool, motion_count> by_force{true, false, false, false};
   for (const double part : {0.95, 1.05}) {
     const double value = pressures + part * s.cosine * 0.3 * force;
     const Solved found = s.solve(true, Scheme::characteristic, by_force, {value, 0, depth / s.cosine, 0}, 0.3);

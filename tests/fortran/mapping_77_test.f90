@@ -105,6 +105,7 @@ program mapping_77_test
   call test_rcnsta()
   call test_rcresu()
   call test_rcmotn()
+  call test_rctilt()
   call test_rcsens()
   call test_rcdisp()
   call test_rcstrs()
@@ -1627,6 +1628,21 @@ contains
     call rcmotn(icon, approach, creep, stat)
     call rclerr(message)
     call failed('contact_get_motion', stat, message)
+  end subroutine
+
+  subroutine test_rctilt()
+    double precision :: tilt(2)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rctilt(icon, tilt, stat)
+    call told('contact_get_tilt', 'contact1 room', stat)
+    call gave_reals('tilt', tilt, 100.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rctilt(icon, tilt, stat)
+    call rclerr(message)
+    call failed('contact_get_tilt', stat, message)
   end subroutine
 
   subroutine test_rcsens()

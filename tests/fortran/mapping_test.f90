@@ -62,6 +62,7 @@ program mapping_test
   call contact_get_size()
   call contact_get_resultant()
   call contact_get_motion()
+  call contact_get_tilt()
   call contact_get_sensitivity()
   call contact_get_fatigue_index()
   call contact_get_equivalent_ellipse()
@@ -855,6 +856,20 @@ contains
     message = ''
     call contact%get_motion(approach, creep, stat, message)
     call failed('contact_get_motion', stat, message)
+  end subroutine
+
+  subroutine contact_get_tilt()
+    real(rc_real) :: tilt(2)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%get_tilt(tilt, stat, message)
+    call told('contact_get_tilt', 'contact1 room', stat)
+    call gave_reals('tilt', tilt, 100.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%get_tilt(tilt, stat, message)
+    call failed('contact_get_tilt', stat, message)
   end subroutine
 
   subroutine contact_get_sensitivity()

@@ -76,6 +76,7 @@ ROWS = list(starmap(Row, [
     ('contact', 'resultant', False, (11,), 'contact_get_resultant', 'contact1 11 room room', ([200.5, 201.5, 202.5], [300.5, 301.5, 302.5])),
     ('contact', 'resultant', False, (), 'contact_get_resultant', 'contact1 0 room room', ([200.5, 201.5, 202.5], [300.5, 301.5, 302.5])),
     ('contact', 'motion', False, (), 'contact_get_motion', 'contact1 room room', (100.5, [200.5, 201.5, 202.5])),
+    ('contact', 'tilt', False, (), 'contact_get_tilt', 'contact1 room', [100.5, 101.5]),
     ('contact', 'sensitivity', False, (11,), 'contact_get_sensitivity', 'contact1 11 room room room room', ([200.5, 201.5, 202.5], [300.5, 301.5, 302.5], 400.5, [500.5, 501.5, 502.5])),
     ('contact', 'fatigue_index', False, (1.5,), 'contact_get_fatigue_index', 'contact1 1.5 room', 200.5),
     ('contact', 'equivalent_ellipse', False, (), 'contact_get_equivalent_ellipse', 'contact1 room room', ([100.5, 101.5, 102.5, 103.5, 104.5, 105.5, 106.5, 107.5, 108.5], [200.5, 201.5])),

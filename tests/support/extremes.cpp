@@ -148,7 +148,7 @@ Scene disturbed(const Scene& scene, int way) {
     return value != 0 && std::abs(value) < 1 ? factor * value : else_this;
   };
   double& normal = g.value[ROLLCON_NORMAL - 1];
-  const std::array<double, 4> before = g.value;
+  const auto before = g.value;
   const bool tangential_forces = g.by_force[0] || g.by_force[1] || g.by_force[3];
   g.creep_field.clear();
   switch (way) {

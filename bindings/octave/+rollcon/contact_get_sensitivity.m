@@ -15,8 +15,8 @@ function varargout = contact_get_sensitivity(varargin)
 % (of temperature, with a memory, of a layer that flows).
 %
 %   contact (contact)
-%   parameter (int32, name or number: direction or parameter): LONGITUDINAL, LATERAL, NORMAL, SPIN or
-%   FRICTION
+%   parameter (int32, name or number: direction or parameter): LONGITUDINAL, LATERAL, NORMAL, SPIN,
+%   FRICTION, TILT_1 or TILT_2
 % Results:
 %   force: of the force on body 1, local axes
 %   moment: of its moment about the origin, local axes

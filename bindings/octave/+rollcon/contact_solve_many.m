@@ -20,12 +20,12 @@ function varargout = contact_solve_many(varargin)
 %
 %   contact (contact)
 %   parameters (text): columns of values, separated by blanks, each once, of: longitudinal, lateral,
-%   normal, spin, friction; []: none
+%   normal, spin, friction, tilt_1, tilt_2; []: none
 %   values(n_cases,parameters) (real): a normal load, and a factor on friction, are >= 0; [] only
 %   without cases or parameters
 %   columns (text): columns of results, separated by blanks, of: force (3 numbers, on body 1), moment
-%   (3, about the origin of the axes), approach, creep (3: longitudinal, lateral, spin), derivatives (10
-%   for each parameter: by its value, of force, moment, approach and creep, see
+%   (3, about the origin of the axes), approach, creep (3: longitudinal, lateral, spin), tilt (2),
+%   derivatives (10 for each parameter: by its value, of force, moment, approach and creep, see
 %   rollcon.contact_get_sensitivity; NaN where there are none, such as by friction at 0), tractions (3
 %   for each node of the frame, on body 1), and the statistics iterations, fallbacks, residual_normal,
 %   residual_tangential, nodes_contact, contact_area, max_pressure, friction_power,

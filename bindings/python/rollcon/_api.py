@@ -65,6 +65,8 @@ LONGITUDINAL = 1
 LATERAL = 2
 NORMAL = 3
 SPIN = 4
+TILT_1 = 6
+TILT_2 = 7
 
 # parameter
 FRICTION = 5
@@ -341,6 +343,7 @@ FUNCTIONS = {
         c_void_p, c_int32,
         POINTER(c_double), POINTER(c_double)]),
     "rollcon_contact_get_motion": (c_int32, [c_void_p, POINTER(c_double), POINTER(c_double)]),
+    "rollcon_contact_get_tilt": (c_int32, [c_void_p, POINTER(c_double)]),
     "rollcon_contact_get_sensitivity": (c_int32, [
         c_void_p, c_int32, POINTER(c_double),
         POINTER(c_double), POINTER(c_double), POINTER(c_double)]),
@@ -494,7 +497,9 @@ ENUMERATORS = {
         310, "wedge6": 326, "wedge15": 335, "hex8": 338, "hex20": 350
     },
     "dof": {"x": 1, "y": 2, "z": 4, "xyz": 7, "dof_x": 1, "dof_y": 2, "dof_z": 4, "dof_xyz": 7},
-    "direction": {"longitudinal": 1, "lateral": 2, "normal": 3, "spin": 4},
+    "direction": {
+        "longitudinal": 1, "lateral": 2, "normal": 3, "spin": 4, "tilt_1": 6, "tilt_2": 7
+    },
     "parameter": {"friction": 5},
     "how": {"motion": 1, "force": 2, "by_motion": 1, "by_force": 2},
     "axes": {"local": 0, "global": 1},
@@ -725,6 +730,7 @@ ARGUMENTS = {
         ("contact", ""), ("axes", "axes"), ("force", ""), ("moment", "")
     ],
     "rollcon_contact_get_motion": [("contact", ""), ("approach", ""), ("creep", "")],
+    "rollcon_contact_get_tilt": [("contact", ""), ("tilt", "")],
     "rollcon_contact_get_sensitivity": [
         ("contact", ""), ("parameter", "direction or parameter"), ("force", ""), ("moment", ""),
         ("approach", ""), ("creep", "")

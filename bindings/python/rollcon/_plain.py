@@ -537,12 +537,17 @@ class ContactPlain:
 
     def prescribe(self, direction: int | str, how: int | str, value: float) -> None:
         """Prescribes one direction by motion or by force; the other quantity is found by the
-        solve. Forces act on body 1. Standard: all by motion, 0.
+        solve. Forces act on body 1. A tilt turns body 1 against body 2 about t1 or t2 through the
+        origin: at (x, y) of a flat frame it takes (tilt 1) y - (tilt 2) x from the gap. Its
+        moment is that of the contact's tractions on body 1 about the same axis: a load F that
+        presses body 1 at (x, y) asks for the moments -F y (tilt 1) and F x (tilt 2). Standard:
+        all by motion, 0.
 
-        direction: LONGITUDINAL, LATERAL, NORMAL or SPIN.
+        direction: LONGITUDINAL, LATERAL, NORMAL, SPIN, TILT_1 or TILT_2.
         how: BY_MOTION or BY_FORCE.
-        value: motion: creepage, spin (1/length), approach (length); force: force, spin moment
-          about the origin, and for NORMAL the compressive load >= 0.
+        value: motion: creepage, spin (1/length), approach (length), tilt (radian, small); force:
+          force, moment about the axis through the origin, and for NORMAL the compressive load >=
+          0.
         """
         self._call("prescribe", direction, how, value)
 
@@ -682,6 +687,16 @@ class ContactPlain:
         self._call("get_motion", byref(approach), creep_at)
         return approach.value, creep
 
+    def tilt(self) -> ndarray:
+        """Rotations of body 1 against body 2 about t1 and t2, as given or as found for prescribed
+        moments (prescribe()).
+
+        tilt: radian.
+        """
+        tilt, tilt_at = room(2)
+        self._call("get_tilt", tilt_at)
+        return tilt
+
     def sensitivity(self, parameter: int | str) -> tuple[ndarray, ndarray, float, ndarray]:
         """Derivatives of what resultant() (local axes) and motion() give, by one parameter. A
         direction stands for the value last solved with there: creepage, spin or approach where
@@ -696,7 +711,7 @@ class ContactPlain:
         ERR_UNSUPPORTED: friction follows the whole solution (of temperature, with a memory, of a
         layer that flows).
 
-        parameter: LONGITUDINAL, LATERAL, NORMAL, SPIN or FRICTION.
+        parameter: LONGITUDINAL, LATERAL, NORMAL, SPIN, FRICTION, TILT_1 or TILT_2.
         force: of the force on body 1, local axes.
         moment: of its moment about the origin, local axes.
         creep: of longitudinal and lateral creepage and spin.

@@ -176,7 +176,7 @@ class Contact(Settings, ContactPlain, Handle):
         n, p = values.shape
         # As the library counts them.
         names = tuple((names if isinstance(names, str) else " ".join(names)).split())
-        shapes = {"force": (3,), "moment": (3,), "approach": (), "creep": (3,)}
+        shapes = {"force": (3,), "moment": (3,), "approach": (), "creep": (3,), "tilt": (2,)}
         if derivatives:
             shapes["derivatives"] = (p, 10)
         if tractions:

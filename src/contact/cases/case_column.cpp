@@ -19,6 +19,7 @@ CaseColumn case_column(const char* name, std::size_t length, std::int64_t parame
                          {"moment", {.kind = Kind::moment, .width = 3}},
                          {"approach", {.kind = Kind::approach, .width = 1}},
                          {"creep", {.kind = Kind::creep, .width = 3}},
+                         {"tilt", {.kind = Kind::tilt, .width = 2}},
                          {"derivatives", {.kind = Kind::derivatives, .width = 10 * parameters}},
                          {"tractions", {.kind = Kind::tractions, .width = 3 * nodes}}};
   const auto is = [&](const char* other) {

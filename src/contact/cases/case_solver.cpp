@@ -49,7 +49,7 @@ void SharedFrameSolver::prescribe(std::span<const Parameter> parameter, const do
   SolverState& s = *state_;
   for (std::size_t j = 0; j < parameter.size(); ++j) {
     const double v = value[j] + 0.0;  // no negative zero
-    const auto m = static_cast<std::size_t>(parameter[j]) - 1;
+    const std::size_t m = motion_of(parameter[j]);
     if (parameter[j] == Parameter::friction)
       s.given.friction = v;
     else if (m == approach)
@@ -77,6 +77,7 @@ Status SharedFrameSolver::solve(std::span<const Parameter> parameter, const doub
   warm_ = false;
   prescribe(parameter, value);
   if (s.frictionless) refuse_tangential_loads(s.given);
+  refuse_load_beside_frame(s);
   refuse_overflow(s);
   solve_prepared(s, options_, monitor);
   s.outcome = s.report.outcome;
@@ -93,7 +94,7 @@ void SharedFrameSolver::write(const CaseColumn& column, std::span<const Paramete
     case CaseColumn::Kind::force:
     case CaseColumn::Kind::moment: {
       Vec3 force, moment;
-      sum_tractions(on.problem, on.frame, s.iterate.lambda, force, moment);
+      sum_tractions(on.problem, s.iterate.lambda, force, moment);
       std::copy_n(column.kind == CaseColumn::Kind::force ? force.begin() : moment.begin(), 3, to);
       break;
     }
@@ -102,6 +103,9 @@ void SharedFrameSolver::write(const CaseColumn& column, std::span<const Paramete
       break;
     case CaseColumn::Kind::creep:
       to[0] = motion[xi1], to[1] = motion[xi2], to[2] = motion[spin];
+      break;
+    case CaseColumn::Kind::tilt:
+      std::copy_n(&motion[tilt1], 2, to);
       break;
     case CaseColumn::Kind::derivatives:
       derivatives(parameter, value, to);

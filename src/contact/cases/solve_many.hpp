@@ -19,7 +19,7 @@ struct SolverState;
 
 /// Neighbouring numbers in the row of a case, in the axes.
 struct CaseColumn {
-  enum class Kind { force, moment, approach, creep, derivatives, tractions, number };
+  enum class Kind { force, moment, approach, creep, tilt, derivatives, tractions, number };
   Kind kind = Kind::force;
   double (*number)(SolverState&) = nullptr;  ///< a statistic, of kind number
   std::int64_t width = 0;

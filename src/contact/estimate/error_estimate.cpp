@@ -40,7 +40,7 @@ struct Sums {
 Sums sums_of(const SolverState& s, const Tractions& t) {
   Sums r;
   Vec3 force, moment;
-  sum_tractions(s.prepared->problem, s.prepared->frame, t, force, moment);
+  sum_tractions(s.prepared->problem, t, force, moment);
   r.normal = std::abs(force[2]);
   r.tangential = std::hypot(force[0], force[1]);
   for (std::size_t k = 0; k < t[0].size(); ++k) {

@@ -67,6 +67,7 @@ void Variant::take_problem(const SolverState& s) {
   p.moment_x = gather(*space_, from.moment_x);
   p.moment_y = gather(*space_, from.moment_y);
   p.moment_z = gather(*space_, from.moment_z);
+  for (std::size_t t = 0; t < 2; ++t) p.tilting[t] = pick(*space_, from.tilting[t]);
   p.cell_area = gather(*space_, from.cell_area);
   p.gap = pick(*space_, from.gap);
   std::vector<double> mu = from.mu;  // that of the solution, where friction follows it

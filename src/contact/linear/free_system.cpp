@@ -57,7 +57,8 @@ void FreeSystem::take(ReducedSystem& system) {
 std::int64_t FreeSystem::borders(Rows rows) const {
   const int all = system_->borders();
   if (rows == Rows::all) return all;
-  const std::int64_t normal = normal_ && all > 0 && system_->border_motion(all - 1) == approach;
+  int normal = 0;
+  while (normal < all && changes_gap(system_->border_motion(all - 1 - normal))) ++normal;
   return rows == Rows::normal ? normal : all - normal;
 }
 

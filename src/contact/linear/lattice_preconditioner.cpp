@@ -15,7 +15,6 @@
 namespace rollcon {
 namespace {
 
-constexpr int most_borders = 4;
 // The kernel of A^-1 falls off like 1/r^3: a narrow margin keeps the periods apart.
 constexpr std::int64_t margin(std::int64_t n) {
   return n + n / 10 + 2;
@@ -141,7 +140,7 @@ void LatticePreconditioner::apply(const double* x, double* y) {
     std::copy(x + rows, x + rows + all, y + rows);
     return;
   }
-  double motion[most_borders];
+  double motion[motion_count];
   for (int k = 0; k < borders_; ++k) motion[k] = system_->border_product(k, y) - x[rows + k];
   schur_.solve(motion);
   for (int k = 0; k < borders_; ++k) {

@@ -65,18 +65,15 @@ void ReducedSystem::gather(const Problem& problem, const Prescribed& given, Part
 void ReducedSystem::gather_borders(const Problem& problem, const Prescribed& given,
                                    const std::vector<double> (&lambda)[3]) {
   borders_ = 0;
-  if (tangential())
-    for (const int m : {xi1, xi2, spin})
-      if (given.by_force[static_cast<std::size_t>(m)]) {
-        add_border(problem, given, m, lambda);
-        // No active node has a part in the load, and none is asked for: one node at the origin has no moment. The
-        // motion is zero, as motion() says then.
-        const Border& last = border_[static_cast<std::size_t>(borders_ - 1)];
-        const bool carried =
-            std::any_of(std::begin(last.row), std::end(last.row), [](auto& row) { return !row.empty(); });
-        if (!carried && last.right == 0 && given.value[static_cast<std::size_t>(m)] == 0) --borders_;
-      }
-  if (normal() && given.by_force[approach]) add_border(problem, given, approach, lambda);
+  for (const int m : {xi1, xi2, spin, tilt1, tilt2, approach}) {
+    if (!has_motion(part_, m) || !given.by_force[static_cast<std::size_t>(m)]) continue;
+    add_border(problem, given, m, lambda);
+    // No active node has a part in the load, and none is asked for: one node at the origin has no moment. The motion is
+    // zero, as motion() says then.
+    const Border& last = border_[static_cast<std::size_t>(borders_ - 1)];
+    const bool carried = std::any_of(std::begin(last.row), std::end(last.row), [](auto& row) { return !row.empty(); });
+    if (!carried && last.right == 0 && given.value[static_cast<std::size_t>(m)] == 0) --borders_;
+  }
   size_ = count_ * active() + borders_;
 }
 
@@ -87,12 +84,13 @@ void ReducedSystem::add_border(const Problem& problem, const Prescribed& given, 
   border.motion = m;
   double mean = 0, area = 0;
   for (std::size_t a = 0; a < na; ++a) {
-    mean += m == approach ? rn_[a] : rt_[a];
+    mean += changes_gap(m) ? rn_[a] : rt_[a];
     area += std::abs(problem.weight[static_cast<std::size_t>(nodes_[a])]);
   }
   mean = na > 0 ? mean / static_cast<double>(na) : 1;
-  border.scale = m == spin ? mean * problem.length : mean;
-  const double unit = m == spin ? area * problem.length : area;
+  const double arm = m >= spin ? problem.length : 1;
+  border.scale = mean * arm;
+  const double unit = area * arm;
   const double sign = m == approach ? -1 : 1;  // of the load row: symmetric with the column
   border.per_load = sign / unit;
   border.right = sign * given.value[static_cast<std::size_t>(m)] / unit;
@@ -113,8 +111,8 @@ void ReducedSystem::add_border(const Problem& problem, const Prescribed& given, 
       double column = 0;
       if (c < 2)
         column = rt_[a] * problem.slip_column(m, i)[static_cast<std::size_t>(c)];
-      else if (m == approach)
-        column = rn_[a] * problem.closing(i);
+      else
+        column = rn_[a] * problem.closing(m, i);
       border.column[c][a] = column / border.scale;
       border.row[c][a] = sign * problem.load_row(m, i)[static_cast<std::size_t>(c)] / unit;
       any_column = any_column || border.column[c][a] != 0;
@@ -153,8 +151,8 @@ void ReducedSystem::right_side(std::span<const double> known_gap, std::span<cons
 }
 
 void ReducedSystem::rate_side(std::span<const double> gap, std::span<const double> slip1, std::span<const double> slip2,
-                              std::span<const double> bound1, std::span<const double> bound2,
-                              const std::array<double, 4>& load, std::vector<double>& b) const {
+                              std::span<const double> bound1, std::span<const double> bound2, const MotionValues& load,
+                              std::vector<double>& b) const {
   fill_side(
       gap, slip1, slip2, [&](std::size_t a, std::size_t c) { return c == 0 ? bound1[a] : bound2[a]; },
       [&](const Border& border) { return border.per_load * load[static_cast<std::size_t>(border.motion)]; }, b);
@@ -242,8 +240,7 @@ void ReducedSystem::add_laws(const double* x, double* y) const {
   }
 }
 
-void ReducedSystem::start(const std::vector<double> (&lambda)[3], const std::array<double, 4>& motion,
-                          std::vector<double>& x) const {
+void ReducedSystem::start(const std::vector<double> (&lambda)[3], const MotionValues& motion, std::vector<double>& x) const {
   const std::size_t na = nodes_.size();
   x.resize(static_cast<std::size_t>(size_));
   for (int r = 0; r < count_; ++r)

@@ -35,7 +35,7 @@ class ReducedSystem final : public LinearOperator {
   /// rows equal (`bound1`, `bound2`, in units of traction), per active node; and of the loads that the part's unknown
   /// motions belong to.
   void rate_side(std::span<const double> gap, std::span<const double> slip1, std::span<const double> slip2,
-                 std::span<const double> bound1, std::span<const double> bound2, const std::array<double, 4>& load,
+                 std::span<const double> bound1, std::span<const double> bound2, const MotionValues& load,
                  std::vector<double>& b) const;
 
   void apply(const double* x, double* y) override;
@@ -55,7 +55,7 @@ class ReducedSystem final : public LinearOperator {
   int borders() const { return borders_; }
   /// Column of border k: what its motion adds to the rows of the active nodes, the laws included.
   void border_column(int k, double* y) const;
-  /// The motion of border k; the approach is the last.
+  /// The motion of border k; those that change the gap are the last.
   int border_motion(int k) const { return border_[static_cast<std::size_t>(k)].motion; }
   /// Entries of border k's column and row at the active nodes by traction component, the laws left out; empty: zero.
   std::span<const double> border_column_part(int k, int component) const {
@@ -76,7 +76,7 @@ class ReducedSystem final : public LinearOperator {
     for (std::size_t i = 0; i < other.size(); ++i) product_[i] += other[i];
   }
   /// Unknowns that correspond to given tractions and motions.
-  void start(const std::vector<double> (&lambda)[3], const std::array<double, 4>& motion, std::vector<double>& x) const;
+  void start(const std::vector<double> (&lambda)[3], const MotionValues& motion, std::vector<double>& x) const;
   /// Value of the unknown motion m, if it is one, in physical units; else the given value.
   double motion(const Prescribed& given, int m, const double* x) const;
 
@@ -123,7 +123,7 @@ class ReducedSystem final : public LinearOperator {
   std::vector<TangentialLaw> law_;
   std::vector<double> product_;
   std::vector<double> rn_, rt_;
-  std::array<Border, 4> border_;
+  std::array<Border, motion_count> border_;
   int borders_ = 0;
 };
 

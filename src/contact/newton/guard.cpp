@@ -20,12 +20,13 @@ constexpr double slack = 10;  // images made anew have another rounding
 bool Newton::holds() {
   Solve& s = solve_;
   const Iterate& it = *s.iterate;
-  for (std::size_t m = 0; m < 4; ++m)
+  for (std::size_t m = 0; m < motion_count; ++m)
     if (!s.given.by_force[m] && it.motion[m] != s.given.value[m]) return false;
   const std::vector<double>& pressures = it.lambda[2];
-  const bool as_judged = s.report.fallbacks == 0 && it.motion[approach] == judged_approach_ &&
-                         judged_.size() == pressures.size() &&
-                         std::memcmp(judged_.data(), pressures.data(), pressures.size() * sizeof(double)) == 0;
+  bool as_judged = s.report.fallbacks == 0;
+  for (const std::size_t m : {approach, tilt1, tilt2}) as_judged = as_judged && it.motion[m] == judged_motion_[m];
+  as_judged = as_judged && judged_.size() == pressures.size() &&
+              std::memcmp(judged_.data(), pressures.data(), pressures.size() * sizeof(double)) == 0;
   if (s.goal == Part::tangential && !as_judged) {
     const LawResidual normal = iteration_.judge(Part::normal, s.given);
     s.report.residual_normal = normal.normal;

@@ -27,7 +27,8 @@ struct AtIterate {
   double lambda(int c, std::size_t k) const { return it.lambda[c][k]; }
   SummedGap gap(std::size_t k) const {
     it.update_gap(p, static_cast<std::int64_t>(k));
-    return {p.rigid_gap(k, it.motion[approach]) - it.image[2][k], std::abs(p.gap[k]) + std::abs(it.image[2][k])};
+    return {p.rigid_gap(k, it.motion) - it.image[2][k],
+            std::abs(p.tilted_gap(k, it.motion)) + std::abs(it.image[2][k])};
   }
   static bool slip_known(std::size_t) { return true; }
   SummedSlip slip(std::size_t k) const {
@@ -221,7 +222,7 @@ void NewtonIteration::fit_approach() {
   for (std::size_t k = 0; k < at(p.nodes); ++k) {
     if (!(it.lambda[2][k] < 0)) continue;
     it.update_gap(p, static_cast<std::int64_t>(k));
-    sum += it.lambda[2][k] * (p.gap[k] - it.image[2][k]) / p.closing(k);
+    sum += it.lambda[2][k] * (p.tilted_gap(k, it.motion) - it.image[2][k]) / p.closing(k);
     weight += it.lambda[2][k];
   }
   if (weight < 0) it.motion[approach] = sum / weight;

@@ -75,7 +75,7 @@ class NewtonIteration {
   struct Best {
     double worst = 0, residual_normal = 0, residual_tangential = 0, residual_load = 0;
     std::vector<double> lambda[3];
-    std::array<double, 4> motion{};
+    MotionValues motion{};
   };
 
   void remember_best(double worst);
@@ -108,7 +108,7 @@ class NewtonIteration {
   bool has_frozen_ = false;
   bool images_fresh_ = false;  ///< from a step of this run
   std::vector<double> next_[3], next_image_[3];
-  std::array<double, 4> next_motion_{};
+  MotionValues next_motion_{};
   std::vector<double> known_[3], b_, x_, correction_, jx_, product_;
   std::vector<double> merits_;
   double last_worst_ = 0, last_merit_ = 0, eta_ = 0;  ///< of the step before

@@ -40,8 +40,11 @@ std::size_t Newton::bytes() const {
 
 Part Newton::goal(const Problem& problem, const Prescribed& given, bool frictionless) {
   if (frictionless) return Part::normal;
-  // Tangential tractions carry a part of the normal load of a curved frame.
-  const bool together = problem.op->coupled || (!problem.turn.empty() && given.by_force[approach]);
+  // Tangential tractions carry a part of the loads that gaps follow: of a curved frame, or outside of the axes' plane.
+  const bool tilted = given.by_force[tilt1] || given.by_force[tilt2];
+  const bool together =
+      problem.op->coupled || (!problem.turn.empty() && (given.by_force[approach] || tilted)) ||
+      (tilted && std::any_of(problem.moment_z.begin(), problem.moment_z.end(), [](double z) { return z != 0; }));
   return together ? Part::full : Part::tangential;
 }
 
@@ -57,10 +60,14 @@ void Newton::begin_prediction() {
   prediction.begin(given, it);
   double friction = 0;
   for (std::size_t k = 0; k < at(p.nodes); ++k) friction -= given.coefficient(p.mu, k) * p.weight[k] * it.lambda[2][k];
-  std::array<double, 4> weight{};
+  MotionValues weight{};
   for (const int m : {xi1, xi2, spin})
     weight[at(m)] = given.by_force[at(m)] ? friction * (m == spin ? p.length : 1) : creep_scale(p, given, it, m);
+  double load = 0;
+  for (std::size_t k = 0; k < at(p.nodes); ++k) load -= p.weight[k] * it.lambda[2][k];
   weight[approach] = given.by_force[approach] ? given.value[approach] : std::abs(it.motion[approach]);
+  for (const std::size_t m : {tilt1, tilt2})
+    weight[m] = given.by_force[m] ? load * p.length : std::abs(it.motion[approach]) / p.length;
   iteration_.prediction_ratio = prediction.ratio(given, at(p.nodes), weight);
 }
 
@@ -83,7 +90,7 @@ Outcome Newton::attempt(bool cold) {
     }
     pressures_found_ = outcome == Outcome::converged;
     judged_ = s.iterate->lambda[2];
-    judged_approach_ = s.iterate->motion[approach];
+    judged_motion_ = s.iterate->motion;
   }
   if (outcome != Outcome::converged || s.goal == Part::normal) return outcome;
   // With creepages still unknown there is no slip direction to start from: full stick finds both (15 to 9 iterations on
@@ -113,12 +120,11 @@ NewtonReport Newton::solve(const Problem& problem, const Prescribed& given, Iter
   pressures_found_ = compared_ = false;
   judged_.reserve(at(problem.nodes));
   begin_prediction();
-  for (const int m : {xi1, xi2, approach, spin}) {
-    const auto k = static_cast<std::size_t>(m);
-    if (!given.by_force[k])
-      iterate.motion[k] = given.value[k];
-    else if (frictionless && m != approach)
-      iterate.motion[k] = 0;
+  for (std::size_t m = 0; m < motion_count; ++m) {
+    if (!given.by_force[m])
+      iterate.motion[m] = given.value[m];
+    else if (frictionless && !changes_gap(static_cast<int>(m)))
+      iterate.motion[m] = 0;
   }
   if (given.by_force[approach] && !(given.value[approach] > 0)) {
     start_cold(problem, given, iterate);

@@ -43,11 +43,11 @@ void Prediction::move_datum(double change) {
     if (!p->by_force[approach]) p->value[approach] -= change;
 }
 
-double Prediction::ratio(const Prescribed& given, std::size_t nodes, const std::array<double, 4>& weight) const {
+double Prediction::ratio(const Prescribed& given, std::size_t nodes, const MotionValues& weight) const {
   if (!known_ || at_before_.by_force != given.by_force || at_last_.by_force != given.by_force) return 0;
   if (before_.lambda[2].size() != nodes) return 0;
   double along = 0, before = 0, now = 0;
-  for (std::size_t m = 0; m < 4; ++m) {
+  for (std::size_t m = 0; m < motion_count; ++m) {
     if (!(weight[m] > 0)) continue;
     const double a = (at_last_.value[m] - at_before_.value[m]) / weight[m];
     const double b = (given.value[m] - at_last_.value[m]) / weight[m];

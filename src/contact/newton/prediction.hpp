@@ -22,7 +22,7 @@ class Prediction {
   void move_datum(double change);
   /// Length of the step from the last solution over that to the last one; 0: none, the prescribed values did not change
   /// before or turn away from their line. weight[m]: a change of value m that would matter.
-  double ratio(const Prescribed& given, std::size_t nodes, const std::array<double, 4>& weight) const;
+  double ratio(const Prescribed& given, std::size_t nodes, const MotionValues& weight) const;
   /// Extrapolated by `ratio`: images are those of the tractions, as both are linear. Nodes whose slip was not up to
   /// date in both solutions are not `valid`.
   void tractions(const Iterate& last, double ratio, int component, std::vector<double>& lambda) const;

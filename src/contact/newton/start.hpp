@@ -16,9 +16,9 @@ struct GuessedContact {
   double low = 0;   ///< least gap; infinite: no node can carry traction
   double half = 0;  ///< half the approach beyond it
 };
-GuessedContact guess_contact(const Problem& problem, const Prescribed& given);
+GuessedContact guess_contact(const Problem& problem, const Prescribed& given, const MotionValues& motion);
 /// The approach alone.
-void guess_approach(const Problem& problem, const Prescribed& given, std::array<double, 4>& motion);
+void guess_approach(const Problem& problem, const Prescribed& given, MotionValues& motion);
 /// Creepage (or spin) at which friction saturates: its slip is that of the mean friction bound, or of the tractions
 /// that there are if that is more (between unlike bodies pressures cause slip). 0: no node in contact.
 double creep_scale(const Problem& problem, const Prescribed& given, const Iterate& iterate, int motion);

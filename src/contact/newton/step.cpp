@@ -26,12 +26,12 @@ struct OnTheWay {
   const std::vector<double> (&next)[3];
   const std::vector<double> (&next_image)[3];
   const std::vector<std::uint8_t>& active;
-  const std::array<double, 4> motion;
+  const MotionValues motion;
   const double alpha;
 
   double lambda(int c, std::size_t k) const { return blend(it.lambda[c][k], next[c][k], alpha); }
   double image(int c, std::size_t k) const { return blend(it.image[c][k], next_image[c][k], alpha); }
-  SummedGap gap(std::size_t k) const { return {p.rigid_gap(k, motion[approach]) - image(2, k), 0}; }
+  SummedGap gap(std::size_t k) const { return {p.rigid_gap(k, motion) - image(2, k), 0}; }
   bool slip_known(std::size_t k) const { return active[k] != 0; }
   SummedSlip slip(std::size_t k) const {
     const auto i = static_cast<std::int64_t>(k);
@@ -56,8 +56,8 @@ double NewtonIteration::load_error_at(Part part, double alpha) const {
 double NewtonIteration::trial_merit(Part part, double alpha) const {
   const Problem& p = *problem_;
   const Iterate& it = *iterate_;
-  std::array<double, 4> motion = it.motion;
-  for (std::size_t m = 0; m < 4; ++m) motion[m] = blend(motion[m], next_motion_[m], alpha);
+  MotionValues motion = it.motion;
+  for (std::size_t m = 0; m < motion_count; ++m) motion[m] = blend(motion[m], next_motion_[m], alpha);
   const LawSums sums = sum_laws(p, *given_, part, OnTheWay{p, it, next_, next_image_, is_active_, motion, alpha},
                                 [](std::size_t, bool, bool) {});
   return merit_of(sums, scales_, load_error_at(part, alpha), static_cast<std::int64_t>(active_.size()));
@@ -80,8 +80,7 @@ TangentialLaw NewtonIteration::law_of(Part part, std::int32_t node, bool bound_f
   const Iterate& it = *iterate_;
   const std::size_t k = at(node);
   double pressure = -it.lambda[2][k];
-  if (part == Part::full)
-    pressure = -(it.lambda[2][k] + p.rn[k] * (p.rigid_gap(k, it.motion[approach]) - it.image[2][k]));
+  if (part == Part::full) pressure = -(it.lambda[2][k] + p.rn[k] * (p.rigid_gap(k, it.motion) - it.image[2][k]));
   return linearise_friction(p, *given_, k, it.lambda, p.rigid_slip1(node, it.motion) + it.image[0][k],
                             p.rigid_slip2(node, it.motion) + it.image[1][k], pressure, bound_follows);
 }
@@ -117,14 +116,13 @@ bool NewtonIteration::newton_step(Part part, bool stick, double forcing) {
   const std::size_t na = active_.size();
   system_.gather(p, given, part, active_, it.lambda, rows_changed_);
   rows_changed_ = false;
-  std::array<double, 4> known = it.motion;
-  for (std::size_t m = 0; m < 4; ++m) known[m] = given.by_force[m] ? 0 : given.value[m];
-  if (part == Part::tangential) known[approach] = it.motion[approach];
+  MotionValues known = it.motion;
+  for (std::size_t m = 0; m < motion_count; ++m) known[m] = given.by_force[m] ? 0 : given.value[m];
   for (auto& v : known_) v.resize(na);
   for (std::size_t a = 0; a < na; ++a) {
     const std::int32_t i = active_[a];
     const std::size_t k = at(i);
-    if (has_normal(part)) known_[2][a] = p.rigid_gap(k, known[approach]) - (has_frozen_ ? frozen_[2][k] : 0);
+    if (has_normal(part)) known_[2][a] = p.rigid_gap(k, known) - (has_frozen_ ? frozen_[2][k] : 0);
     if (!has_tangential(part)) continue;
     system_.law(static_cast<std::int64_t>(a)) =
         stick && given.coefficient(p.mu, k) > 0 ? stick_law() : law_of(part, i, part == Part::full);
@@ -172,7 +170,7 @@ void NewtonIteration::take_step(Part part) {
           (product_[row] + step_product[row]) / system_.scale_of(c, a) + (has_frozen_ ? frozen_[c][k] : 0);
     }
   }
-  for (int m = 0; m < 4; ++m)
+  for (int m = 0; m < int{motion_count}; ++m)
     next_motion_[at(m)] = has_motion(part, m) ? system_.motion(*given_, m, x_.data()) : it.motion[at(m)];
   if (p.op->all_at_once()) return p.op->images(components_of(part), {}, {}, next_, next_image_);
   if (!has_normal(part)) return;
@@ -206,7 +204,7 @@ void NewtonIteration::advance(Part part, double alpha) {
   const Problem& p = *problem_;
   Iterate& it = *iterate_;
   const auto move = [alpha](double& from, double to) { from = alpha == 1 ? to : from + alpha * (to - from); };
-  for (std::size_t m = 0; m < 4; ++m) move(it.motion[m], next_motion_[m]);
+  for (std::size_t m = 0; m < motion_count; ++m) move(it.motion[m], next_motion_[m]);
   const bool everywhere = p.op->all_at_once();  // the step's slip is known at all nodes
   for (std::size_t k = 0; k < at(p.nodes); ++k) {
     if (!p.used[k]) continue;
@@ -242,7 +240,7 @@ bool NewtonIteration::start_predicted(Part part) {
       next_[c] = it.lambda[c];
     }
   }
-  for (int m = 0; m < 4; ++m)
+  for (int m = 0; m < int{motion_count}; ++m)
     next_motion_[at(m)] =
         has_motion(part, m) && given_->by_force[at(m)] ? prediction.motion(it, ratio, m) : it.motion[at(m)];
   if (p.op->all_at_once()) {

@@ -142,7 +142,7 @@ double gap_force(const SolverState& s, const std::vector<double>& rate) {
   const Problem& p = s.prepared->problem;
   const Frame& frame = s.prepared->frame;
   std::vector<double> rigid(at(p.nodes)), x, y, gap, factor;
-  for (std::size_t k = 0; k < rigid.size(); ++k) rigid[k] = p.rigid_gap(k, s.iterate.motion[approach]);
+  for (std::size_t k = 0; k < rigid.size(); ++k) rigid[k] = p.rigid_gap(k, s.iterate.motion);
   Middle middle(frame);
   for (const Patch& patch : patches(frame, rate)) {
     const std::span<const std::int32_t> corner(patch.corner.data(), patch.corners);

@@ -78,7 +78,7 @@ struct Preparation {
   /// there, and at the origin.
   Vec3 origin_between{0, 0, 0};
   std::vector<Vec3> point_between;
-  std::array<double, 4> creepage{};  ///< by Motion, from velocities
+  MotionValues creepage{};  ///< by Motion, from velocities
 };
 
 /// What there is so far; empty at first.

@@ -243,8 +243,9 @@ void bind_law(SolverState& state, const Scene& scene) {
 void read_prescribed(SolverState& state, const Scene& scene) {
   Prescribed& given = state.given;
   given = {};
-  for (const Direction d : {Direction::longitudinal, Direction::lateral, Direction::normal, Direction::spin}) {
-    const auto m = static_cast<std::size_t>(d) - 1;
+  for (const Direction d : {Direction::longitudinal, Direction::lateral, Direction::normal, Direction::spin,
+                            Direction::tilt1, Direction::tilt2}) {
+    const std::size_t m = motion_of(d);
     const Load& load = scene.load(d);
     given.by_force[m] = load.how == How::by_force;
     given.value[m] = load.how == How::by_velocity ? state.preparation->creepage[m] : load.value;

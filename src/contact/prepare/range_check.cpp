@@ -24,13 +24,13 @@ long long named(const SolverState& s, std::size_t k) {
 // velocity, which is a result.
 void refuse_overflow(const SolverState& s) {
   const Problem& p = s.prepared->problem;
-  std::array<double, 4> motion{};
-  for (std::size_t m = 0; m < 4; ++m)
+  MotionValues motion{};
+  for (std::size_t m = 0; m < motion_count; ++m)
     if (!s.given.by_force[m]) motion[m] = s.given.value[m];
   if (s.given.by_force[approach]) motion[approach] = -p.datum;  // no approach: the gap as given
   for (std::size_t k = 0; k < p.gap.size(); ++k) {
     if (!s.prepared->frame.used[k]) continue;
-    const double gap = p.rigid_gap(k, motion[approach]), scale = std::max(1.0, p.rn[k]);
+    const double gap = p.rigid_gap(k, motion), scale = std::max(1.0, p.rn[k]);
     // Under a load gaps count from the least one. Nodes that are never to touch may have any gap, but the monolithic
     // system counts it among its residuals.
     const double least = s.given.by_force[approach] ? -DBL_MAX : -largest_pressure / scale,

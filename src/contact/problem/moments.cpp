@@ -50,7 +50,7 @@ void curved_moments(const Frame& frame, NodeSums& mx, NodeSums& my, NodeSums& mz
 void moment_weights(const Frame& frame, std::vector<double>& mx, std::vector<double>& my, std::vector<double>& mz) {
   constexpr int degree = 7;  // N x J of a quad9: 2 + 2 + 3 in each variable
   NodeSums x_sums(frame.nodes()), y_sums(frame.nodes());
-  mz.clear();
+  mz.assign(static_cast<std::size_t>(frame.nodes()), 0.0);
   if (frame.curved()) {
     NodeSums z_sums(frame.nodes());
     curved_moments(frame, x_sums, y_sums, z_sums);
@@ -63,6 +63,9 @@ void moment_weights(const Frame& frame, std::vector<double>& mx, std::vector<dou
         y_sums.add(i, area * shape.value[k] * y);
       }
     });
+    const double rounding = 1e-12 * std::sqrt(frame.area);
+    for (std::size_t k = 0; k < mz.size(); ++k)
+      if (std::abs(frame.z[k]) > rounding) mz[k] = frame.weight[k] * frame.z[k];
   }
   mx = x_sums.take();
   my = y_sums.take();

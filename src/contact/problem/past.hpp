@@ -1,12 +1,12 @@
 #pragma once
 /// What a contact remembers of its past between steps in time: the tractions at the end of the last one.
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "bodies/model/compliance.hpp"
+#include "contact/problem/prescribed.hpp"
 #include "mesh/frame.hpp"
 
 namespace rollcon {
@@ -23,7 +23,7 @@ struct FrameOfPast {
 struct PastStep {
   bool loaded = false;            ///< false: the bodies are at rest, unstressed
   std::vector<double> lambda[3];  ///< t1, t2, n
-  std::array<double, 4> motion{};
+  MotionValues motion{};
   double time = 0;
   std::int64_t steps = 0;
   std::int64_t mesh = -1;  ///< revision of the frame's nodes and elements

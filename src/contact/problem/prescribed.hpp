@@ -10,8 +10,20 @@
 
 namespace rollcon {
 
-/// Indices of motions and of their conjugate loads (Direction minus one).
-enum Motion : int { xi1 = 0, xi2 = 1, approach = 2, spin = 3 };
+/// Indices of motions and of their conjugate loads: creepages, approach and spin, and rotations of body 1 about t1 and
+/// t2 through the origin, whose loads are moments on it.
+enum Motion : int { xi1 = 0, xi2 = 1, approach = 2, spin = 3, tilt1 = 4, tilt2 = 5 };
+constexpr std::size_t motion_count = 6;
+using MotionValues = std::array<double, motion_count>;
+/// Of a number of Direction or Parameter, which has that of friction between spin and tilts.
+template <class Number>
+constexpr std::size_t motion_of(Number number) {
+  const auto n = static_cast<std::size_t>(number);
+  return n > 5 ? n - 2 : n - 1;
+}
+constexpr bool changes_gap(int m) {
+  return m == approach || m >= tilt1;
+}
 
 /// Which tractions are unknown: the normal ones, the tangential ones under a given bound, or all.
 enum class Part : std::int32_t { normal = 2, tangential = 3, full = 4 };
@@ -24,16 +36,16 @@ inline bool has_tangential(Part part) {
 }
 /// Whether motion m (or its load) is the part's.
 inline bool has_motion(Part part, int m) {
-  return m == approach ? has_normal(part) : has_tangential(part);
+  return changes_gap(m) ? has_normal(part) : has_tangential(part);
 }
 
 struct Prescribed {
-  std::array<bool, 4> by_force{};  ///< motion unknown, conjugate load given
-  std::array<double, 4> value{};   ///< load (on body 1) where by force, else motion
-  double full_approach = 0;        ///< one that is prescribed, from no approach on, as it was given
-  double friction = 1;             ///< factor on the nodes' coefficients
-  double falling = 1;              ///< factor on the slip speed that friction falls with; 0: as at rest
-  double slip_scale = 1;           ///< factor on the nodes' scales of slip: another path, same solution
+  std::array<bool, motion_count> by_force{};  ///< motion unknown, conjugate load given
+  MotionValues value{};                            ///< load (on body 1) where by force, else motion
+  double full_approach = 0;                   ///< one that is prescribed, from no approach on, as it was given
+  double friction = 1;                        ///< factor on the nodes' coefficients
+  double falling = 1;                         ///< factor on the slip speed that friction falls with; 0: as at rest
+  double slip_scale = 1;                      ///< factor on the nodes' scales of slip: another path, same solution
   /// Factor on the coefficient of each node, where friction follows the whole solution; empty: 1.
   std::span<const double> share{};
 
@@ -50,7 +62,7 @@ struct Prescribed {
     value[approach] = force ? v : v - datum;
   }
   /// Approach of an iterate from no approach on; a prescribed one exactly as it was given.
-  double approach_of(const std::array<double, 4>& motion, double datum) const {
+  double approach_of(const MotionValues& motion, double datum) const {
     return by_force[approach] ? motion[approach] + datum : full_approach;
   }
 };

@@ -96,6 +96,14 @@ std::array<double, 3> Problem::load_row(int m, std::size_t k) const {
     case approach:
       axes[2] = -weight[k];
       break;
+    case tilt1:
+      axes[1] = -moment_z[k];
+      axes[2] = moment_y[k];
+      break;
+    case tilt2:
+      axes[0] = moment_z[k];
+      axes[2] = -moment_x[k];
+      break;
     default:
       axes[0] = -moment_y[k];
       axes[1] = moment_x[k];
@@ -125,11 +133,20 @@ void take_frame(Problem& p, const Frame& frame) {
   p.turn.clear();
   for (std::size_t k = 0; k < frame.n.size(); ++k)
     p.turn.push_back({in_axes(frame.t1[k]), in_axes(frame.t2[k]), in_axes(frame.n[k])});
+  const std::size_t n = at(p.nodes);
+  for (std::vector<double>& v : p.tilting) v.resize(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const double x = frame.x[k], y = frame.y[k], z = frame.z[k];
+    const std::array normal = p.turn.empty() ? std::array{0.0, 0.0, 1.0} : p.turn[k][2];
+    p.tilting[0][k] = y * normal[2] - z * normal[1];
+    p.tilting[1][k] = z * normal[0] - x * normal[2];
+  }
 }
 
 LoadSum load_on_body1(const Problem& p, int motion, const std::vector<double> (&lambda)[3]) {
   LoadSum sum;
-  for (std::size_t k = 0; k < p.turn.size(); ++k) {
+  const bool by_rows = !p.turn.empty() || motion >= tilt1;
+  for (std::size_t k = 0; by_rows && k < at(p.nodes); ++k) {
     const std::array<double, 3> row = p.load_row(motion, k);
     for (std::size_t c = 0; c < 3; ++c) {
       const double term = row[c] * lambda[c][k];
@@ -137,7 +154,7 @@ LoadSum load_on_body1(const Problem& p, int motion, const std::vector<double> (&
       sum.magnitude += std::abs(term);
     }
   }
-  if (!p.turn.empty()) return sum;
+  if (by_rows) return sum;
   for (std::size_t k = 0; k < static_cast<std::size_t>(p.nodes); ++k) {
     double term = 0;
     switch (motion) {
@@ -163,8 +180,7 @@ double load_error(const Problem& p, const Prescribed& given, Part part, const st
   return load_error(given, part, [&](int m) { return load_on_body1(p, m, lambda); });
 }
 
-void sum_tractions(const Problem& p, const Frame& frame, const std::vector<double> (&lambda)[3], Vec3& force,
-                   Vec3& moment) {
+void sum_tractions(const Problem& p, const std::vector<double> (&lambda)[3], Vec3& force, Vec3& moment) {
   force = moment = {};
   for (std::size_t k = 0; k < static_cast<std::size_t>(p.nodes); ++k) {
     Vec3 t{lambda[0][k], lambda[1][k], lambda[2][k]};
@@ -173,8 +189,7 @@ void sum_tractions(const Problem& p, const Frame& frame, const std::vector<doubl
       for (std::size_t j = 0; j < 3; ++j)
         for (std::size_t c = 0; c < 3; ++c) t[j] += lambda[c][k] * p.turn[k][c][j];
     }
-    const double height = p.turn.empty() ? p.weight[k] * frame.z[k] : p.moment_z[k];
-    const Vec3 m = cross({p.moment_x[k], p.moment_y[k], height}, t);
+    const Vec3 m = cross({p.moment_x[k], p.moment_y[k], p.moment_z[k]}, t);
     for (std::size_t j = 0; j < 3; ++j) force[j] += p.weight[k] * t[j], moment[j] += m[j];
   }
 }

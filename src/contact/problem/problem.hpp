@@ -2,7 +2,7 @@
 /// The discrete contact problem in the form that Newton's iteration sees: affine relations between tractions, gap and
 /// slip, laws per node, and loads. Slip is per unit rolling speed throughout.
 ///
-///   kn = gap - approach n - (A lambda)_n
+///   kn = gap - approach n - (tilt x r) n - (A lambda)_n
 ///   s  = rigid slip + D (A lambda)_t,   rigid slip = (xi1 - phi y, xi2 + phi x) + given field
 ///
 /// On a curved frame tractions, slip and gap belong to the local triads of the nodes, motions and loads to the axes: n
@@ -49,21 +49,22 @@ struct Problem {
   std::vector<double> slip1, slip2;
   std::vector<double> weight;              ///< integral of N_i: force from tractions
   std::vector<double> moment_x, moment_y;  ///< integrals of N_i x and N_i y: spin moment
-  std::vector<double> moment_z;            ///< of N_i z; empty on a flat frame
+  std::vector<double> moment_z;            ///< of N_i z
+  std::vector<double> tilting[2];          ///< gap lost per unit of a tilt
   std::vector<std::uint8_t> used;          ///< nodes that may carry traction
   double length = 1;                       ///< of the frame; scales spin
   double motion_scale = 1;                 ///< slip per unit of a creepage
   double stiffness = 1;                    ///< E* of the pair, for the first guess of an approach
   std::vector<double> cell_area;
 
-  double rigid_slip1(std::int64_t i, const std::array<double, 4>& m) const {
+  double rigid_slip1(std::int64_t i, const MotionValues& m) const {
     return motion_slip(0, i, m) + (slip1.empty() ? 0 : slip1[static_cast<std::size_t>(i)]);
   }
-  double rigid_slip2(std::int64_t i, const std::array<double, 4>& m) const {
+  double rigid_slip2(std::int64_t i, const MotionValues& m) const {
     return motion_slip(1, i, m) + (slip2.empty() ? 0 : slip2[static_cast<std::size_t>(i)]);
   }
   /// The part of component c that motions cause.
-  double motion_slip(std::size_t c, std::int64_t i, const std::array<double, 4>& m) const {
+  double motion_slip(std::size_t c, std::int64_t i, const MotionValues& m) const {
     const auto k = static_cast<std::size_t>(i);
     const double along = motion_scale * (m[xi1] - m[spin] * convection.slip_y[k]);
     const double across = motion_scale * (m[xi2] + m[spin] * convection.slip_x[k]);
@@ -72,10 +73,19 @@ struct Problem {
   }
   /// Gap lost per unit of approach.
   double closing(std::size_t k) const { return turn.empty() ? 1 : turn[k][2][2]; }
-  double rigid_gap(std::size_t k, double depth) const { return gap[k] - closing(k) * depth; }
+  /// Likewise, of any motion.
+  double closing(int motion, std::size_t k) const {
+    return motion >= tilt1 ? tilting[motion - tilt1][k] : motion == approach ? closing(k) : 0;
+  }
+  double rigid_gap(std::size_t k, const MotionValues& m) const { return tilted_gap(k, m) - closing(k) * m[approach]; }
+  /// Gap at the approach `datum`.
+  double tilted_gap(std::size_t k, const MotionValues& m) const {
+    if (m[tilt1] == 0 && m[tilt2] == 0) return gap[k];
+    return gap[k] - tilting[0][k] * m[tilt1] - tilting[1][k] * m[tilt2];
+  }
   /// Gaps at no approach.
   std::vector<double> undeformed_gaps() const;
-  /// Slip of node k per unit of a motion (zero for the approach).
+  /// Slip of node k per unit of a motion (zero for those that change the gap).
   std::array<double, 2> slip_column(int motion, std::size_t k) const;
   /// Load on body 1 (see LoadSum) per unit of the node's tractions.
   std::array<double, 3> load_row(int motion, std::size_t k) const;
@@ -90,7 +100,7 @@ struct Iterate {
   std::vector<double> image[3];          ///< D (A lambda)_t1, D (A lambda)_t2, (A lambda)_n
   std::vector<std::uint8_t> slip_valid;  ///< image[0], image[1] up to date at this node
   std::vector<std::uint8_t> gap_valid;   ///< image[2] up to date at this node
-  std::array<double, 4> motion{};
+  MotionValues motion{};
 
   void resize(std::int64_t n);
   void clear();
@@ -120,7 +130,7 @@ LoadSum load_on_body1(const Problem& problem, int motion, const std::vector<doub
 template <class SumOf>
 double load_error(const Prescribed& given, Part part, SumOf sum_of) {
   double worst = 0;
-  for (const int m : {xi1, xi2, approach, spin}) {
+  for (int m = 0; m < int{motion_count}; ++m) {
     const double wanted = given.value[static_cast<std::size_t>(m)];
     if (!given.by_force[static_cast<std::size_t>(m)] || !has_motion(part, m)) continue;
     const LoadSum sum = sum_of(m);
@@ -134,8 +144,7 @@ double load_error(const Problem& problem, const Prescribed& given, Part part, co
 double load_of_pressures(const Problem& problem, int motion, const std::vector<double>& normal);
 
 /// Force on body 1 and its moment about the origin, in the axes, of tractions at the nodes.
-void sum_tractions(const Problem& problem, const Frame& frame, const std::vector<double> (&lambda)[3], Vec3& force,
-                   Vec3& moment);
+void sum_tractions(const Problem& problem, const std::vector<double> (&lambda)[3], Vec3& force, Vec3& moment);
 
 /// rn = 1/diagonal of the normal compliance; rt = 1/(2-norm of the node's slip rows) (docs/theory.md, section 2). A
 /// node whose rows vanish gets the mean of the others.

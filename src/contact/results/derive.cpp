@@ -59,7 +59,7 @@ void derive_gap(SolverState& s, double* gap) {
   Iterate& it = s.iterate;
   for (std::size_t k = 0; k < at(p.nodes); ++k) {
     it.update_gap(p, static_cast<std::int64_t>(k));
-    gap[k] = p.rigid_gap(k, it.motion[approach]) - it.image[2][k];
+    gap[k] = p.rigid_gap(k, it.motion) - it.image[2][k];
   }
 }
 
@@ -136,7 +136,7 @@ void check_laws(SolverState& s) {
   for (std::size_t k = 0; k < n; ++k) {
     if (!s.prepared->frame.used[k]) continue;
     const double ln = it.lambda[2][k];
-    const double kn = p.rigid_gap(k, it.motion[approach]) - un[k];
+    const double kn = p.rigid_gap(k, it.motion) - un[k];
     if (pressure > 0) normal = std::max(normal, ln / pressure);
     if (depth > 0) normal = std::max(normal, ln < 0 ? std::abs(kn) / depth : -kn / depth);
     const FrictionPoint point{

@@ -16,7 +16,7 @@ namespace {
 
 struct Results {
   Vec3 force{}, moment{};
-  std::array<double, 4> motion{};
+  MotionValues motion{};
   double overlap = 0;  ///< approach from first touch on: unlike the approach, no matter of where gaps count from
   double area = 0;
   double carried = 0;   ///< integral of |tangential traction|
@@ -27,7 +27,7 @@ Results results_of(const SolverState& s) {
   const Problem& p = s.prepared->problem;
   const Iterate& it = s.iterate;
   Results r;
-  sum_tractions(p, s.prepared->frame, it.lambda, r.force, r.moment);
+  sum_tractions(p, it.lambda, r.force, r.moment);
   r.motion = it.motion;
   r.overlap = it.motion[approach];
   r.motion[approach] = s.given.approach_of(it.motion, p.datum);
@@ -56,11 +56,11 @@ double relative(double part, double whole) {
 
 // Near the limit of friction creepages grow beyond measure, and those of two frames differ by a multiple: the way on
 // from the finer frame's does not lead through zero.
-void limit_creepages(const Results& fine, double length, std::array<double, 4>& motion) {
+void limit_creepages(const Results& fine, double length, MotionValues& motion) {
   constexpr double farthest = 0.5;
-  const auto size = [&](const std::array<double, 4>& m) { return std::hypot(m[xi1], m[xi2], length * m[spin]); };
-  std::array<double, 4> step = motion;
-  for (std::size_t m = 0; m < 4; ++m) step[m] -= fine.motion[m];
+  const auto size = [&](const MotionValues& m) { return std::hypot(m[xi1], m[xi2], length * m[spin]); };
+  MotionValues step = motion;
+  for (std::size_t m = 0; m < motion_count; ++m) step[m] -= fine.motion[m];
   const double whole = size(fine.motion), way = size(step);
   if (!(way > farthest * whole)) return;
   for (const int m : {xi1, xi2, spin}) motion[at(m)] = fine.motion[at(m)] + farthest * whole / way * step[at(m)];
@@ -126,7 +126,7 @@ Rates beyond(const SolverState& state, const Rates& fine, const Rates& coarse) {
     r.force[i] = beyond(fine.force[i], coarse.force[i], left_over);
     r.moment[i] = beyond(fine.moment[i], coarse.moment[i], left_over);
   }
-  for (std::size_t m = 0; m < 4; ++m) r.motion[m] = beyond(fine.motion[m], coarse.motion[m], left_over);
+  for (std::size_t m = 0; m < motion_count; ++m) r.motion[m] = beyond(fine.motion[m], coarse.motion[m], left_over);
   return r;
 }
 
@@ -140,7 +140,7 @@ void extrapolate(SolverState& fine, const SolverState& coarse, const FrameFamily
     e.force[i] = beyond(f.force[i], c.force[i], left_over);
     e.moment[i] = beyond(f.moment[i], c.moment[i], left_over);
   }
-  for (std::size_t m = 0; m < 4; ++m) e.motion[m] = beyond(f.motion[m], c.motion[m], left_over);
+  for (std::size_t m = 0; m < motion_count; ++m) e.motion[m] = beyond(f.motion[m], c.motion[m], left_over);
   limit_creepages(f, std::sqrt(f.area / std::numbers::pi), e.motion);
   e.area = family.cover * beyond(f.area, c.area, left_over);
   // Friction's bound holds for both; what lies beyond both of them may pass it by the error of either.

@@ -208,9 +208,10 @@ std::string describe_plan(const SolverState& s, const Scene& scene, const Body& 
     line(text, "time: step %lld of %.6g, %s; %s", static_cast<long long>(s.steps.last.steps), 1 / s.prepared->speed,
          s.prepared->step == StepKind::shift ? "bodies are shifted" : "material travels",
          s.steps.before.loaded ? "displacements of the step before were carried along" : "from rest");
-  for (int m = 0; m < 4; ++m)
+  for (int m = 0; m < int{motion_count}; ++m)
     if (s.given.by_force[static_cast<std::size_t>(m)]) {
-      static constexpr const char* names[] = {"longitudinal creepage", "lateral creepage", "approach", "spin"};
+      static constexpr const char* names[] = {"longitudinal creepage", "lateral creepage", "approach", "spin",
+                                              "tilt about t1",         "tilt about t2"};
       line(text, "%s: unknown of the Newton system (its load is given)", names[m]);
     }
   if (!s.procedure.standard()) describe_procedure(text, s, scene.options);

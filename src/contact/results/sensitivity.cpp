@@ -13,8 +13,8 @@ namespace {
 constexpr int no_motion = -1;
 
 // Motion whose prescribed value, or whose load's, the parameter is.
-int motion_of(Parameter parameter) {
-  return parameter == Parameter::friction ? no_motion : static_cast<int>(parameter) - 1;
+int motion_changed(Parameter parameter) {
+  return parameter == Parameter::friction ? no_motion : static_cast<int>(motion_of(parameter));
 }
 
 /// What changes: a parameter, or (not null) what is given at the nodes.
@@ -23,7 +23,7 @@ struct Change {
   const NodeGivens* nodes = nullptr;
 
   /// Motion that changes itself; no_motion: none.
-  int motion() const { return nodes ? no_motion : motion_of(parameter); }
+  int motion() const { return nodes ? no_motion : motion_changed(parameter); }
   /// Growth of the coefficient over itself.
   double friction(const Problem& p, std::size_t k) const {
     if (nodes) return p.mu[k] > 0 ? nodes->mu[k] / p.mu[k] : 0;
@@ -42,7 +42,7 @@ void fill_right_side(SolverState& s, const ReducedSystem& system, const Change& 
   const bool given = m != no_motion && !s.given.by_force[static_cast<std::size_t>(m)];
   for (std::size_t a = 0; a < na; ++a) {
     const auto k = static_cast<std::size_t>(system.nodes()[a]);
-    if (given && m == approach) w.gap[a] = -p.closing(k);
+    if (given) w.gap[a] = -p.closing(m, k);
     if (change.nodes) w.gap[a] = change.nodes->gap[k];
     if (system.part() == Part::normal) continue;
     // mu p e grows by mu e (p dmu/mu + dp); own[i][2] is mu e_i.
@@ -56,7 +56,7 @@ void fill_right_side(SolverState& s, const ReducedSystem& system, const Change& 
     const std::array<double, 2> column = p.slip_column(m, k);
     for (std::size_t c = 0; c < 2; ++c) w.slip[c][a] = column[c];
   }
-  std::array<double, 4> load{};
+  MotionValues load{};
   if (m != no_motion && !given) load[static_cast<std::size_t>(m)] = 1;
   if (system.part() == Part::tangential)
     for (const int t : {xi1, xi2, spin}) load[static_cast<std::size_t>(t)] -= load_of_pressures(p, t, w.lambda[2]);
@@ -79,9 +79,8 @@ void solve_part(SolverState& s, Part part, const Change& change, Rates& rates) {
     for (std::size_t a = 0; a < na; ++a)
       w.lambda[system.component(r)][static_cast<std::size_t>(system.nodes()[a])] =
           w.x[static_cast<std::size_t>(r) * na + a];
-  for (int m = 0; m < 4; ++m) {
-    const bool own = m == approach ? part != Part::tangential : part != Part::normal;
-    if (own && s.given.by_force[static_cast<std::size_t>(m)])
+  for (int m = 0; m < int{motion_count}; ++m) {
+    if (has_motion(part, m) && s.given.by_force[static_cast<std::size_t>(m)])
       rates.motion[static_cast<std::size_t>(m)] = system.motion(s.given, m, w.x.data());
   }
 }
@@ -94,7 +93,7 @@ void solve_rates(SolverState& s, const Change& change, Rates& rates) {
   const bool given = m != no_motion && !s.given.by_force[static_cast<std::size_t>(m)];
   if (given) rates.motion[static_cast<std::size_t>(m)] = 1;
   if (s.outcome == Outcome::no_contact) return;
-  const bool tangential_load = m != no_motion && m != approach && !given;
+  const bool tangential_load = m != no_motion && !changes_gap(m) && !given;
   if (s.frictionless && tangential_load)
     fail(Status::err_state,
          "direction %d is prescribed by force but the friction coefficient is 0 at every node: "
@@ -106,10 +105,10 @@ void solve_rates(SolverState& s, const Change& change, Rates& rates) {
   if (goal == Part::full) {
     solve_part(s, Part::full, change, rates);
   } else {
-    if (m == approach || change.nodes) solve_part(s, Part::normal, change, rates);
+    if ((m != no_motion && changes_gap(m)) || change.nodes) solve_part(s, Part::normal, change, rates);
     if (goal == Part::tangential) solve_part(s, Part::tangential, change, rates);
   }
-  sum_tractions(p, s.prepared->frame, w.lambda, rates.force, rates.moment);
+  sum_tractions(p, w.lambda, rates.force, rates.moment);
 }
 
 // Counts the work.

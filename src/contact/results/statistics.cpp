@@ -71,11 +71,11 @@ std::int64_t rounds_of_friction(const SolverState& s) {
 // Force times creepage, without the spin.
 double t_gamma(SolverState& s) {
   Vec3 force, moment;
-  std::array<double, 4> motion = s.iterate.motion;
+  MotionValues motion = s.iterate.motion;
   if (s.extrapolated)
     force = s.extrapolated->force, motion = s.extrapolated->motion;
   else
-    sum_tractions(s.prepared->problem, s.prepared->frame, s.iterate.lambda, force, moment);
+    sum_tractions(s.prepared->problem, s.iterate.lambda, force, moment);
   return -(force[0] * motion[xi1] + force[1] * motion[xi2]);
 }
 

@@ -29,8 +29,7 @@ static std::int64_t nodes_cut_off(const SolverState& s) {
   for (std::ptrdiff_t k = 0; k < n; ++k) {
     if (p.used[at(k)]) continue;
     // Without rows nobody knows the gap there.
-    bool cut =
-        p.op->normal && p.rigid_gap(at(k), s.iterate.motion[approach]) - s.iterate.image[2][at(k)] < -overlap * depth;
+    bool cut = p.op->normal && p.rigid_gap(at(k), s.iterate.motion) - s.iterate.image[2][at(k)] < -overlap * depth;
     // Nodes follow each other along a strip; the next strip starts after the last one.
     const std::vector<double>&x = s.prepared->frame.x, &y = s.prepared->frame.y;
     for (const std::ptrdiff_t step : {-1, 1}) {
@@ -60,6 +59,23 @@ void refuse_tangential_loads(const Prescribed& given) {
       fail(Status::err_load,
            "a tangential force or spin moment is prescribed but the friction coefficient is 0 "
            "at every node: there is no steady solution");
+}
+
+void refuse_load_beside_frame(const SolverState& s) {
+  const Prescribed& given = s.given;
+  const Frame& frame = s.prepared->frame;
+  const double load = given.value[approach];
+  if (!given.by_force[approach] || !(load > 0) || frame.curved()) return;
+  const auto require_within = [&](const char* name, Motion m, double place, const std::vector<double>& of) {
+    double least = INFINITY, most = -INFINITY;
+    for (std::size_t k = 0; k < of.size(); ++k)
+      if (frame.used[k]) least = std::min(least, of[k]), most = std::max(most, of[k]);
+    if (given.by_force[m] && !(place >= least && place <= most))
+      fail(Status::err_load, "normal load and moments act at %s = %g; nodes that may touch have %g to %g", name, place,
+           least, most);
+  };
+  require_within("x", tilt2, given.value[tilt2] / load, frame.x);
+  require_within("y", tilt1, -given.value[tilt1] / load, frame.y);
 }
 
 Status status_of(const SolverState& s) {

@@ -32,7 +32,15 @@ enum class Field : std::int32_t {
 enum class NodeStatus : std::int32_t { open = 0, stick = 1, slip = 2, excluded = 3 };
 /// What results may be differentiated by: the value prescribed in a direction (Direction's numbers), or a factor on the
 /// friction coefficient of every node.
-enum class Parameter : std::int32_t { longitudinal = 1, lateral = 2, normal = 3, spin = 4, friction = 5 };
+enum class Parameter : std::int32_t {
+  longitudinal = 1,
+  lateral = 2,
+  normal = 3,
+  spin = 4,
+  friction = 5,
+  tilt1 = 6,
+  tilt2 = 7
+};
 enum class InAxes : std::int32_t { local = 0, global = 1 };
 
 /// What a solve is: a steady state, or one step in time of a contact that rolls or whose bodies are shifted.

@@ -127,7 +127,7 @@ void Scene::set_creep(double longitudinal, double lateral, double spin) {
   bool changed = false;
   for (const auto& [direction, value] : {std::pair{Direction::longitudinal, longitudinal},
                                          std::pair{Direction::lateral, lateral}, std::pair{Direction::spin, spin}})
-    changed |= replace(load_[static_cast<std::size_t>(direction) - 1], {How::by_motion, value});
+    changed |= replace(load_[motion_of(direction)], {How::by_motion, value});
   if (changed) ++revision.load;
   if (std::exchange(velocities_given_, false)) ++revision.kinematics;
   travel_given_ = false;
@@ -147,8 +147,9 @@ void Scene::set_creep_field(std::int64_t n, const double* slip) {
 }
 
 void Scene::prescribe(std::int32_t direction, std::int32_t how, double value) {
-  if (direction < 1 || direction > 4)
-    fail(Status::err_argument, "direction is %d; allowed: 1 (longitudinal), 2 (lateral), 3 (normal), 4 (spin)",
+  if (direction < 1 || direction == 5 || direction > 7)
+    fail(Status::err_argument,
+         "direction is %d; allowed: 1 (longitudinal), 2 (lateral), 3 (normal), 4 (spin), 6 (tilt 1), 7 (tilt 2)",
          direction);
   if (how != static_cast<std::int32_t>(How::by_motion) && how != static_cast<std::int32_t>(How::by_force))
     fail(Status::err_argument, "how is %d; allowed: 1 (by motion), 2 (by force)", how);
@@ -156,7 +157,12 @@ void Scene::prescribe(std::int32_t direction, std::int32_t how, double value) {
   const Load load{static_cast<How>(how), value};
   if (direction == static_cast<std::int32_t>(Direction::normal) && load.how == How::by_force && value < 0)
     fail(Status::err_argument, "the normal load is %g; allowed: 0 or more (compression)", value);
-  if (replace(load_[static_cast<std::size_t>(direction) - 1], load)) ++revision.load;
+  if (replace(load_[motion_of(static_cast<Direction>(direction))], load)) ++revision.load;
+}
+
+bool Scene::tilts() const {
+  return std::any_of(load_.begin() + tilt1, load_.end(),
+                     [](const Load& l) { return l.how == How::by_force || l.value != 0; });
 }
 
 void Scene::set_friction(const char* law, std::int32_t n, const double* parameters) {

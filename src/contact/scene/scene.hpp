@@ -10,6 +10,7 @@
 
 #include "contact/heat/flash_temperature.hpp"
 #include "contact/laws/friction_law.hpp"
+#include "contact/problem/prescribed.hpp"
 #include "contact/scene/enumerators.hpp"
 #include "contact/scene/options.hpp"
 #include "geometry/height_grid.hpp"
@@ -20,7 +21,7 @@
 
 namespace rollcon {
 
-enum class Direction : std::int32_t { longitudinal = 1, lateral = 2, normal = 3, spin = 4 };
+enum class Direction : std::int32_t { longitudinal = 1, lateral = 2, normal = 3, spin = 4, tilt1 = 6, tilt2 = 7 };
 /// by_velocity: creepages and spin that follow from the velocities of the bodies.
 enum class How : std::int32_t { by_velocity = 0, by_motion = 1, by_force = 2 };
 
@@ -137,7 +138,9 @@ class Scene {
   bool velocities_given() const { return velocities_given_; }
   /// Of body 1 relative to body 2, in the directions of the axes; its point is their origin.
   Velocity relative_velocity() const;
-  const Load& load(Direction d) const { return load_[static_cast<std::size_t>(d) - 1]; }
+  const Load& load(Direction d) const { return load_[motion_of(d)]; }
+  /// Whether body 1 turns about t1 or t2, by a motion or a moment that is given.
+  bool tilts() const;
   const std::vector<double>& creep_field() const { return creep_field_; }
   bool has_gap() const { return gap_kind_ != GapKind::none; }
   /// a, b, c of set_gap_quadratic, where that is what was given last.
@@ -187,7 +190,7 @@ class Scene {
   double speed_ = 1;
   bool speed_given_ = false, velocities_given_ = false, travel_given_ = false;
   std::array<Velocity, 3> velocity_{};  ///< of the contact and both bodies
-  std::array<Load, 4> load_{};
+  std::array<Load, motion_count> load_{};
   std::vector<double> creep_field_;
   double friction_ = 0;
   std::shared_ptr<const FrictionLaw> law_, law_in_use_;  ///< as named, and with what else was set

@@ -76,7 +76,7 @@ void Scene::set_velocity(std::int32_t which, const double* velocity, const doubl
   if (changed) ++revision.kinematics;
   changed = false;
   for (const Direction d : {Direction::longitudinal, Direction::lateral, Direction::spin}) {
-    Load& load = load_[static_cast<std::size_t>(d) - 1];
+    Load& load = load_[motion_of(d)];
     changed |= load.how != How::by_velocity;
     load = {How::by_velocity, 0};
   }

@@ -192,9 +192,9 @@ Outcome bracket_before_fall(NewtonIteration& newton) {
 Outcome bracket_approach(NewtonIteration& newton, double tolerance) {
   Solve& s = newton.solve();
   if (!s.given.by_force[approach]) return Outcome::not_converged;
-  const GuessedContact guess = guess_contact(*s.problem, s.given);
-  if (!(guess.low < INFINITY)) return Outcome::not_converged;
   start_cold(*s.problem, s.given, *s.iterate);
+  const GuessedContact guess = guess_contact(*s.problem, s.given, s.iterate->motion);
+  if (!(guess.low < INFINITY)) return Outcome::not_converged;
   return bracket(newton, approach, Part::normal, guess.low, guess.half, tolerance);
 }
 

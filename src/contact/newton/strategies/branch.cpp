@@ -65,7 +65,7 @@ class LoadBranch {
   double size_ = 0;
   Rows slope_{};
   std::vector<double> kept_[3];
-  std::array<double, 4> kept_motion_{};
+  MotionValues kept_motion_{};
   Outcome outcome_ = Outcome::converged;
 };
 

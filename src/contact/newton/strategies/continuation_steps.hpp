@@ -18,7 +18,7 @@ Outcome continuation_steps(NewtonIteration& newton, double step, const SolveAt& 
   std::vector<double> lambda[3];
   for (double done = 0; done < 1;) {
     for (int c = 0; c < 3; ++c) lambda[c] = it.lambda[c];
-    const std::array<double, 4> motion = it.motion;
+    const MotionValues motion = it.motion;
     const double next = std::min(1.0, done + step);
     const Outcome outcome = solve_at(next);
     if (outcome == Outcome::converged) {

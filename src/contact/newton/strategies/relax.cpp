@@ -17,7 +17,7 @@ constexpr double hopeless = 1e3;  // times the tractions at the start
 constexpr double smallest = 1e-300;
 
 // Every node's laws in turn with the tractions of the others held, from where material flows in to where it leaves:
-// slip depends on tractions near and upstream of it most. Motions stay.
+// slip depends on tractions near and upstream of it most. MotionValues stay.
 void sweep_along_flow(const Solve& s, const DenseOperators& op) {
   const Problem& p = *s.problem;
   Iterate& it = *s.iterate;
@@ -33,7 +33,7 @@ void sweep_along_flow(const Solve& s, const DenseOperators& op) {
       double& normal = it.lambda[2][k];
       if (s.goal == Part::full) {
         const double a = op.own(2, 2, k);
-        const double rest = p.rigid_gap(k, it.motion[approach]) - op.product(2, k, it.lambda) + a * normal;
+        const double rest = p.rigid_gap(k, it.motion) - op.product(2, k, it.lambda) + a * normal;
         const double wanted = a > 0 ? std::min(0.0, rest / a) : normal;
         const double next = std::isfinite(wanted) ? wanted : normal;
         change_n = std::max(change_n, std::abs(next - normal));

@@ -21,7 +21,7 @@ constexpr RunSettings rehearsal{.tolerance = sliding_tolerance, .max_iterations 
 // Slip beside which that of tractions and of the given motions is small; 0: not known.
 double great_slip(const Solve& s) {
   const Problem& p = *s.problem;
-  std::array<double, 4> given = s.given.value;
+  MotionValues given = s.given.value;
   for (const int m : {xi1, xi2, spin})
     if (s.given.by_force[at(m)]) given[at(m)] = 0;
   double slip = 0;
