@@ -151,13 +151,14 @@ static void watching(rollcon_contact* contact) {
 static void results(rollcon_contact* contact) {
   const double xy[2] = {0, 0}, xyz[3] = {0, 0, -3};
   double rows[8 * most_rows], psi[most_rows], seconds[most_rows];
-  double force[3], moment[3], creep[3], approach, u[3], stress[6], principal[3], von_mises, shear, index;
+  double force[3], moment[3], creep[3], tilt[2], approach, u[3], stress[6], principal[3], von_mises, shear, index;
   const double archard = 1e-9, across[5] = {-20, -10, 0, 10, 20}; /* mm^2/N; mm */
   const double flat[10] = {-20, 0, -10, 0, 0, 0, 10, 0, 20, 0};
   double depth[5], worn[10];
   char* plan;
   int64_t n;
   printf("again %.0f N\n", force_along(contact));
+  must(rollcon_contact_get_tilt(contact, tilt));
   must(rollcon_contact_get_sensitivity(contact, ROLLCON_LONGITUDINAL, force, moment, &approach, creep));
   printf("slope of the force by creepage %.3g N\n", -force[0]);
   must(rollcon_contact_get_displacements_at(contact, 1, 1, xy, u));

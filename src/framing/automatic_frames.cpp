@@ -132,6 +132,10 @@ class AutomaticFrames final : public FrameMaker {
       beyond_bounds_ = nullptr;
       return;
     }
+    if (scene.tilts() && scene.quadratic_gap())
+      fail(Status::err_state,
+           "no frame was given: with tilts the library makes one where the gap is on a grid or between profiles or "
+           "meshes; else call rollcon_contact_frame_rectangle or another maker of frames");
     if (!contact.knows_gap_between_nodes())
       fail(Status::err_state,
            "no frame was given: the library makes one where the gap is known between nodes, too "

@@ -22,7 +22,7 @@ struct Loaded {
 };
 
 /// An ellipsoid of pressure off the middle of a frame.
-Loaded loaded(const SurfaceMesh& mesh, const std::array<bool, 4>& by_force) {
+Loaded loaded(const SurfaceMesh& mesh, const std::array<bool, motion_count>& by_force) {
   Loaded l;
   Problem& p = l.problem;
   const Frame frame = build_frame(mesh, {});
@@ -45,7 +45,7 @@ SurfaceMesh mesh_of(ElementType type, int n, bool irregular) {
   return irregular ? frames::perturb(mesh, 0.2, 5) : mesh;
 }
 
-constexpr std::array<std::array<bool, 4>, 7> combinations{{{true, false, false, false},
+constexpr std::array<std::array<bool, motion_count>, 7> combinations{{{true, false, false, false},
                                                            {false, true, false, false},
                                                            {false, false, false, true},
                                                            {true, true, false, false},
@@ -64,7 +64,7 @@ TEST(friction_limit, full_sliding_is_the_limit) {
         Loaded l = loaded(mesh_of(type, 10, irregular), by_force);
         Problem& p = l.problem;
         for (int draw = 0; draw < 5; ++draw) {
-          std::array<double, 4> a{};
+          MotionValues a{};
           for (const int m : {xi1, xi2, spin})
             if (by_force[static_cast<std::size_t>(m)]) a[static_cast<std::size_t>(m)] = random();
           for (std::size_t k = 0; k < p.mu.size(); ++k) {
@@ -114,7 +114,7 @@ TEST(friction_limit, no_admissible_tractions_are_beyond) {
         const FrictionShare share = share_of_friction(p, l.given, l.lambda);
         most = std::max(most, share.together);
         for (int sample = 0; sample < 300; ++sample) {
-          std::array<double, 4> a{};
+          MotionValues a{};
           double asked = 0, power = 0;
           for (const int m : {xi1, xi2, spin}) {
             const auto i = static_cast<std::size_t>(m);

@@ -81,7 +81,7 @@ namespace {
 // Few nodes, or corners of quad8, which weigh less than nothing, carry what friction cannot.
 Line beyond_friction(const SolverState& s) {
   Vec3 force{}, moment{};
-  sum_tractions(s.prepared->problem, s.prepared->frame, s.iterate.lambda, force, moment);
+  sum_tractions(s.prepared->problem, s.iterate.lambda, force, moment);
   const std::vector<double>& mu = s.prepared->problem.mu;
   const double carried = mu.empty() ? 0 : *std::max_element(mu.begin(), mu.end()) * std::abs(force[2]);
   const double tangential = std::hypot(force[0], force[1]);
