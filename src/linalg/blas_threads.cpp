@@ -1,7 +1,10 @@
 #include "linalg/blas_threads.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <mutex>
+#include <vector>
 
 #include "support/error.hpp"
 
@@ -18,18 +21,21 @@ extern "C" void* __libc_stack_end;  // where the stack of the first thread begin
 extern "C" {
 __attribute__((weak)) void openblas_set_num_threads(int threads);
 __attribute__((weak)) int openblas_get_num_threads(void);
+__attribute__((weak)) void* blas_memory_alloc(int where);
+__attribute__((weak)) void blas_memory_free(void* buffer);
 }
 
 namespace rollcon {
 namespace {
 
-// The setting belongs to the process. Solves that run at the same time share the first one's choice; the last to leave
-// restores the host's.
+// The setting belongs to the process. Callers at the same time share the first one's choice; the last to leave restores
+// the host's.
 std::mutex mutex;
 int users = 0;
 int hosts_threads = 0;
 int callers = 0;       ///< threads with a scope
-int most_callers = 0;  ///< at a time: so many buffers OpenBLAS has, or could have had
+int buffers = 0;       ///< that OpenBLAS has for callers
+int most_threads = 1;  ///< it has had, its caller included
 thread_local int scopes = 0;
 
 // OpenBLAS's getrf keeps 3.2 MB on the stack of the thread that calls it when it uses several.
@@ -61,44 +67,66 @@ bool has_stack_for_threads() {
   const std::uintptr_t bottom = stack_bottom();
   return bottom != 0 && reinterpret_cast<std::uintptr_t>(&here) - bottom > stack_for_threads;
 }
-/// OpenBLAS maps a buffer for every thread that calls it at a time, and asks for ever where it cannot have one.
-void require_buffer() {
-  constexpr std::size_t bytes = std::size_t{129} << 20U;
+
+/// OpenBLAS maps a buffer for every thread that works in it at a time, and asks for ever where it cannot have one.
+bool has_room_for(int buffers) {
+  const std::size_t bytes = static_cast<std::size_t>(buffers) * (std::size_t{140} << 20U);  // and a stack
   void* room = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (room == MAP_FAILED)
-    fail(Status::err_memory, "OpenBLAS needs 128 MiB of address space for a thread, and this process has no more");
+  if (room == MAP_FAILED) return false;
   munmap(room, bytes);
+  return true;
 }
 #else
 bool has_stack_for_threads() {
   return true;
 }
 
-void require_buffer() {}
+bool has_room_for(int) {
+  return true;
+}
 #endif
+
+/// Has OpenBLAS map so many buffers, which it keeps: what is asked for later may leave no room for them. Other callers
+/// may be using theirs.
+void require_buffers(int count) {
+  if (count <= buffers) return;
+  if (!has_room_for(count - buffers + callers))
+    fail(Status::err_memory, "OpenBLAS needs 128 MiB of address space for a thread, and this process has no more");
+  std::vector<void*> held(blas_memory_alloc && blas_memory_free ? static_cast<std::size_t>(count) : 0);
+  for (void*& buffer : held) buffer = blas_memory_alloc(0);
+  for (void* buffer : held) blas_memory_free(buffer);
+  buffers = count;
+}
+
+/// Each of OpenBLAS's own threads has a buffer from its beginning.
+bool can_have_threads(int threads) {
+  if (!has_stack_for_threads() || (threads > most_threads && !has_room_for(threads - most_threads))) return false;
+  most_threads = std::max(most_threads, threads);
+  return true;
+}
 
 }  // namespace
 
 BlasThreads::BlasThreads(int threads) {
   if (!openblas_set_num_threads || !openblas_get_num_threads) return;
   const std::lock_guard lock(mutex);
-  if (scopes == 0 && callers >= most_callers) {
-    require_buffer();
-    most_callers = callers + 1;
-  }
+  if (scopes == 0) require_buffers(callers + 1);
   if (scopes++ == 0) ++callers;
-  if (users++ > 0) return;
-  hosts_threads = openblas_get_num_threads();
-  if (threads > 1 && !has_stack_for_threads()) threads = 1;
-  if (hosts_threads != threads) openblas_set_num_threads(threads);
+  former_ = openblas_get_num_threads();
+  most_threads = std::max(most_threads, former_);
+  if (users++ == 0) hosts_threads = former_;
+  if (callers > 1) return;
+  if (threads > 1 && !can_have_threads(threads)) threads = 1;
+  if (former_ != threads) openblas_set_num_threads(threads);
 }
 
 BlasThreads::~BlasThreads() {
   if (!openblas_set_num_threads || !openblas_get_num_threads) return;
   const std::lock_guard lock(mutex);
   if (--scopes == 0) --callers;
-  if (--users > 0) return;
-  if (openblas_get_num_threads() != hosts_threads) openblas_set_num_threads(hosts_threads);
+  if (--users > 0 && (scopes == 0 || callers > 1)) return;
+  const int before = users > 0 ? former_ : hosts_threads;
+  if (openblas_get_num_threads() != before) openblas_set_num_threads(before);
 }
 
 }  // namespace rollcon

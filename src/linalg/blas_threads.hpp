@@ -1,6 +1,6 @@
 #pragma once
-/// Keeps the BLAS within a thread budget for the length of a scope, and puts the host's own setting back. One thread
-/// where the caller's stack is too small for OpenBLAS's work on several.
+/// Keeps the BLAS within a thread budget for the length of a scope, and puts back what was set before. One thread where
+/// the caller's stack is too small for OpenBLAS's work on several, or the address space for their buffers.
 
 namespace rollcon {
 
@@ -11,6 +11,9 @@ class BlasThreads {
   ~BlasThreads();
   BlasThreads(const BlasThreads&) = delete;
   BlasThreads& operator=(const BlasThreads&) = delete;
+
+ private:
+  int former_ = 1;
 };
 
 }  // namespace rollcon
