@@ -281,11 +281,11 @@ contains
   end subroutine
 
   !> Finds the patches and solves each as a steady rolling contact, from the last solution where there is one. The
-  !> status is the first that fits of CANCELLED, NOT_CONVERGED, DERAILED, TOO_DEEP, RIM_CONTACT (a patch ends at the end
-  !> of a profile, or is not within its frame), COARSE, NO_CONTACT (the wheel is lifted), OK; the log has the numbers.
-  !> ROLLCON_ERR_STATE names the call that is missing. ROLLCON_ERR_ARGUMENT: with this z wheel and rail overlap by more
-  !> than a tenth of the wheel's radius. ROLLCON_ERR_LOAD: with this y no height brings the wheel on the rail, or no
-  !> overlap up to a tenth of the radius carries the vertical force. ROLLCON_ERR_MESH: a conformal patch
+  !> status is the worst of them in the order that holds for all calls. RIM_CONTACT: a patch ends at the end of a
+  !> profile, or is not within its frame; NO_CONTACT: the wheel is lifted; the log has the numbers. ROLLCON_ERR_STATE
+  !> names the call that is missing. ROLLCON_ERR_ARGUMENT: with this z wheel and rail overlap by more than a tenth of
+  !> the wheel's radius. ROLLCON_ERR_LOAD: with this y no height brings the wheel on the rail, or no overlap up to a
+  !> tenth of the radius carries the vertical force. ROLLCON_ERR_MESH: a conformal patch
   !> (rollcon_wheelrail_set_conformal) turns by more than 60 degrees to a side.
   subroutine wheelrail_solve(self, stat, errmsg)
     class(rc_wheelrail_plain), intent(inout) :: self

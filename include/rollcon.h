@@ -1613,16 +1613,16 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_request_cancel(rollcon_c
 /*
  * Solves the steady rolling contact: tractions, slip, and whatever motion was prescribed by
  * force. Starts from the last solution unless the option "warm_start" is 0. After
- * ROLLCON_NOT_CONVERGED and ROLLCON_CANCELLED the best iterate can be read. ROLLCON_COARSE, which
- * goes before ROLLCON_RIM_CONTACT, says that no node in contact has all its neighbours in contact
- * (with friction: fewer than 5 have); the solution is that of the frame, not of the bodies. Log
- * and plan tell more. A failed solve leaves the scene as it was but discards the last solution.
- * Bodies that are not prepared are prepared first and may fail as rollcon_body_prepare does
- * (ROLLCON_ERR_MESH, ROLLCON_ERR_SINGULAR); the text names the body. Creepages (whose slip, times
- * speed or stiffness, would come to 1e305) and approaches (to pressures of 1e150) that double
- * precision cannot calculate with are ROLLCON_ERR_ARGUMENT; the text names a node and what is
- * allowed. Nodes that are never to touch may have any gap, with the option "system" = monolithic
- * up to that limit.
+ * ROLLCON_NOT_CONVERGED and ROLLCON_CANCELLED the best iterate can be read. ROLLCON_COARSE says
+ * that no node in contact has all its neighbours in contact (with friction: fewer than 5 have);
+ * the solution is that of the frame, not of the bodies. Log and plan tell more. A failed solve
+ * leaves the scene as it was but discards the last solution. Bodies that are not prepared are
+ * prepared first and may fail as rollcon_body_prepare does (ROLLCON_ERR_MESH,
+ * ROLLCON_ERR_SINGULAR); the text names the body. Creepages (whose slip, times speed or
+ * stiffness, would come to 1e305) and approaches (to pressures of 1e150) that double precision
+ * cannot calculate with are ROLLCON_ERR_ARGUMENT; the text names a node and what is allowed.
+ * Nodes that are never to touch may have any gap, with the option "system" = monolithic up to
+ * that limit.
  * Also returns: ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
  *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_INACCURATE, ROLLCON_ERR_MESH, ROLLCON_ERR_STATE,
  *   ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY, ROLLCON_ERR_OPTION, ROLLCON_ERR_UNSUPPORTED,
@@ -1640,14 +1640,13 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_solve(rollcon_contact *c
  * nor on the number of threads: the library orders them itself, solves equal ones once and starts
  * warm along chains of neighbours (unless the option "warm_start" is 0). A case that fails has
  * its negative status and NaN for results and leaves the others alone; texts go to the log as
- * warnings. The status returned is the first that fits of CANCELLED (some cases were not solved),
- * NOT_CONVERGED (or failed), COARSE, RIM_CONTACT, INACCURATE, NO_CONTACT, OK. A negative one
- * means that no case was solved. All results are in local axes. The scene stays as it is, and so
- * does the last solution unless something was set since. Where no frame was given each case is
- * solved on frames of its own (rollcon_contact_frame_automatic), steadily: then tractions are no
- * column, and friction is a parameter of Coulomb's law alone. The progress callback hears of the
- * iterations of the calling thread, and of ROLLCON_PHASE_CASES. The procedures of the paper use
- * one thread.
+ * warnings. The status returned is the worst in the order that holds for all calls; CANCELLED
+ * says that some cases were not solved. A negative one means that no case was solved. All results
+ * are in local axes. The scene stays as it is, and so does the last solution unless something was
+ * set since. Where no frame was given each case is solved on frames of its own
+ * (rollcon_contact_frame_automatic), steadily: then tractions are no column, and friction is a
+ * parameter of Coulomb's law alone. The progress callback hears of the iterations of the calling
+ * thread, and of ROLLCON_PHASE_CASES. The procedures of the paper use one thread.
  *   parameters  columns of values, separated by blanks, each once, of: longitudinal, lateral,
  *               normal, spin, friction, tilt_1, tilt_2; NULL: none
  *   n_cases     >= 0
@@ -2295,13 +2294,13 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_accuracy(
 
 /*
  * Finds the patches and solves each as a steady rolling contact, from the last solution where
- * there is one. The status is the first that fits of CANCELLED, NOT_CONVERGED, DERAILED,
- * TOO_DEEP, RIM_CONTACT (a patch ends at the end of a profile, or is not within its frame),
- * COARSE, NO_CONTACT (the wheel is lifted), OK; the log has the numbers. ROLLCON_ERR_STATE names
- * the call that is missing. ROLLCON_ERR_ARGUMENT: with this z wheel and rail overlap by more than
- * a tenth of the wheel's radius. ROLLCON_ERR_LOAD: with this y no height brings the wheel on the
- * rail, or no overlap up to a tenth of the radius carries the vertical force. ROLLCON_ERR_MESH: a
- * conformal patch (rollcon_wheelrail_set_conformal) turns by more than 60 degrees to a side.
+ * there is one. The status is the worst of them in the order that holds for all calls.
+ * RIM_CONTACT: a patch ends at the end of a profile, or is not within its frame; NO_CONTACT: the
+ * wheel is lifted; the log has the numbers. ROLLCON_ERR_STATE names the call that is missing.
+ * ROLLCON_ERR_ARGUMENT: with this z wheel and rail overlap by more than a tenth of the wheel's
+ * radius. ROLLCON_ERR_LOAD: with this y no height brings the wheel on the rail, or no overlap up
+ * to a tenth of the radius carries the vertical force. ROLLCON_ERR_MESH: a conformal patch
+ * (rollcon_wheelrail_set_conformal) turns by more than 60 degrees to a side.
  * Also returns: ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
  *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_TOO_DEEP, ROLLCON_DERAILED,
  *   ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY,
@@ -2325,9 +2324,9 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_request_cancel(
  * their order, or the number of threads, to the last bit. A row of totals has force and moment on
  * the wheel in the track (rollcon_wheelrail_get_resultant), z, vertical force and frictional
  * power. A position that fails has its negative status and NaN and leaves the others alone; texts
- * go to the log as warnings. The status returned is the first that fits of CANCELLED (some were
- * not solved), NOT_CONVERGED (or failed), DERAILED, TOO_DEEP, RIM_CONTACT, COARSE, NO_CONTACT,
- * OK. The wheel and its last solution stay as they are.
+ * go to the log as warnings. The status returned is the worst in the order that holds for all
+ * calls; CANCELLED says that some were not solved. The wheel and its last solution stay as they
+ * are.
  *   n           >= 0
  *   positions   [n][6]; as rollcon_wheelrail_set_position takes them; NULL only with n = 0
  *   velocities  [n][6]; as rollcon_wheelrail_set_velocity takes them; NULL only with n = 0

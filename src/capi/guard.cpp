@@ -1,7 +1,6 @@
 #include "capi/guard.hpp"
 
 #include <cstdio>
-#include <new>
 #include <string>
 
 #include "support/input_checks.hpp"
@@ -23,17 +22,7 @@ Status report(const char* function, Context* context, Status status, const char*
 }
 
 Status report_current_exception(const char* function, Context* context) noexcept {
-  try {
-    throw;
-  } catch (const Error& error) {
-    return report(function, context, error.status(), error.what());
-  } catch (const std::bad_alloc&) {
-    return report(function, context, Status::err_memory, "out of memory");
-  } catch (const std::exception& error) {
-    return report(function, context, Status::err_internal, error.what());
-  } catch (...) {
-    return report(function, context, Status::err_internal, "an unknown exception");
-  }
+  return tell_exception([&](Status status, const char* text) { return report(function, context, status, text); });
 }
 
 const char* name(Kind kind) noexcept {

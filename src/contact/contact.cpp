@@ -26,6 +26,7 @@ namespace rollcon {
 namespace {
 
 constexpr std::size_t history_rows = 512;  // room without allocation
+std::atomic<std::int64_t> next_number{1};  // of a solution, in this process
 
 // Pressures at the vertices of tri6 have no resultant, and under a smooth one finite elements move there otherwise than
 // at midside nodes: tractions on both swing from node to node. Linear ones, told from the displacements of the
@@ -73,6 +74,26 @@ void Contact::clear_state() {
   state_->steps = std::move(steps);
 }
 
+void Contact::prepare_or_clear() {
+  state_->settled = false;
+  try {
+    const BlasThreads blas(blas_threads());
+    prepare(*state_, scene, *body1_, *body2_, context_->threads());
+  } catch (...) {
+    clear_state();
+    throw;
+  }
+  state_->settled = true;
+}
+
+// Measured on two cores (docs/howto/speed.md): below, and where no rows are formed, threads of the BLAS save no time,
+// and take twice the processor's.
+int Contact::blas_threads() const {
+  constexpr std::int64_t least_nodes = 2000;
+  const bool rows = !state_->prepared || !state_->prepared->problem.op || !state_->prepared->problem.op->all_at_once();
+  return rows && scene.mesh().nodes() >= least_nodes ? context_->threads() : 1;
+}
+
 void Contact::set_progress(ProgressFunction function, void* user) {
   progress_ = function;
   progress_user_ = user;
@@ -106,10 +127,8 @@ void Contact::reset() {
   s.iterate.clear();
   s.settled_friction.share.clear();
   s.newton.linear().forget();
-  s.warm_usable = s.solved = s.derived = s.laws_checked = false;
-  s.history.clear();
-  s.merit.clear();
-  s.timings = {};
+  s.warm_usable = false;
+  forget_solution(s);
   forget_past(s);
   if (frames_) frames_->reset();
 }
@@ -167,7 +186,6 @@ Status Contact::solve() {
 }
 
 Status Contact::solve_unless_cancelled() {
-  coarser_ = nullptr;
   if (scene.frame_given() || !make_frames_) {
     const Status status = solve_on_frame();
     end_step(status);
@@ -180,10 +198,10 @@ Status Contact::solve_unless_cancelled() {
     frames_->end_step(status);
     return status;
   } catch (const Cancelled&) {  // while patches were searched for
-    state_->solved = false;
+    forget_solution(*state_);
     return Status::cancelled;
   } catch (...) {
-    state_->solved = false;  // of one frame of a pair
+    forget_solution(*state_);  // of one frame of a pair
     throw;
   }
 }
@@ -259,16 +277,11 @@ Status Contact::solve_on_frame() {
 Status Contact::solve_scene() {
   SolverState& s = *state_;
   const double start = now_seconds();
-  s.solved = s.derived = s.laws_checked = s.settled = false;
-  s.sensitivities.forget();
-  s.error_estimate = {};
-  s.extrapolated.reset();
-  s.timings = {};
-  s.history.clear();
+  forget_solution(s);
+  s.settled = false;
   s.history.reserve(8 * history_rows);
-  s.merit.clear();
   s.merit.reserve(history_rows);
-  const BlasThreads blas(context_->threads());
+  const BlasThreads blas(blas_threads());
   Watch watch(s, *context_, progress_, progress_user_, *cancel_, start);
   begin_step(s, scene);
   {
@@ -294,6 +307,8 @@ Status Contact::solve_scene() {
     if (const auto k = static_cast<std::size_t>(m); s.given.by_force[k]) s.given.value[k] *= load_factor_;
   s.revision_solved = scene.revision;
   s.options_solved = scene.options.revision;
+  s.threads = blas_threads();
+  const BlasThreads fewer(s.threads);  // where the frame needs no rows
   const double prepared = now_seconds();
   context_->log(LogLevel::info, "compliance and operators: %lld nodes, %.3f s",
                 static_cast<long long>(s.prepared->problem.nodes), prepared - start);
@@ -325,6 +340,7 @@ Status Contact::solve_scene() {
 
   const Status status = status_of(s);
   s.solved = true;
+  s.number = next_number.fetch_add(1);
   s.warm_usable = s.outcome == Outcome::converged;
   s.steps.failed = s.outcome != Outcome::converged && s.outcome != Outcome::no_contact;
   if (!quiet_) tell_caveats(s, status, *context_);
@@ -334,28 +350,17 @@ Status Contact::solve_scene() {
 Status Contact::solve_many(const CaseList& cases, const CaseResults& results) {
   SolverState& s = *state_;
   // What was set since the last solve makes its results those of another scene.
-  if (scene.revision != s.revision_solved || scene.options.revision != s.options_solved) {
-    s.solved = s.derived = s.laws_checked = false;
-    s.sensitivities.forget();
-    s.error_estimate = {};
-  }
+  if (scene.revision != s.revision_solved || scene.options.revision != s.options_solved) forget_solution(s);
   cancel_->store(false);
   const CaseHost host{*context_, progress_, progress_user_, *cancel_};
   const bool own_frames = !scene.frame_given() && make_frames_;
   if (own_frames) return solve_on_own_frames(cases, results, host);
   try {
-    s.settled = false;
-    const BlasThreads blas(context_->threads());
     const HostInterrupt interrupt(progress_, progress_user_, *cancel_);
-    prepare(s, scene, *body1_, *body2_, context_->threads());
-    s.settled = true;
+    prepare_or_clear();
   } catch (const Cancelled&) {
-    clear_state();
     cancel_cases(cases, results, host);
     return Status::cancelled;
-  } catch (...) {
-    clear_state();
-    throw;
   }
   if (cases.cases == 0) return Status::ok;
   std::size_t bytes = 0;

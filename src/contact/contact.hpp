@@ -197,6 +197,10 @@ class Contact {
   Status solve_on_own_frames(const CaseList& cases, const CaseResults& results, const CaseHost& host);
   const Rates& rates(Parameter parameter) const;
   void clear_state();
+  /// What a solution stands on; where that fails, all of the state is gone.
+  void prepare_or_clear();
+  /// Threads of the BLAS for solves on this frame.
+  int blas_threads() const;
 
   std::shared_ptr<Context> context_;
   std::shared_ptr<Body> body1_, body2_;

@@ -3,7 +3,6 @@
 #include "contact/contact.hpp"
 #include "contact/kept_solution.hpp"
 #include "contact/solution.hpp"
-#include "linalg/blas_threads.hpp"
 
 namespace rollcon {
 
@@ -15,6 +14,7 @@ void Contact::forget_all_but_tractions() {
 void Contact::keep(KeptSolution& kept) const {
   const SolverState& s = *state_;
   kept.solved = s.solved;
+  kept.number = s.number;
   kept.warm_usable = s.warm_usable;
   kept.iterate = s.iterate;
   kept.images_known = s.images_known;
@@ -25,19 +25,11 @@ void Contact::keep(KeptSolution& kept) const {
 void Contact::return_to(const KeptSolution& kept) {
   if (!kept.solved && !kept.warm_usable) return reset();
   SolverState& s = *state_;
-  s.solved = s.derived = s.laws_checked = s.settled = false;
-  s.sensitivities.forget();
-  s.error_estimate = {};
-  s.extrapolated.reset();
-  s.history.clear();
-  s.merit.clear();
-  try {
-    const BlasThreads blas(context_->threads());
-    prepare(s, scene, *body1_, *body2_, context_->threads());
-  } catch (...) {
-    clear_state();
-    throw;
-  }
+  forget_solution(s);
+  prepare_or_clear();
+  // Factors for derivatives are those of the solution that is here.
+  if (s.number != kept.number) s.newton.linear().forget_exact();
+  s.number = kept.number;
   s.iterate = kept.iterate;
   s.images_known = kept.images_known;
   s.report = kept.report;
@@ -46,7 +38,6 @@ void Contact::return_to(const KeptSolution& kept) {
   s.outcome = kept.report.outcome;
   s.revision_solved = scene.revision;
   s.options_solved = scene.options.revision;
-  s.settled = true;
   s.solved = kept.solved;
   s.warm_usable = kept.warm_usable;
 }

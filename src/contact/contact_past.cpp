@@ -6,7 +6,6 @@
 #include "contact/contact.hpp"
 #include "contact/prepare/time_step.hpp"
 #include "contact/solution.hpp"
-#include "linalg/blas_threads.hpp"
 #include "support/checksum.hpp"
 #include "support/error.hpp"
 #include "support/index.hpp"
@@ -97,18 +96,8 @@ void Contact::restore_past(std::int64_t count, const double* from) {
   if (checksum_of(from, given - 1) != from[given - 1])
     fail(Status::err_argument, "past has changed since it was saved: its checksum does not fit");
   SolverState& s = *state_;
-  s.solved = s.derived = s.laws_checked = s.settled = false;
-  s.sensitivities.forget();
-  s.error_estimate = {};
-  s.extrapolated.reset();
-  try {
-    const BlasThreads blas(context_->threads());
-    prepare(s, scene, *body1_, *body2_, context_->threads());
-  } catch (...) {
-    clear_state();
-    throw;
-  }
-  s.settled = true;
+  forget_solution(s);
+  prepare_or_clear();
   const Frame& frame = s.prepared->frame;
   const std::size_t n = frame.x.size();
   if (from[3] != static_cast<double>(n) || from[4] != frame_mark(frame))

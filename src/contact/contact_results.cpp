@@ -210,10 +210,10 @@ void Contact::sensitivity(Parameter parameter, double* force, double* moment, do
   SolverState& s = *state_;
   require_solution();
   require_converged(s);
-  const BlasThreads blas(context_->threads());
+  const BlasThreads blas(blas_threads());
   require_operators(s);
   Rates r = find_rates(s, parameter);
-  if (coarser_) r = beyond(*state_, r, coarser_->rates(parameter));
+  if (s.extrapolated) r = beyond(*state_, r, coarser_->rates(parameter));
   if (force) std::copy(r.force.begin(), r.force.end(), force);
   if (moment) std::copy(r.moment.begin(), r.moment.end(), moment);
   if (depth) *depth = r.motion[approach];
@@ -222,7 +222,7 @@ void Contact::sensitivity(Parameter parameter, double* force, double* moment, do
 
 void Contact::read_givens(NodeGivens& now) {
   SolverState& s = *state_;
-  const BlasThreads blas(context_->threads());
+  const BlasThreads blas(blas_threads());
   prepare(s, scene, *body1_, *body2_, context_->threads());
   const Problem& p = s.prepared->problem;
   const auto n = static_cast<std::size_t>(p.nodes);
@@ -241,7 +241,7 @@ void Contact::rates_by_givens(const NodeGivens& rate, double* force, double* mom
   SolverState& s = *state_;
   require_solution();
   require_converged(s);
-  const BlasThreads blas(context_->threads());
+  const BlasThreads blas(blas_threads());
   require_operators(s);
   const Rates r = find_rates(s, rate);
   std::copy(r.force.begin(), r.force.end(), force);
@@ -336,7 +336,7 @@ double Contact::stat(const char* name) const {
     if (std::strcmp(s.name, name) == 0) {
       if (!state_->solved || state_->revision_solved.mesh != scene.revision.mesh)
         fail(Status::err_state, "there is no solution: call rollcon_contact_solve first");
-      const BlasThreads blas(context_->threads());
+      const BlasThreads blas(blas_threads());
       return s.value(*state_);
     }
   fail(Status::err_option, "unknown statistic '%.60s'; rollcon_stat_name lists them", name);

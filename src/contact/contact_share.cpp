@@ -25,10 +25,10 @@ class Quiet final : public Monitor {
 std::optional<FrictionShare> Contact::frictionless_share() {
   SolverState& s = *state_;
   const double start = now_seconds();
-  s.solved = s.settled = false;
-  s.timings = {};
+  forget_solution(s);
+  s.settled = false;
   try {
-    const BlasThreads blas(context_->threads());
+    const BlasThreads blas(blas_threads());
     {
       const HostInterrupt interrupt(progress_, progress_user_, *cancel_);
       prepare(s, scene, *body1_, *body2_, context_->threads());

@@ -10,6 +10,7 @@ namespace rollcon {
 struct KeptSolution {
   Iterate iterate;
   bool solved = false, warm_usable = false, images_known = false;
+  std::int64_t number = 0;
   NewtonReport report;
   SettledFriction settled_friction;
 };

@@ -159,6 +159,8 @@ struct SolverState {
 
   // The last solve.
   bool solved = false;
+  std::int64_t number = 0;    ///< no other solution in this process has it
+  int threads = 1;            ///< of the BLAS
   Revisions revision_solved;  ///< of the scene, when the last solve read it
   std::int64_t options_solved = -1;
   bool settled = false;  ///< caches are whole: nothing was interrupted
@@ -190,6 +192,8 @@ struct SolverState {
   std::size_t bytes() const;
 };
 
+/// Whatever is known of the last solution is gone; its tractions may still start the next one.
+void forget_solution(SolverState& state);
 /// As the first solve with them does. Throws Error naming the body.
 void prepare_bodies(SolverState& state, Body& body1, Body& body2);
 /// Brings everything that depends on the scene up to date; only what changed is done again.

@@ -9,6 +9,7 @@
 #include "support/error.hpp"
 #include "support/fpenv.hpp"
 #include "support/last_error.hpp"
+#include "support/parallel.hpp"
 
 #ifdef _OPENMP
 #include <omp.h>
@@ -78,7 +79,7 @@ void Context::set_threads(std::int32_t n) {
 
 int Context::threads() const {
 #ifdef _OPENMP
-  if (omp_in_parallel()) return 1;
+  if (omp_in_parallel() || in_threads()) return 1;
   const std::lock_guard lock(mutex_);
   return threads_ > 0 ? threads_ : omp_get_max_threads();
 #else

@@ -35,7 +35,7 @@ class Context {
   }
 
   void set_threads(std::int32_t n);
-  /// Threads to use now: the budget (0: OpenMP's default); 1 inside a parallel region.
+  /// Threads to use now: the budget (0: OpenMP's default); 1 inside a parallel region and in loops of parallel.hpp.
   int threads() const;
 
   /// On: the first failure from here on is kept. Off or on, what was kept is forgotten.

@@ -1,9 +1,21 @@
 #include "support/error.hpp"
 
+#include <algorithm>
 #include <cstdarg>
 #include <cstdio>
 
 namespace rollcon {
+
+Status worse(Status a, Status b) {
+  constexpr Status order[] = {Status::cancelled,  Status::not_converged, Status::derailed,
+                              Status::too_deep,   Status::coarse,        Status::rim_contact,
+                              Status::inaccurate, Status::no_contact,    Status::ok};
+  const auto rank = [&](Status s) {
+    if (static_cast<std::int32_t>(s) < 0) s = Status::not_converged;
+    return std::find(std::begin(order), std::end(order), s);
+  };
+  return *std::min(rank(a), rank(b));
+}
 
 void fail(Status status, const char* format, ...) {
   std::va_list args;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <exception>
+#include <new>
 #include <string>
 
 namespace rollcon {
@@ -46,7 +47,26 @@ class Error : public std::exception {
   std::string message_;
 };
 
+/// Of two answers the one that says more for both, by the order of docs/api.md; a failure counts as not_converged.
+Status worse(Status a, Status b);
+
 /// Throws Error; the message is formatted as by printf and holds whatever length is needed.
 [[noreturn]] void fail(Status status, const char* format, ...) __attribute__((format(printf, 2, 3)));
+
+/// From a catch block: tell(status, text) of the exception in flight.
+template <class Tell>
+auto tell_exception(const Tell& tell) {
+  try {
+    throw;
+  } catch (const Error& error) {
+    return tell(error.status(), error.what());
+  } catch (const std::bad_alloc&) {
+    return tell(Status::err_memory, "out of memory");
+  } catch (const std::exception& error) {
+    return tell(Status::err_internal, error.what());
+  } catch (...) {
+    return tell(Status::err_internal, "an unknown exception");
+  }
+}
 
 }  // namespace rollcon

@@ -3,12 +3,16 @@
 #include <pthread.h>
 #include <signal.h>
 
+#include <chrono>
+#include <condition_variable>
 #include <cstddef>
 #include <exception>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 #include "support/fpenv.hpp"
+#include "support/interrupt.hpp"
 
 namespace rollcon {
 namespace {
@@ -17,18 +21,36 @@ namespace {
 // memory.
 constexpr std::size_t stack_bytes = std::size_t{8} << 20U;
 
+thread_local bool inside = false;
+
 struct Team {
   void (*work)(void*, int);
   void* data;
-  std::mutex mutex;
-  std::exception_ptr failure;
+  std::mutex mutex{};
+  std::condition_variable ended{};
+  int others = 0;  ///< at work
+  std::exception_ptr failure{};
 
-  void run(int thread) noexcept {
+  template <class Do>
+  void attempt(const Do& what) noexcept {
     try {
-      work(data, thread);
+      what();
     } catch (...) {
       const std::lock_guard lock(mutex);
       if (!failure) failure = std::current_exception();
+    }
+  }
+  void run(int thread) noexcept {
+    attempt([&] { work(data, thread); });
+  }
+  /// The host hears that the others work, and may stop them.
+  void wait() {
+    Interrupt* host = Interrupt::current();
+    std::unique_lock lock(mutex);
+    while (host && !ended.wait_for(lock, std::chrono::milliseconds(50), [this] { return others == 0; })) {
+      lock.unlock();
+      attempt([host] { host->check(); });
+      lock.lock();
     }
   }
 };
@@ -42,7 +64,11 @@ struct Member {
 void* start(void* member) {
   const QuietFloatingPoint quiet;
   const auto& m = *static_cast<const Member*>(member);
+  inside = true;
   m.team->run(m.number);
+  const std::lock_guard lock(m.team->mutex);
+  --m.team->others;
+  m.team->ended.notify_one();
   return nullptr;
 }
 
@@ -75,20 +101,31 @@ bool make_thread(Member& member) {
 
 }  // namespace
 
+bool in_threads() {
+  return inside;
+}
+
 void run_threads(int threads, void (*work)(void*, int), void* data) {
-  Team team{work, data, {}, nullptr};
+  Team team{.work = work, .data = data};
   std::vector<Member> member;
   if (threads > 1) member.reserve(static_cast<std::size_t>(threads) - 1);
   {
     const SignalsForTheHost blocked;
     for (int t = 1; t < threads; ++t) {
       member.push_back({&team, t, {}});
-      if (make_thread(member.back())) continue;
+      const std::lock_guard lock(team.mutex);
+      if (make_thread(member.back())) {
+        ++team.others;
+        continue;
+      }
       member.pop_back();
       break;
     }
   }
+  const bool before = std::exchange(inside, inside || !member.empty());
   team.run(0);
+  inside = before;
+  team.wait();
   for (const Member& m : member) pthread_join(m.handle, nullptr);
   if (team.failure) std::rethrow_exception(team.failure);
 }

@@ -51,13 +51,6 @@ constexpr double too_deep = 1e-3, nonsense = 0.1;
 // Of the wheel's vertical force: a patch that carries less may have few nodes.
 constexpr double little_load = 0.01;
 
-/// The worse ones first; the rest may be success.
-int rank(Status status) {
-  constexpr Status order[] = {Status::cancelled, Status::not_converged, Status::derailed,
-                              Status::too_deep,  Status::rim_contact,   Status::coarse};
-  return static_cast<int>(std::find(std::begin(order), std::end(order), status) - std::begin(order));
-}
-
 }  // namespace
 
 void WheelRail::require_dimensions() const {
@@ -201,7 +194,7 @@ Status WheelRail::solve_at(double z) {
       status = Status::ok;
     if (slot->contact.max_pressure() > slot->contact.contact()->modulus()) status = Status::too_deep;
     if (status == Status::ok && slot->contact.overlap().cut) status = Status::rim_contact;
-    if (status != Status::no_contact && rank(status) < rank(worst)) worst = status;
+    if (status != Status::no_contact) worst = worse(worst, status);
   }
   ++solves_;
   if (cancelled()) worst = Status::cancelled;

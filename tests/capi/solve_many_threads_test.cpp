@@ -1,5 +1,9 @@
 /// Lists of load cases: neither order nor threads change a bit; callbacks, cancelling.
 
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+
 #include "solve_many_fixture.hpp"
 
 using namespace capi_test;
@@ -132,6 +136,41 @@ TEST_F(solve_many_threads, callbacks_and_cancelling_work_with_threads) {
       }
   }
   EXPECT_OK(rollcon_contact_solve(contact));
+}
+
+namespace {
+
+/// Threads of this process that would take an alarm of the host.
+int threads_open_to_alarms() {
+  int open = 0;
+  for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
+    std::ifstream status(task.path() / "status");
+    for (std::string line; std::getline(status, line);)
+      if (line.rfind("SigBlk:", 0) == 0) open += !(std::stoull(line.substr(7), nullptr, 16) >> (SIGALRM - 1) & 1);
+  }
+  return open;
+}
+
+}  // namespace
+
+TEST_F(solve_many_threads, signals_are_left_to_the_host) {
+  if (!std::filesystem::exists("/proc/self/task")) GTEST_SKIP() << "no /proc";
+  const std::vector<double> values = scattered(150);
+  table(three, values, 4);  // whatever threads libraries keep are there
+  int most = 0;
+  ASSERT_OK(rollcon_contact_set_progress(
+      contact,
+      [](const rollcon_event*, void* user) {
+        int& open = *static_cast<int*>(user);
+        open = std::max(open, threads_open_to_alarms());
+        return 0;
+      },
+      &most));
+  const int before = threads_open_to_alarms();
+  table(three, values, 4);
+  ASSERT_OK(rollcon_contact_set_progress(contact, nullptr, nullptr));
+  std::printf("threads open to alarms: %d before, at most %d during the list\n", before, most);
+  EXPECT_LE(most, before);
 }
 
 TEST_F(solve_many_threads, several_contacts_at_once_in_threads_of_their_own) {

@@ -59,6 +59,34 @@ TEST(automatic_loads, spin_moments_up_to_all_that_friction_can_carry) {
   }
 }
 
+TEST(automatic_loads, a_solution_that_is_gone_takes_its_extrapolation_along) {
+  const auto hertz = Ellipse{1, 1.5}.hertz(steel);
+  RollingPair pair(steel, steel);
+  hertzian(pair, hertz).option("frame_accuracy", 0.05).creep(1e-3, 0, 0);
+  double force[3], t_gamma = 0;
+  std::int64_t rows = -1;
+  const auto gone = [&] {
+    EXPECT_EQ(rollcon_contact_get_resultant(pair.handle(), ROLLCON_LOCAL, force, nullptr), ROLLCON_ERR_STATE);
+    EXPECT_EQ(rollcon_contact_get_stat(pair.handle(), "t_gamma", &t_gamma), ROLLCON_ERR_STATE);
+    EXPECT_EQ(rollcon_contact_get_sensitivity(pair.handle(), ROLLCON_NORMAL, force, nullptr, nullptr, nullptr),
+              ROLLCON_ERR_STATE);
+    EXPECT_EQ(rollcon_contact_get_history(pair.handle(), 0, nullptr, &rows), ROLLCON_OK);
+    EXPECT_EQ(rows, 0);
+  };
+  ASSERT_EQ(pair.solve(), ROLLCON_OK);
+  pair.creep(2e-3, 0, 0);
+  const double value = 1e-3;
+  ASSERT_EQ(rollcon_contact_solve_many(pair.handle(), "longitudinal", 1, &value, "force", 3, force, nullptr, nullptr),
+            ROLLCON_OK);
+  gone();
+  // A load beyond friction.
+  pair.load(hertz.load);
+  ASSERT_EQ(pair.solve(), ROLLCON_OK);
+  pair.tangential_force(ROLLCON_LONGITUDINAL, -2 * mu * hertz.load);
+  ASSERT_EQ(rollcon_contact_solve(pair.handle()), ROLLCON_ERR_LOAD);
+  gone();
+}
+
 TEST(automatic_loads_long, spin_moments_lead_to_spins_that_lead_back) {
   const Ellipse e{1, 1.5};
   const auto hertz = e.hertz(steel);

@@ -234,8 +234,12 @@ TEST(patches, the_search_warns_of_nothing_and_can_be_cancelled) {
     if (h.cancel) rollcon_contact_request_cancel(h.cancel);
   };
   ASSERT_EQ(rollcon_context_set_log(pair.context(), ROLLCON_LOG_INFO, listen, &heard), ROLLCON_OK);
+  EXPECT_EQ(pair.solve(), ROLLCON_OK);
+  rollcon_contact_reset(pair.handle());
   heard.cancel = pair.handle();
   EXPECT_EQ(pair.solve(), ROLLCON_CANCELLED);
+  double force[3];
+  EXPECT_EQ(rollcon_contact_get_resultant(pair.handle(), ROLLCON_LOCAL, force, nullptr), ROLLCON_ERR_STATE);
   heard.cancel = nullptr;
   EXPECT_EQ(pair.solve(), ROLLCON_OK);
   EXPECT_EQ(heard.warnings, 0);

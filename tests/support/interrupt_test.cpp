@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
+#include <thread>
 
 #include "support/parallel.hpp"
 
@@ -39,6 +41,32 @@ TEST(interrupt, loops_end_before_their_next_chunk) {
   }
   EXPECT_EQ(Interrupt::current(), nullptr);
   EXPECT_NO_THROW(check_interrupt());
+}
+
+TEST(interrupt, the_host_is_asked_while_its_thread_waits_for_others) {
+  class Impatient final : public Interrupt {
+   public:
+    bool wanted() const override { return stop.load(); }
+    std::atomic<bool> stop{false};
+    int told = 0;
+
+   private:
+    void tell() override { stop.store(++told == 2); }
+  } interrupt;
+  std::atomic<int> others{0};
+  const auto work = [&](std::int64_t, int t) {
+    if (t == 0) return;
+    ++others;
+    while (!interrupt.stop.load()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  };
+  // The second thread may come late: the caller leaves something for it.
+  const auto patient = [&](std::int64_t i, int t) {
+    while (t == 0 && others.load() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    work(i, t);
+  };
+  EXPECT_THROW(parallel_for(2, 1, 2, patient), Cancelled);
+  EXPECT_EQ(interrupt.told, 2);
+  EXPECT_EQ(others.load(), 1);
 }
 
 TEST(interrupt, the_one_before_is_asked_again) {

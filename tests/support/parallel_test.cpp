@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "support/context.hpp"
 #include "support/fpenv.hpp"
 #include "support/testing.hpp"
 
@@ -41,6 +42,25 @@ TEST(parallel, threads_with_equal_numbers_do_not_meet) {
     inside[static_cast<std::size_t>(t)].fetch_sub(1);
   });
   EXPECT_EQ(met.load(), 0);
+}
+
+TEST(parallel, loops_within_loops_start_no_threads) {
+  std::atomic<int> inner{0}, elsewhere{0}, numbered{0};
+  parallel_for(40, 1, 4, [&](std::int64_t, int) {
+    const std::thread::id here = std::this_thread::get_id();
+    EXPECT_TRUE(rollcon::in_threads());
+    EXPECT_EQ(rollcon::Context().threads(), 1);
+    parallel_for(20, 1, 4, [&](std::int64_t, int t) {
+      std::this_thread::sleep_for(std::chrono::microseconds(50));
+      ++inner;
+      elsewhere += std::this_thread::get_id() != here;
+      numbered += t != 0;
+    });
+  });
+  EXPECT_EQ(inner.load(), 800);
+  EXPECT_EQ(elsewhere.load(), 0) << "pieces of an inner loop by threads of its own";
+  EXPECT_EQ(numbered.load(), 0);
+  EXPECT_FALSE(rollcon::in_threads());
 }
 
 TEST(parallel, exceptions_come_out_of_any_thread_and_end_the_loop) {

@@ -9,14 +9,13 @@ function varargout = contact_solve_many(varargin)
 % (1: as set). Results do not depend on the order of the cases nor on the number of threads: the
 % library orders them itself, solves equal ones once and starts warm along chains of neighbours
 % (unless the option "warm_start" is 0). A case that fails has its negative status and NaN for results
-% and leaves the others alone; texts go to the log as warnings. The status returned is the first that
-% fits of CANCELLED (some cases were not solved), NOT_CONVERGED (or failed), COARSE, RIM_CONTACT,
-% INACCURATE, NO_CONTACT, OK. A negative one means that no case was solved. All results are in local
-% axes. The scene stays as it is, and so does the last solution unless something was set since. Where
-% no frame was given each case is solved on frames of its own (rollcon.contact_frame_automatic),
-% steadily: then tractions are no column, and friction is a parameter of Coulomb's law alone. The
-% progress callback hears of the iterations of the calling thread, and of PHASE_CASES. The procedures
-% of the paper use one thread.
+% and leaves the others alone; texts go to the log as warnings. The status returned is the worst in
+% the order that holds for all calls; CANCELLED says that some cases were not solved. A negative one
+% means that no case was solved. All results are in local axes. The scene stays as it is, and so does
+% the last solution unless something was set since. Where no frame was given each case is solved on
+% frames of its own (rollcon.contact_frame_automatic), steadily: then tractions are no column, and
+% friction is a parameter of Coulomb's law alone. The progress callback hears of the iterations of the
+% calling thread, and of PHASE_CASES. The procedures of the paper use one thread.
 %
 %   contact (contact)
 %   parameters (text): columns of values, separated by blanks, each once, of: longitudinal, lateral,

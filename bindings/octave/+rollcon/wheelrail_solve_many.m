@@ -7,9 +7,8 @@ function varargout = wheelrail_solve_many(varargin)
 % order, or the number of threads, to the last bit. A row of totals has force and moment on the wheel
 % in the track (rollcon.wheelrail_get_resultant), z, vertical force and frictional power. A position
 % that fails has its negative status and NaN and leaves the others alone; texts go to the log as
-% warnings. The status returned is the first that fits of CANCELLED (some were not solved),
-% NOT_CONVERGED (or failed), DERAILED, TOO_DEEP, RIM_CONTACT, COARSE, NO_CONTACT, OK. The wheel and
-% its last solution stay as they are.
+% warnings. The status returned is the worst in the order that holds for all calls; CANCELLED says
+% that some were not solved. The wheel and its last solution stay as they are.
 %
 %   wheelrail (wheelrail)
 %   positions(n,6) (real, may be left out): as rollcon.wheelrail_set_position takes them; [] only with n

@@ -67,8 +67,7 @@ void SharedFrameSolver::prescribe(std::span<const Parameter> parameter, const do
 
 Status SharedFrameSolver::solve(std::span<const Parameter> parameter, const double* value, Monitor& monitor) {
   SolverState& s = *state_;
-  s.derived = s.laws_checked = s.images_known = false;
-  s.sensitivities.forget();
+  forget_solution(s);
   if (!warm_ || options_.warm_start == 0) {
     s.iterate.clear();
     s.settled_friction.share.clear();

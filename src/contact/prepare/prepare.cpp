@@ -291,6 +291,16 @@ std::size_t SolverState::bytes() const {
          at(p.nodes) * sizeof(double) * 30 + history.capacity() * sizeof(double);
 }
 
+void forget_solution(SolverState& s) {
+  s.solved = s.derived = s.laws_checked = s.images_known = false;
+  s.sensitivities.forget();
+  s.error_estimate = {};
+  s.extrapolated.reset();
+  s.timings = {};
+  s.history.clear();
+  s.merit.clear();
+}
+
 void prepare_bodies(SolverState& state, Body& body1, Body& body2) {
   if (body1.prepared() && body2.prepared()) return;
   const Stopwatch watch(state.timings.compliance);

@@ -154,6 +154,7 @@ constexpr Statistic table[] = {
     {"sensitivity_linear_iterations", [](SolverState& s) { return number(s.sensitivities.linear_iterations); }},
     {"seconds_error_estimate", [](SolverState& s) { return s.error_estimate.seconds; }},
     {"peak_bytes", [](SolverState& s) { return static_cast<double>(s.peak_bytes); }},
+    {"threads", [](SolverState& s) { return number(s.threads); }},
     {"kernel_evaluations",
      [](SolverState& s) {
        return s.prepared->compliance ? number(s.prepared->compliance->kernel_evaluations()) : 0.0;
