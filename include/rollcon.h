@@ -83,8 +83,8 @@ enum {
   ROLLCON_CANCELLED       = 3,    /* stopped by the progress callback or by a cancel request */
   ROLLCON_RIM_CONTACT     = 4,    /* the contact reaches the rim of the frame (a body's own edge does not count) or the end of a profile: caveat and plan say what to mend */
   ROLLCON_COARSE          = 5,    /* too few nodes touch, results may be off by half and more: refine the frame there */
-  ROLLCON_INACCURATE      = 6,    /* the accuracy asked for (option frame_accuracy) was not reached; statistic error_estimate says which was */
-  ROLLCON_TOO_DEEP        = 7,    /* wheel and rail overlap by more than a thousandth of the wheel's radius, as no metal bears: check heights, load and units */
+  ROLLCON_INACCURATE      = 6,    /* the accuracy asked for (option frame_accuracy) was not reached (statistic error_estimate says which was), or the mesh of a body is too coarse to show what the contact does to it */
+  ROLLCON_TOO_DEEP        = 7,    /* the bodies are pressed together as no linear material bears: by more than half of a thickness or radius, with pressures above the modulus of contact, or a wheel by more than a thousandth of its radius; check shapes, heights, load and units */
   ROLLCON_DERAILED        = 8,    /* the wheel is beside its rail, whatever its height; forces are zero */
   ROLLCON_ERR_ARGUMENT    = -1,   /* NULL, negative count, value out of range, unknown number */
   ROLLCON_ERR_HANDLE      = -2,   /* released, garbage or wrong-kind handle */
@@ -1624,9 +1624,9 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_request_cancel(rollcon_c
  * Nodes that are never to touch may have any gap, with the option "system" = monolithic up to
  * that limit.
  * Also returns: ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
- *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_INACCURATE, ROLLCON_ERR_MESH, ROLLCON_ERR_STATE,
- *   ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY, ROLLCON_ERR_OPTION, ROLLCON_ERR_UNSUPPORTED,
- *   ROLLCON_ERR_LOAD.
+ *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_INACCURATE, ROLLCON_TOO_DEEP, ROLLCON_ERR_MESH,
+ *   ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY, ROLLCON_ERR_OPTION,
+ *   ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_LOAD.
  * Source: docs/theory.md; contact laws: equations (16) to (24) of the paper.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_solve(rollcon_contact *contact);
@@ -1667,9 +1667,9 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_solve(rollcon_contact *c
  *   n_results   out, may be NULL; numbers for each case; set after ROLLCON_ERR_CAPACITY too
  *   status      [n_cases], out, may be NULL; as rollcon_contact_solve would return
  * Also returns: ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
- *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_INACCURATE, ROLLCON_ERR_NONFINITE,
- *   ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_OPTION, ROLLCON_ERR_CAPACITY,
- *   ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY, ROLLCON_ERR_UNSUPPORTED.
+ *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_INACCURATE, ROLLCON_TOO_DEEP,
+ *   ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_OPTION,
+ *   ROLLCON_ERR_CAPACITY, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY, ROLLCON_ERR_UNSUPPORTED.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_solve_many(rollcon_contact *contact,
     const char *parameters, int64_t n_cases, const double *values, const char *columns,
@@ -2167,7 +2167,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_wheelset(
  * Sets the deviation of the rail from its place in the track and how it changes: irregularities,
  * and rails that give way. Standard: 0.
  *   deviation  [3]; along y and z, length; roll, radian, about the point where the gauge is
- *              measured, at the height of the rails' top
+ *              measured, at the height of the rails' top, -0.5 to 0.5
  *   rate       [3]; of these, length/time and 1/time
  * Also returns: ROLLCON_ERR_NONFINITE.
  */

@@ -6,7 +6,6 @@
 
 #include "bodies/equal_bodies.hpp"
 #include "bodies/model/archive.hpp"
-#include "bodies/model/imbalance.hpp"
 #include "bodies/model/mesh_models.hpp"
 #include "linalg/blas_kernels.hpp"
 #include "mesh/mesh_errors.hpp"
@@ -128,9 +127,6 @@ void Body::log_preparation() const {
                   "displacements are left; slender or tiny elements, long thin bodies and very "
                   "unequal moduli do that",
                   model, s.condition, worst);
-  if (const std::string missed = imbalances_of(response()).notable(); !missed.empty())
-    context_->log(LogLevel::warning, "%s body: the reactions of its supports miss %s: %s", model, missed.c_str(),
-                  imbalance_remedy);
   if (traits_.dense && !shared_ && !loaded())
     if (const std::string slow = slow_factorization(blas_kernels(), s.unknowns); !slow.empty())
       context_->log(LogLevel::warning, "%s body: %s", model, slow.c_str());

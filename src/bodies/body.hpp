@@ -3,6 +3,7 @@
 /// from which gaps are computed. Finite-element bodies have volume elements.
 
 #include <atomic>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -83,6 +84,10 @@ class Body {
   std::shared_ptr<Body> with_profile_alone() const;
   /// The elastic constants at the contact are those of the other.
   bool same_elastic(const Body& other) const;
+  /// Of z = 0 of a revolved profile; infinite: there is none.
+  double revolved_radius() const {
+    return model_->profile.place == ProfilePlace::revolved ? model_->profile.radius : INFINITY;
+  }
   double profile_length() const;
   ProfilePoint profile_point(double s) const;
   void set_int(const char* option, std::int64_t value);

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "bodies/meshed_compliance_class.hpp"
-#include "bodies/model/imbalance.hpp"
 #include "bodies/thinness.hpp"
 #include "mesh/shape.hpp"
 #include "support/index.hpp"
@@ -39,7 +38,7 @@ MeshedCompliance::MeshedCompliance(const Frame& frame, const PairOfBodies& pair,
       usable.push_back(e);
   }
   zone_ = std::make_unique<SurfaceSearch>(body_.mesh().surface, usable);
-  depth_ = mean_depth(body_.mesh().surface, usable);
+  under_ = look_under(body_.mesh(), usable);
   if (!on_body_.of_faces() && !body_.traits().smooth_difference && !by_shape_functions()) find_curvatures(usable);
   for (std::int64_t k = 0; k < frame.nodes(); ++k) {
     if (!frame.used[at(k)]) continue;
@@ -109,16 +108,6 @@ void MeshedCompliance::require_response() const {
       }
     }
   }
-  if (const std::string missed = imbalances_of(&body).notable(); !missed.empty())
-    body_.context().log(LogLevel::warning, "body %d: the reactions of its supports miss %s: %s", which_ + 1,
-                        missed.c_str(), imbalance_remedy);
-  constexpr double shallow = 1.9;
-  if (depth_ < shallow && !on_body_.of_faces() && !by_shape_functions())
-    body_.context().log(LogLevel::warning,
-                        "body %d: under the frame it is %.2g times as thick as its faces are long: "
-                        "between their nodes a half-space is too soft; take its own faces as the "
-                        "frame, or faces no longer than half the thickness",
-                        which_ + 1, depth_);
   // Of the response itself this is a copy: whether the body keeps it is the body's matter.
   outline_ = std::make_unique<const SurfaceOutline>(rows);
 }
@@ -207,6 +196,12 @@ bool MeshedCompliance::offset(Points points, double* u) const {
     u[3 * p + 2] = dot(moved, t.n);
   }
   return true;
+}
+
+void MeshedCompliance::find_meshes(std::array<MeshOnFrame, 2>& found) const {
+  MeshOnFrame& own = found[at(which_)] = under_;
+  own.response = body_.response();
+  own.between_nodes = !on_body_.of_faces() && !by_shape_functions();
 }
 
 std::string MeshedCompliance::description() const {

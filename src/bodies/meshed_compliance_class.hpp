@@ -30,6 +30,7 @@ class MeshedCompliance final : public Compliance {
   bool offset(Points points, double* u) const override;
   bool everywhere(const double* traction, SurfaceState& state) const override;
   bool expand(Points points, ExpandedCompliance& out) const override;
+  void find_meshes(std::array<MeshOnFrame, 2>& found) const override;
   std::string description() const override;
   bool resolves_frame() const override;
   void set_threads(int threads) override {
@@ -96,7 +97,7 @@ class MeshedCompliance final : public Compliance {
     std::vector<std::array<double, 3>> weight;
   };
   std::vector<Curvature> curvature_;  ///< of each zone row, where displacements are to bend between linear faces' nodes
-  double depth_ = 0;                  ///< thickness of the body under the zone over the length of its faces
+  MeshOnFrame under_;                 ///< the zone
   // Made when first asked for: condensed, written out, and at points between nodes.
   mutable std::unique_ptr<const SurfaceOutline> outline_;
   mutable RowMatrix<double> response_;  ///< (3 rows) x (3 frame nodes), local components
@@ -126,7 +127,7 @@ class MeshedCompliance final : public Compliance {
   /// be far softer than the body.
   bool by_shape_functions() const {
     return body_.options().between_nodes == 1 ||
-           (body_.traits().smooth_difference && on_body_.of_faces() && depth_ < least_depth);
+           (body_.traits().smooth_difference && on_body_.of_faces() && under_.under_faces < least_depth);
   }
   static constexpr double least_depth = 2.6;  ///< no ratio of usual meshes: rounding decides there
   /// Points that are not nodes of the body: those of the zone, and those beyond it.

@@ -33,17 +33,19 @@ Through look_through(const SurfaceMesh& surface, const SurfaceSearch& all, std::
 
 }  // namespace
 
-Thinness thinness(const BodyMesh& mesh, double linear, double quadratic) {
+Thinness thinness(BodyMesh& mesh, double linear, double quadratic) {
   const SurfaceMesh& surface = mesh.surface;
   const SurfaceSearch all(surface, {});
   const std::vector<std::uint8_t> held = held_elements(mesh);
   double free = 0, thin = 0, ratios = 0;
+  mesh.thickness.assign(held.size(), 0.0);
   for (std::int64_t e = 0; e < surface.elements(); ++e) {
     const auto i = static_cast<std::size_t>(e);
     if (held[i] != 0) continue;
     const auto [area, opposite] = look_through(surface, all, e);
     free += area;
     if (!opposite || held[static_cast<std::size_t>(opposite->element)] != 0) continue;
+    mesh.thickness[i] = opposite->distance;
     const double ratio = element_diameter(surface, e) / std::numbers::sqrt2 / opposite->distance;
     if (ratio <= (is_quadratic(surface.type[i]) ? quadratic : linear)) continue;
     thin += area;
@@ -53,17 +55,29 @@ Thinness thinness(const BodyMesh& mesh, double linear, double quadratic) {
   return {thin / free, ratios / thin};
 }
 
-double mean_depth(const SurfaceMesh& surface, std::span<const std::int64_t> element) {
-  constexpr double most = 10;
+MeshOnFrame look_under(const BodyMesh& mesh, std::span<const std::int64_t> element) {
+  constexpr double most = 10, third = 1.0 / 3;
+  const SurfaceMesh& surface = mesh.surface;
   const SurfaceSearch all(surface, {});
+  const std::vector<std::uint8_t> held = held_elements(mesh);
+  MeshOnFrame found;
   double sum = 0, areas = 0;
   for (const std::int64_t e : element) {
+    const auto i = static_cast<std::size_t>(e);
     const auto [area, opposite] = look_through(surface, all, e);
-    const double depth = opposite ? std::min(most, opposite->distance / std::sqrt(area)) : most;
-    sum += area * depth;
+    sum += area * (opposite ? std::min(most, opposite->distance / std::sqrt(area)) : most);
     areas += area;
+    if (opposite && held[static_cast<std::size_t>(opposite->element)] != 0)
+      found.glued = std::min(found.glued, opposite->distance);
+    if (mesh.origin.empty()) continue;
+    const SurfaceFrame face = evaluate_surface(surface, e, third, third);
+    double deepest = 0;
+    for (const std::int32_t k : mesh.volume.element(mesh.origin[i].element))
+      deepest = std::max(deepest, dot(face.x - surface.node[static_cast<std::size_t>(k)], normalized(face.normal)));
+    found.element = std::min(found.element, is_quadratic(surface.type[i]) ? 0.5 * deepest : deepest);
   }
-  return areas > 0 ? sum / areas : most;
+  found.under_faces = areas > 0 ? sum / areas : most;
+  return found;
 }
 
 }  // namespace rollcon

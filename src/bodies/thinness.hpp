@@ -5,6 +5,7 @@
 #include <span>
 
 #include "bodies/model/body_mesh.hpp"
+#include "bodies/model/compliance.hpp"
 
 namespace rollcon {
 
@@ -16,10 +17,9 @@ struct Thinness {
 /// Thickness: along the inward normal at an element's middle, to the opposite side of the body. Elements that are held,
 /// or opposite to held ones, do not count: glued layers do not bend. linear, quadratic: largest length (diagonal over
 /// sqrt 2) over the thickness, by kind of element.
-Thinness thinness(const BodyMesh& mesh, double linear, double quadratic);
+Thinness thinness(BodyMesh& mesh, double linear, double quadratic);
 
-/// Thickness of the body under some elements over their length (square root of the area), their mean by area; at most
-/// 10 counts for each.
-double mean_depth(const SurfaceMesh& surface, std::span<const std::int64_t> element);
+/// What lies under some elements.
+MeshOnFrame look_under(const BodyMesh& mesh, std::span<const std::int64_t> element);
 
 }  // namespace rollcon

@@ -51,6 +51,7 @@ rollcon_status rollcon_body_get_node_stresses(const rollcon_body* body, int64_t 
   return with_body(__func__, body, [&](const Body& b) {
     require_pointer(stress, "stress");
     body_node_stresses(b, {nodes, u}, stress);
+    require_finite_results(b.size().first, 6, stress, "stress");
   });
 }
 
@@ -58,8 +59,10 @@ rollcon_status rollcon_body_get_point_stresses(const rollcon_body* body, int64_t
                                                int64_t capacity, double* stress, double* xyz, int64_t* n_rows) {
   return with_body(__func__, body, [&](const Body& b) {
     const void* wanted = stress ? stress : xyz;
-    if (wants_copy(body_stress_points(b), capacity, wanted, "stress and xyz", n_rows, "points"))
-      body_point_stresses(b, {nodes, u}, stress, xyz);
+    const std::int64_t points = body_stress_points(b);
+    if (!wants_copy(points, capacity, wanted, "stress and xyz", n_rows, "points")) return;
+    body_point_stresses(b, {nodes, u}, stress, xyz);
+    require_finite_fields(points, xyz, stress);
   });
 }
 
@@ -75,6 +78,7 @@ rollcon_status rollcon_body_get_fields_at(const rollcon_body* body, int64_t node
         fail(Status::err_nonfinite, "coordinate %c of point %lld (counting from 0) is %g", "xyz"[i % 3],
              static_cast<long long>(i / 3), xyz[i]);
     body_fields_at(b, {nodes, u}, n, xyz, displacement, stress);
+    require_finite_fields(n, displacement, stress);
   });
 }
 

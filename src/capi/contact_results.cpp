@@ -135,6 +135,7 @@ rollcon_status rollcon_contact_get_displacements_at(const rollcon_contact* conta
     }
     require_finite_points(n, xy, 2, "xy");
     c.displacements_at(body, n, xy, u);
+    require_finite_results(n, 3, u, "u");
   });
 }
 
@@ -146,6 +147,7 @@ rollcon_status rollcon_contact_get_stresses_at(const rollcon_contact* contact, i
     if (n > 0) require_pointer(xyz, "xyz");
     require_finite_points(n, xyz, 3, "12n");
     c.stresses_at(body, n, xyz, stress, u);
+    require_finite_fields(n, u, stress);
   });
 }
 
@@ -166,6 +168,7 @@ rollcon_status rollcon_contact_get_body_fields_at(const rollcon_contact* contact
     if (n > 0) require_pointer(xyz, "xyz");
     require_finite_points(n, xyz, 3, "xyz");
     c.body_fields_at(body, n, xyz, displacement, stress);
+    require_finite_fields(n, displacement, stress);
   });
 }
 
@@ -188,6 +191,7 @@ rollcon_status rollcon_contact_get_temperatures_at(const rollcon_contact* contac
     }
     require_finite_points(n, xy, 2, "xy");
     c.temperatures_at(n, xy, temperature);
+    require_finite_results(n, 2, temperature, "temperature");
   });
 }
 

@@ -26,6 +26,12 @@ inline bool wants_copy(std::int64_t count, std::int64_t capacity, const void* to
   return true;
 }
 
+/// Of n points; either may be null.
+inline void require_finite_fields(std::int64_t n, const double* displacement, const double* stress) {
+  if (displacement) require_finite_results(n, 3, displacement, "displacement");
+  if (stress) require_finite_results(n, 6, stress, "stress");
+}
+
 /// Copies with the terminating NUL, which counts.
 inline void copy_text(std::string_view from, std::int64_t capacity, char* text, std::int64_t* needed) {
   const auto count = static_cast<std::int64_t>(from.size()) + 1;

@@ -10,6 +10,7 @@
 #include "contact/estimate/error_estimate.hpp"
 #include "contact/estimate/few_nodes.hpp"
 #include "contact/prepare/time_step.hpp"
+#include "contact/results/doubts.hpp"
 #include "contact/results/extrapolation.hpp"
 #include "contact/results/outcome_text.hpp"
 #include "contact/scene/host_interrupt.hpp"
@@ -35,16 +36,6 @@ bool has_tri6(const SurfaceMesh& surface, std::int32_t tag) {
   for (std::size_t e = 0; e < surface.type.size(); ++e)
     if (surface.tag[e] == tag && surface.type[e] == ElementType::tri6) return true;
   return false;
-}
-
-// What the caller of a solve that is not plain success should know.
-void tell_caveats(const SolverState& s, Status status, const Context& context) {
-  if (status == Status::coarse) {
-    if (nodes_at_rim(s) > 0) context.caveat(status, "%s", describe_outcome(s).c_str());
-    context.caveat(status, "%s", describe_few_nodes(s).c_str());
-  } else if (status == Status::not_converged || status == Status::rim_contact) {
-    context.caveat(status, "%s", describe_outcome(s).c_str());
-  }
 }
 
 }  // namespace
@@ -139,7 +130,7 @@ void Contact::end_step(Status status) {
 
 bool Contact::is_answer(Status status) {
   return status == Status::ok || status == Status::rim_contact || status == Status::coarse ||
-         status == Status::no_contact || status == Status::inaccurate;
+         status == Status::no_contact || status == Status::inaccurate || status == Status::too_deep;
 }
 
 std::unique_ptr<Contact> Contact::make_follower() const {
@@ -186,16 +177,14 @@ Status Contact::solve() {
 }
 
 Status Contact::solve_unless_cancelled() {
-  if (scene.frame_given() || !make_frames_) {
-    const Status status = solve_on_frame();
-    end_step(status);
-    return status;
-  }
-  if (!frames_) frames_ = make_frames_();
   try {
-    const Status status = frames_->solve(*this);
-    end_step(status);
-    frames_->end_step(status);
+    const bool own_frames = !scene.frame_given() && make_frames_;
+    if (own_frames && !frames_) frames_ = make_frames_();
+    const Status found = own_frames ? frames_->solve(*this) : solve_on_frame();
+    end_step(found);
+    if (own_frames) frames_->end_step(found);
+    const Status status = with_doubts(*state_, found);
+    if (!own_frames || status != found) tell(status);
     return status;
   } catch (const Cancelled&) {  // while patches were searched for
     forget_solution(*state_);
@@ -203,6 +192,18 @@ Status Contact::solve_unless_cancelled() {
   } catch (...) {
     forget_solution(*state_);  // of one frame of a pair
     throw;
+  }
+}
+
+void Contact::tell(Status status) const {
+  const SolverState& s = *state_;
+  if (!s.solved || status == Status::ok || with_doubts(s, status_of(s)) != status) return;
+  if (const Line doubt = describe_meshes(s); *doubt.text && is_answer(status)) caveat(status, doubt.c_str());
+  if (status == Status::coarse) {
+    if (nodes_at_rim(s) > 0) caveat(status, describe_outcome(s).c_str());
+    caveat(status, describe_few_nodes(s).c_str());
+  } else if (status == Status::not_converged || status == Status::rim_contact || status == Status::too_deep) {
+    caveat(status, describe_outcome(s).c_str());
   }
 }
 
@@ -343,7 +344,6 @@ Status Contact::solve_scene() {
   s.number = next_number.fetch_add(1);
   s.warm_usable = s.outcome == Outcome::converged;
   s.steps.failed = s.outcome != Outcome::converged && s.outcome != Outcome::no_contact;
-  if (!quiet_) tell_caveats(s, status, *context_);
   return status;
 }
 

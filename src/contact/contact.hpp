@@ -118,9 +118,12 @@ class Contact {
   bool cancelled() const noexcept { return cancel_->load(); }
   void log(LogLevel level, const char* text) const;
   void caveat(Status status, const char* text) const;  ///< see Context::caveat
+  /// What a caller should know of the last solve, which ended with that status. solve() does this itself,
+  /// solve_on_frame does not.
+  void tell(Status status) const;
   /// Solves the scene with some of what is prescribed replaced, case by case and over threads. ok, or the first that
-  /// fits of cancelled, not_converged (or failed), coarse, rim_contact, no_contact. The scene stays, and so does the
-  /// last solution unless something was set since.
+  /// fits of cancelled, not_converged (or failed), too_deep, coarse, rim_contact, no_contact. The scene stays, and so
+  /// does the last solution unless something was set since.
   Status solve_many(const CaseList& cases, const CaseResults& results);
   /// The next solve on a frame depends on the scene and the last tractions alone, not on how they were found.
   void forget_all_but_tractions();

@@ -14,9 +14,9 @@
 namespace rollcon {
 namespace {
 
-// Layout: magic, version, numbers in all, nodes, checksum of the frame, loaded, time, steps, four motions, tractions
-// t1, t2, n of all nodes, checksum of all before it.
-constexpr double magic = 7274830.5, version = 1;
+// Layout: magic, version, numbers in all, nodes, checksum of frame and bodies, loaded, time, steps, four motions,
+// tractions t1, t2, n of all nodes, checksum of all before it.
+constexpr double magic = 7274830.5, version = 2;
 constexpr std::size_t header = 12;
 
 // Exact in a double.
@@ -26,8 +26,13 @@ double checksum_of(const double* v, std::size_t n, std::uint64_t seed = 0) {
   return static_cast<double>(sum.value() >> 12);
 }
 
-double frame_mark(const Frame& frame) {
+double mark_of(const Frame& frame, const PairOfBodies& pair) {
   Checksum sum;
+  for (const Body* body : pair.body) {
+    const double own[] = {static_cast<double>(body->kind()), body->rigid() ? 0 : body->young(),
+                          body->rigid() ? 0 : body->poisson(), static_cast<double>(body->size().first), pair.layer};
+    sum.add(own, sizeof own);
+  }
   sum.add(frame.x.data(), frame.x.size() * sizeof(double));
   sum.add(frame.y.data(), frame.y.size() * sizeof(double));
   return static_cast<double>(sum.value() >> 12);
@@ -66,7 +71,7 @@ std::int64_t Contact::save_past(std::int64_t capacity, double* to) const {
                                version,
                                static_cast<double>(needed),
                                static_cast<double>(n),
-                               frame_mark(last.on->frame),
+                               mark_of(last.on->frame, s.prepared->pair),
                                last.loaded ? 1.0 : 0.0,
                                last.time,
                                static_cast<double>(last.steps),
@@ -100,8 +105,11 @@ void Contact::restore_past(std::int64_t count, const double* from) {
   prepare_or_clear();
   const Frame& frame = s.prepared->frame;
   const std::size_t n = frame.x.size();
-  if (from[3] != static_cast<double>(n) || from[4] != frame_mark(frame))
-    fail(Status::err_argument, "past is of another frame (%.0f nodes; this one has %zu)", from[3], n);
+  if (from[3] != static_cast<double>(n) || from[4] != mark_of(frame, s.prepared->pair))
+    fail(Status::err_argument,
+         "past is of another frame (%.0f nodes; this one has %zu), or of bodies of other kinds, elastic constants or "
+         "layers",
+         from[3], n);
   PastStep& last = s.steps.last;
   last.loaded = from[5] != 0;
   last.time = from[6];

@@ -110,6 +110,8 @@ struct Prepared {
   bool ends_at_edge = false;               ///< the contact covers the frame, nodes on its rim carry nothing
   PairOfBodies pair;                       ///< where the bodies stood
   std::shared_ptr<Compliance> compliance;  ///< of the pair
+  std::array<MeshOnFrame, 2> meshes;
+  double bears = INFINITY;  ///< half of it makes sense as an approach, more does not
   double accuracy = 0;
   Scheme scheme = Scheme::characteristic;
   /// From displacements of the bodies without any contact traction; empty: none.

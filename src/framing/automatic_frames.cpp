@@ -95,7 +95,10 @@ class AutomaticFrames final : public FrameMaker {
     }
     for (;; ++level_) {
       const Status status = solve_on_fitting(contact);
-      if (status != Status::ok) return status;
+      if (status != Status::ok) {
+        (coarse_solved_ ? *coarse_ : contact).tell(status);
+        return status;
+      }
       const double wanted = contact.scene.options.frame_accuracy, reached = contact.error_estimate();
       if (reached <= wanted) break;
       if (level_ + 1 == levels.size()) {

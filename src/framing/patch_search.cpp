@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <utility>
 
+#include "contact/scene/geometry.hpp"
 #include "support/index.hpp"
 #include "support/interrupt.hpp"
 
@@ -76,33 +76,11 @@ void clip(SearchGrid& lattice, const Rectangle& bounds) {
   cut(lattice.y, lattice.half_width, bounds.y_least, bounds.y_greatest);
 }
 
-// Whether every line of a lattice bends one way, from a place between its ends: up (sign 1) or down (-1). Nodes of a
-// line lie `step` apart.
-bool all_bend(const std::vector<double>& gap, std::size_t n, std::size_t step, double sign) {
-  bool any = false;
-  for (std::size_t line = 0; line < n; ++line) {
-    std::vector<double> along;
-    for (std::size_t k = 0; k < n; ++k)
-      if (const double g = gap[line * (step == 1 ? n : 1) + k * step]; std::isfinite(g)) along.push_back(sign * g);
-    if (along.size() < 3) continue;
-    const auto least = std::min_element(along.begin(), along.end());
-    if (least == along.begin() || least + 1 == along.end() ||
-        !std::is_sorted(along.begin(), least + 1, std::greater<>()) || !std::is_sorted(least, along.end()))
-      return false;
-    any = true;
-  }
-  return any;
-}
-
-// Bodies that lie where their partners should have gaps that fall from within to the ends of the bodies. Saddles may be
-// hollow ones.
+// Bodies that lie where their partners should have gaps that fall from within to the ends of the bodies.
 void refuse_exchanged(const std::vector<double>& gap, std::size_t n) {
-  for (const auto& [one, other] : {std::pair<std::size_t, std::size_t>{1, n}, {n, 1}})
-    if (all_bend(gap, n, one, -1) && !all_bend(gap, n, other, 1))
-      fail(
-          Status::err_argument,
-          "body 1 lies on the side of n, where body 2 should be: exchange the bodies, or turn n, the outward normal of "
-          "body 1 (rollcon_contact_set_axes)");
+  std::vector<std::uint8_t> rim(n * n, 0);
+  for (std::size_t k = 0; k < n; ++k) rim[k] = rim[n * n - 1 - k] = rim[k * n] = rim[k * n + n - 1] = 1;
+  if (is_turned(gap, rim)) fail(Status::err_argument, "%s", exchange_bodies);
 }
 
 // Whether the contact goes on beyond the lattice.

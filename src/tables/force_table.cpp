@@ -185,9 +185,12 @@ void ForceTable::add_samples(std::int64_t n, const double* sample) {
     fail(Status::err_argument, "n is %lld; a table of this size has %lld numbers", static_cast<long long>(n),
          static_cast<long long>(size));
   require_pointer(sample, "samples");
+  constexpr double most = 1e6;  // forces are over mu Fn, coefficients of linear theory at most some hundred
   for (std::int64_t i = 0; i < n; ++i)
-    if (std::isinf(sample[i]))
-      fail(Status::err_nonfinite, "entry %lld of samples is infinite", static_cast<long long>(i));
+    if (std::abs(sample[i]) > most)
+      fail(std::isinf(sample[i]) ? Status::err_nonfinite : Status::err_argument,
+           "entry %lld of samples (counting from 0) is %g; allowed: %g to %g, or NaN for none",
+           static_cast<long long>(i), sample[i], -most, most);
   if (sample_.empty()) sample_.assign(at(size), std::numeric_limits<double>::quiet_NaN());
   for (std::int64_t i = 0; i < n; ++i)
     if (!std::isnan(sample[i])) sample_[at(i)] = sample[i];

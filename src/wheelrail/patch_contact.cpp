@@ -163,6 +163,7 @@ bool PatchContact::take_hertzian_results(const PatchFriction& friction, double g
     now_.table_power = speed * power_of(own, e);
   }
   now_.status = h.load > 0 ? Status::ok : Status::no_contact;
+  if (h.max_pressure > contact_->modulus()) now_.status = Status::too_deep;
   now_.by_table = now_.hertzian = true;
   now_.hertzian_pressure = h.max_pressure;
   now_.hertzian_area = std::numbers::pi * h.a * h.b;

@@ -192,7 +192,6 @@ Status WheelRail::solve_at(double z) {
     Status status = slot->contact.status();
     if (status == Status::coarse && length(slot->contact.force()) < little_load * std::abs(vertical_force()))
       status = Status::ok;
-    if (slot->contact.max_pressure() > slot->contact.contact()->modulus()) status = Status::too_deep;
     if (status == Status::ok && slot->contact.overlap().cut) status = Status::rim_contact;
     if (status != Status::no_contact) worst = worse(worst, status);
   }
@@ -343,12 +342,7 @@ void WheelRail::tell(Status status) const {
         "units",
         deepest, radius_, in_.by_force ? "the vertical force" : "z");
   for (const Slot* slot : active_)
-    if (const double most = slot->contact.max_pressure(), modulus = slot->contact.contact()->modulus(); most > modulus)
-      context_->caveat(
-          Status::too_deep,
-          "the largest pressure of the patch at y = %g of the wheel is %g, more than the modulus of contact "
-          "(%g): check both profiles (flange and gauge side at lesser y, z down) and all units",
-          slot->wheel_y, most, modulus);
+    if (slot->contact.status() == status) slot->contact.contact()->tell(status);
   for (std::size_t i = 0; i < active_.size(); ++i)
     if (const OverlapPatch& patch = active_[i]->contact.overlap(); patch.cut && status == Status::rim_contact)
       context_->caveat(Status::rim_contact,

@@ -90,6 +90,11 @@ TEST(creep_force_table, made_in_parts_after_a_cancel) {
   ASSERT_EQ(rollcon_table_get_samples(whole.table, 0, nullptr, &count), ROLLCON_OK);
   std::vector<double> samples(static_cast<std::size_t>(count));
   ASSERT_EQ(rollcon_table_get_samples(whole.table, count, samples.data(), &count), ROLLCON_OK);
+  std::vector<double> huge = samples;
+  huge[7] = 1e300;
+  EXPECT_EQ(rollcon_table_add_samples(part.table, count, huge.data()), ROLLCON_ERR_ARGUMENT);
+  EXPECT_NE(std::string(rollcon_last_error()).find("entry 7 of samples (counting from 0) is 1e+300"), std::string::npos)
+      << rollcon_last_error();
   ASSERT_EQ(rollcon_table_add_samples(part.table, count, samples.data()), ROLLCON_OK);
   ASSERT_EQ(rollcon_table_evaluate(part.table, 1, in, g), ROLLCON_OK);
   ASSERT_EQ(rollcon_table_evaluate(whole.table, 1, in, f), ROLLCON_OK);

@@ -51,6 +51,23 @@ TEST(TimeStep, failed_steps_leave_the_past) {
   EXPECT_EQ(s.contact().stat("steps"), 3);
 }
 
+TEST(TimeStep, the_past_of_other_bodies_is_refused) {
+  KalkerSpheres s(16), stiffer(16);
+  s.scene().set_step(rolling_step, 0.5);
+  ASSERT_EQ(s.contact().solve(), Status::ok);
+  std::vector<double> past(static_cast<std::size_t>(s.contact().save_past(0, nullptr)));
+  const auto size = static_cast<std::int64_t>(past.size());
+  s.contact().save_past(size, past.data());
+  stiffer.pair.body2->set_elastic(1, 5, 0.28);
+  try {
+    stiffer.contact().restore_past(size, past.data());
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.status(), Status::err_argument);
+    EXPECT_NE(std::string(error.what()).find("bodies of other kinds, elastic constants"), std::string::npos) << error.what();
+  }
+}
+
 TEST(TimeStep, repeated_saved_restored_and_copied) {
   KalkerSpheres s(16), copy(16), other(14);
   s.scene().set_step(rolling_step, 0.5);

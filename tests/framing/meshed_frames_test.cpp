@@ -157,6 +157,30 @@ TEST(meshed_frames, faces_that_look_away_are_told) {
   EXPECT_EQ(pair.solve(), ROLLCON_OK) << "the contact stays usable";
 }
 
+// A body that bends out of its plane is told where its mesh does not show that; what was tried on the way is not.
+TEST(meshed_frames, frames_that_are_tried_write_nothing) {
+  surfaces::Ring shape = example1::bem_ring(6);
+  auto pair = example1::pair(shape, ElementType::quad4, "characteristic");
+  std::string log;
+  ASSERT_EQ(rollcon_body_prepare(pair->body(1)), ROLLCON_OK);  // which tells of slender elements
+  ASSERT_EQ(rollcon_context_set_log(
+                pair->context(), ROLLCON_LOG_WARNING,
+                [](std::int32_t, const char* text, void* to) { *static_cast<std::string*>(to) += text; }, &log),
+            ROLLCON_OK);
+  without_frame(*pair, 0.05);
+  for (const double load : {0.05, 1.0, 0.3}) {
+    pair->load(load * example1::load).tangential_force(ROLLCON_LONGITUDINAL, 0.03 * load * example1::load);
+    EXPECT_EQ(pair->solve(), ROLLCON_OK) << rollcon_last_caveat();
+    EXPECT_EQ(log, "");
+  }
+  pair->tangential_force(ROLLCON_LATERAL, 0.07 * example1::load * 0.3);
+  EXPECT_EQ(pair->solve(), ROLLCON_INACCURATE);
+  const std::string caveat = rollcon_last_caveat();
+  EXPECT_NE(caveat.find("a force along its axis y bends it"), std::string::npos) << caveat;
+  EXPECT_NE(log.find("a force along its axis y bends it"), std::string::npos) << log;
+  EXPECT_NE(pair->plan().find("a force along its axis y bends it"), std::string::npos) << pair->plan();
+}
+
 TEST(meshed_frames_long, first_example) {
   auto pair = example1::pair(example1::paper_ring(), ElementType::quad4, "characteristic");
   for (const double accuracy : {0.05, 0.01}) {

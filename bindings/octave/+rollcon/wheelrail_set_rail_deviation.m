@@ -6,7 +6,7 @@ function varargout = wheelrail_set_rail_deviation(varargin)
 %
 %   wheelrail (wheelrail)
 %   deviation(3) (real): along y and z, length; roll, radian, about the point where the gauge is
-%   measured, at the height of the rails' top
+%   measured, at the height of the rails' top, -0.5 to 0.5
 %   rate(3) (real): of these, length/time and 1/time
 %
 % Nodes, elements and rows count from 1. Failures are errors rollcon:ERR_..., caveats are warnings.

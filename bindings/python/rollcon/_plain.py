@@ -812,7 +812,7 @@ class WheelrailPlain:
         irregularities, and rails that give way. Standard: 0.
 
         deviation: along y and z, length; roll, radian, about the point where the gauge is
-          measured, at the height of the rails' top.
+          measured, at the height of the rails' top, -0.5 to 0.5.
         rate: of these, length/time and 1/time.
         """
         deviation, deviation_at = vector(deviation)

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "bodies/model/body_mesh.hpp"
@@ -25,6 +26,10 @@ struct LiftedSurface {
   std::int64_t nodes = 0;              ///< the body's own
   std::vector<std::int64_t> start{0};  ///< midside nodes + 1, into part
   std::vector<Part> part;              ///< body's nodes
+  std::span<const Part> parts_of(std::int32_t midside) const {
+    const std::int64_t* from = start.data() + (midside - nodes);
+    return {part.data() + from[0], part.data() + from[1]};
+  }
 };
 
 /// edge_angle, degrees: beyond it a midside node takes nothing from across an edge. Held faces are parts of their own,

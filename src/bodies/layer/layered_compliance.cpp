@@ -100,6 +100,7 @@ class LayeredCompliance final : public Compliance {
     if (!kernel) return nullptr;
     return std::make_shared<LayeredKernel>(std::move(kernel), flexibility_);
   }
+  void find_meshes(std::array<MeshOnFrame, 2>& found) const override { bodies_->find_meshes(found); }
   std::string description() const override { return bodies_->description(); }
   void set_threads(int threads) override { bodies_->set_threads(threads); }
   std::int64_t kernel_evaluations() const override { return bodies_->kernel_evaluations(); }

@@ -63,6 +63,7 @@ struct BodyMesh {
   std::vector<BoundaryFace> origin;  ///< of each surface element, in the volume
   bool boundary_current = false;
   std::string passed_over;  ///< of the file that it came from: what was not read
+  std::vector<double> thickness;  ///< behind each surface element; 0: see thinness(), which fills it
 
   std::vector<std::uint8_t> held;     ///< per node: bit c is set when displacement component c is given
   std::vector<Vec3> held_value;       ///< per node, in the body's axes

@@ -2,6 +2,8 @@
 /// The one seam between bodies and contact: from nodal tractions on the contact frame to surface displacements of a
 /// body (or of a pair of bodies).
 
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -14,6 +16,7 @@
 
 namespace rollcon {
 
+class SurfaceResponse;
 class TranslationKernel;
 
 /// Points of the contact surface, by their coordinates in the plane of the frame's axes (t1, t2): on a curved frame,
@@ -53,6 +56,15 @@ class BlockBuffer {
   ComplianceBlock block_;
 };
 
+/// What a frame finds of the mesh of a body.
+struct MeshOnFrame {
+  const SurfaceResponse* response = nullptr;  ///< null: the body has no mesh
+  double under_faces = 0;   ///< thickness over the length of faces (square root of the area), mean by area; at most 10
+  double glued = INFINITY;  ///< least thickness over what is held on the other side
+  double element = INFINITY;   ///< least depth of volume elements, half of it if quadratic
+  bool between_nodes = false;  ///< a half-space tells displacements there
+};
+
 class Compliance {
  public:
   virtual ~Compliance() = default;
@@ -82,6 +94,8 @@ class Compliance {
   virtual std::shared_ptr<const TranslationKernel> translation() const { return nullptr; }
   /// The frame's nodes have moved, in its plane. False: has to be made again.
   virtual bool follow_frame() { return false; }
+  /// By body, of those that have a mesh.
+  virtual void find_meshes(std::array<MeshOnFrame, 2>& /*found*/) const {}
   /// One line for the plan: model, how the frame lies on it.
   virtual std::string description() const { return {}; }
   /// OpenMP threads that block and apply may use.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "contact/cases/solve_many.hpp"
+#include "contact/results/doubts.hpp"
 #include "contact/results/sensitivity.hpp"
 #include "contact/solution.hpp"
 
@@ -57,7 +58,7 @@ void SharedFrameSolver::prescribe(std::span<const Parameter> parameter, const do
     else
       s.given.value[m] = v;
   }
-  const bool frictionless = frictionless_ || !(s.given.friction > 0);
+  const bool frictionless = frictionless_ || !(s.given.friction > least_friction);
   if (frictionless && !s.frictionless) {
     for (int c = 0; c < 2; ++c) std::fill(s.iterate.lambda[c].begin(), s.iterate.lambda[c].end(), 0.0);
     s.iterate.invalidate();
@@ -81,7 +82,7 @@ Status SharedFrameSolver::solve(std::span<const Parameter> parameter, const doub
   solve_prepared(s, options_, monitor);
   s.outcome = s.report.outcome;
   warm_ = s.outcome == Outcome::converged;
-  return status_of(s);
+  return with_doubts(s, status_of(s));
 }
 
 void SharedFrameSolver::write(const CaseColumn& column, std::span<const Parameter> parameter, const double* value,

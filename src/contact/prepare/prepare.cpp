@@ -166,6 +166,8 @@ void build_compliance(SolverState& state, const Scene& scene, int threads) {
   on.accuracy = scene.options.accuracy;
   on.compliance.reset();
   on.compliance = make_pair_compliance(on.frame, on.pair, on.accuracy, threads);
+  on.meshes = {};
+  on.compliance->find_meshes(on.meshes);
   for (auto& own : state.body_compliance) own.reset();
   on.problem.stiffness = contact_modulus(on.pair);
   forget_operators(preparation);
@@ -217,6 +219,7 @@ void read_friction(SolverState& state, const Scene& scene) {
   bool frictionless = true;
   for (std::size_t k = 0; k < p.mu.size(); ++k) {
     p.mu[k] = scene.friction(static_cast<std::int64_t>(k), preparation.made->frame.y[k]);
+    if (p.mu[k] < least_friction) p.mu[k] = 0;
     frictionless = frictionless && !(p.mu[k] > 0);
   }
   if (frictionless && !state.frictionless) {
@@ -327,6 +330,10 @@ void prepare(SolverState& state, const Scene& scene, Body& body1, Body& body2, i
   find_offset(state);
   read_friction(state, scene);
   read_gap(state, scene);
+  on.bears = std::min(
+      {on.meshes[0].glued, on.meshes[1].glued, std::abs(body1.revolved_radius()), std::abs(body2.revolved_radius())});
+  if (const auto gap = scene.quadratic_gap())
+    on.bears = std::min(on.bears, 0.5 / std::max({(*gap)[0], (*gap)[1], 1e-300}));
   read_slip(state, scene, poses_of_surfaces(scene, on.pair));
   bind_law(state, scene);
   read_prescribed(state, scene);

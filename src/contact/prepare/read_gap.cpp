@@ -7,6 +7,7 @@
 #include "contact/prepare/preparation.hpp"
 #include "contact/scene/geometry.hpp"
 #include "contact/scene/known_gap.hpp"
+#include "support/error.hpp"
 #include "support/index.hpp"
 
 namespace rollcon {
@@ -79,6 +80,7 @@ void read_gap(SolverState& state, const Scene& scene) {
   if (!known && measured) {
     p.gap = undeformed_gap(on.frame, on.frame_source, on.pair);
     refuse_deep_overlap(on.frame, p.gap, on.pair);
+    if (is_turned(p.gap, on.frame.rim)) fail(Status::err_argument, "%s", exchange_bodies);
   } else if (!known) {
     p.gap.resize(at(p.nodes));
     for (std::size_t k = 0; k < p.gap.size(); ++k)

@@ -39,6 +39,9 @@ inline bool has_motion(Part part, int m) {
   return changes_gap(m) ? has_normal(part) : has_tangential(part);
 }
 
+/// Less is none: squares of its tractions vanish.
+inline constexpr double least_friction = 1e-100;
+
 struct Prescribed {
   std::array<bool, motion_count> by_force{};  ///< motion unknown, conjugate load given
   MotionValues value{};                            ///< load (on body 1) where by force, else motion

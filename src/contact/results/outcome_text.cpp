@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <vector>
+
+#include "contact/results/doubts.hpp"
+#include "contact/scene/geometry.hpp"
 
 namespace rollcon {
 namespace {
@@ -12,22 +14,12 @@ namespace {
 /// Contact at the rim has three causes that the caller can tell apart only by what is said here.
 const char* cause_of_rim_contact(const SolverState& s) {
   const std::vector<double> gap = s.prepared->problem.undeformed_gaps();
-  constexpr double none = std::numeric_limits<double>::infinity();
-  double least_inside = none, most_inside = -none, least_rim = none, most_rim = -none;
-  bool all_around = true;
-  for (std::size_t k = 0; k < gap.size(); ++k) {
-    if (!s.prepared->frame.used[k]) continue;
-    const bool rim = s.prepared->frame.rim[k] != 0;
-    double& least = rim ? least_rim : least_inside;
-    double& most = rim ? most_rim : most_inside;
-    least = std::min(least, gap[k]);
-    most = std::max(most, gap[k]);
-    all_around = all_around && (!rim || s.iterate.lambda[2][k] < 0);
-  }
-  if (least_rim < least_inside && most_inside > most_rim)
+  if (is_turned(gap, s.prepared->frame.rim))
     return "the gap is least at the rim and greatest inside: a gap is positive where the bodies "
-           "are "
-           "apart, has it the wrong sign?";
+           "are apart, has it the wrong sign?";
+  bool all_around = true;
+  for (std::size_t k = 0; k < gap.size(); ++k)
+    all_around = all_around && !(s.prepared->frame.used[k] && s.prepared->frame.rim[k] && s.iterate.lambda[2][k] >= 0);
   if (all_around)
     return "all of the rim is in contact: enlarge the frame, unless its coordinates, the gap, the "
            "loads and Young's modulus are not all in the same units";
@@ -94,6 +86,7 @@ Line describe_outcome(const SolverState& s) {
     case Outcome::converged:
       break;
   }
+  if (const Line deep = describe_too_deep(s); *deep.text) return deep;
   if (const std::int64_t rim = nodes_at_rim(s); rim > 0)
     return line_of("contact reaches the rim of the frame at %lld node(s), approach %.6g: %s",
                    static_cast<long long>(rim), s.given.approach_of(s.iterate.motion, s.prepared->problem.datum),

@@ -8,6 +8,7 @@
 
 #include "contact/estimate/few_nodes.hpp"
 #include "contact/prepare/lattice_scene.hpp"
+#include "contact/results/doubts.hpp"
 #include "contact/results/outcome_text.hpp"
 #include "contact/scene/geometry.hpp"
 #include "contact/solution.hpp"
@@ -122,6 +123,7 @@ void describe_contact(std::string& text, const SolverState& s) {
   const auto touching = std::count_if(normal.begin(), normal.end(), [](double l) { return l < 0; });
   line(text, "contact: %lld node(s) touch, %lld of them with all their neighbours", static_cast<long long>(touching),
        static_cast<long long>(nodes_inside(s)));
+  if (const Line doubt = describe_meshes(s); *doubt.text) text += doubt.str() + '\n';
   if (s.extrapolated)
     text += "results: extrapolated from this frame and one with half its intervals; fields are those of this one\n";
   const ErrorEstimate& e = s.error_estimate;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/estimate/few_nodes.hpp"
+#include "contact/results/doubts.hpp"
 #include "contact/results/outcome_text.hpp"
 #include "contact/solution.hpp"
 #include "support/error.hpp"
@@ -92,6 +93,7 @@ Status status_of(const SolverState& s) {
     case Outcome::converged:
       break;
   }
+  if (*describe_too_deep(s).text) return Status::too_deep;
   if (too_few_nodes(s)) return Status::coarse;
   return nodes_at_rim(s) == 0 ? Status::ok : Status::rim_contact;
 }

@@ -100,6 +100,19 @@ std::vector<double> undeformed_gap(const Frame& frame, const FrameSource& source
   return gap;
 }
 
+bool is_turned(const std::vector<double>& gap, const std::vector<std::uint8_t>& rim) {
+  constexpr double rounding = 1e-9;
+  double least[] = {INFINITY, INFINITY}, most[] = {-INFINITY, -INFINITY};  // inside, at the rim
+  for (std::size_t k = 0; k < gap.size(); ++k) {
+    if (!std::isfinite(gap[k])) continue;
+    const std::size_t at = rim[k] != 0 ? 1 : 0;
+    least[at] = std::min(least[at], gap[k]);
+    most[at] = std::max(most[at], gap[k]);
+  }
+  const double little = rounding * (most[0] - least[0]);
+  return least[1] < least[0] - little && most[0] >= most[1] - little;
+}
+
 InitialOverlap initial_overlap(const Frame& frame, const std::vector<double>& gap) {
   constexpr double rounding = 1e-9;  // over the distance of nodes
   InitialOverlap overlap;

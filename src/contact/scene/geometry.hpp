@@ -25,6 +25,15 @@ std::vector<Vec3> surface_normals(const Frame& frame, const FrameSource& source,
 /// plane through the axes' origin normal to n. Throws err_mesh likewise.
 std::vector<double> undeformed_gap(const Frame& frame, const FrameSource& source, const PairOfBodies& pair);
 
+/// What is told of bodies that lie where their partners should.
+inline constexpr const char* exchange_bodies =
+    "body 1 lies on the side of n, where body 2 should be: exchange the bodies, or turn n, the outward normal of body "
+    "1 "
+    "(rollcon_contact_set_axes)";
+
+/// Whether a gap is least at the frame's rim and nowhere greater there than inside: it has the wrong sign.
+bool is_turned(const std::vector<double>& gap, const std::vector<std::uint8_t>& rim);
+
 /// Frame nodes where the bodies overlap before they approach each other, and the greatest depth.
 struct InitialOverlap {
   std::int64_t nodes = 0;

@@ -1,6 +1,7 @@
 // The ring of the paper's first example, of boundary and of finite elements, under loads on a patch of its outer
 // surface (support/loaded_ring.hpp).
 
+#include "bodies/model/imbalance.hpp"
 #include "support/loaded_ring_body.hpp"
 #include "support/testing.hpp"
 
@@ -88,6 +89,29 @@ INSTANTIATE_TEST_SUITE_P(Ring_long, PatchLoad,
                                            Case{Part::quarter, VolumeType::tet4, {10, 20, 6, 14}, 0.1},
                                            Case{Part::quarter, VolumeType::tet10, {6, 12, 3, 10}, 0.02}),
                          ring_part_name);
+
+// By how much of its work an axial load bends a ring within elements too long for its thickness, beside how far
+// displacements are off; of sound and of coarse meshes. What reactions miss does not follow the error.
+TEST(RingBending_long, what_long_elements_bend_follows_the_error) {
+  if (absent(ElementType::quad4)) GTEST_SKIP() << "not in this build";
+  constexpr double least_told = 0.02;
+  for (const auto& [elements, coarse] : {std::pair{loaded_ring::Quarter{4, 16, 3, 3}, true},
+                                         {{4, 16, 3, 5}, true},
+                                         {{4, 10, 2, 4}, true},
+                                         {{4, 16, 3, 8}, false},
+                                         {{2, 16, 2, 10}, false}}) {
+    StaticBody body = held_ring({Part::whole, ElementType::quad4, elements, 0}, Load::axial, 0.3);
+    double worst = 0;
+    for (const auto& [what, error] : loaded_ring::listed_errors(body, Load::axial, 0.3))
+      worst = std::max(worst, std::abs(error));
+    const Imbalances found = imbalances_of(body.body().response());
+    std::printf("%lld nodes: off by %.3f, bent %.4f, missed %.3f\n", static_cast<long long>(body.mesh().nodes()), worst,
+                found.bent[1], found.along[1]);
+    EXPECT_EQ(worst > 0.05, coarse);
+    EXPECT_EQ(found.bent[1] > least_told, coarse);
+    EXPECT_LT(std::max(found.bent[0], found.bent[2]), least_told);
+  }
+}
 
 // Orders from the root mean square of all listed errors; edges of the patch and of the ring limit those of quadratic
 // elements.
