@@ -11,6 +11,28 @@
 namespace rollcon {
 namespace {
 
+/// Faces that bend away from the plane are folded there between their corners and midside nodes: these go to the middle
+/// of their sides. In a plane.
+void straighten_folded(const Axes& axes, SurfaceMesh& faces) {
+  for (std::int64_t e = 0; e < faces.elements(); ++e) {
+    if (!is_quadratic(faces.type[at(e)])) continue;
+    const auto nodes = faces.element(e);
+    const std::size_t corners = at(corner_count(faces.type[at(e)]));
+    const auto node = [&](std::size_t i) -> Vec3& { return faces.node[at(nodes[i])]; };
+    bool folded = false;
+    for (std::size_t i = 0; i < corners; ++i) {
+      const std::size_t next = (i + 1) % corners, last = (i + corners - 1) % corners;
+      const auto turn = [&](const Vec3& a, const Vec3& b) { return dot(cross(a - node(i), b - node(i)), axes.n); };
+      // Tangents of both sides at their corner.
+      const Vec3 ahead = 4.0 * node(corners + i) - node(next) - 2.0 * node(i),
+                 back = 4.0 * node(corners + last) - node(last) - 2.0 * node(i);
+      constexpr double least = 0.1;  // of what straight sides have
+      folded = folded || !(turn(ahead, back) / turn(node(next), node(last)) > least);
+    }
+    for (std::size_t i = 0; folded && i < corners; ++i) node(corners + i) = 0.5 * (node(i) + node((i + 1) % corners));
+  }
+}
+
 /// The faces that feel the layer as a frame; they look out of body 1.
 Frame frame_of_faces(const Frame& frame, const PairOfBodies& pair, int which, const SurfaceOutline& rows) {
   const SurfaceMesh& surface = pair.body[at(which)]->mesh().surface;
@@ -29,6 +51,7 @@ Frame frame_of_faces(const Frame& frame, const PairOfBodies& pair, int which, co
     for (const std::int32_t k : surface.element(e)) faces.connectivity.push_back(number[at(k)]);
     faces.offset.push_back(static_cast<std::int64_t>(faces.connectivity.size()));
   }
+  straighten_folded(frame.axes, faces);
   if (which == 1) turn_over(faces);
   return build_frame(std::move(faces), frame.axes);
 }

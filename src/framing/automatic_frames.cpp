@@ -329,10 +329,8 @@ class AutomaticFrames final : public FrameMaker {
     std::vector<std::vector<Strip>> patch;
     for (const Outline& outline : shape_.outline) {
       patch.push_back(outline.strips(across, shape_.stretch, shape_.at_body_ends));
-      std::vector<Strip>& strip = patch.back();
-      keep_on_body(strip.front(), strip[1]);
-      keep_on_body(strip.back(), strip[strip.size() - 2]);
-      for (Strip& s : strip) cut_where_body_ends(s);
+      keep_on_body(patch.back());
+      for (Strip& strip : patch.back()) cut_where_body_ends(strip);
     }
     return strips_mesh(scene.axes(), patch, along);
   }
@@ -357,7 +355,8 @@ class AutomaticFrames final : public FrameMaker {
   /// Of a stretched range with one interval more on either side; where a body ends before, it ends there.
   std::int64_t intervals(double& low, double& high, double size, const std::function<double(double)>& gap) const {
     const double more = size + 0.5 * (shape_.stretch - 1) * (high - low), middle = 0.5 * (low + high);
-    const double before = before_end * size;
+    // Ends of tilted bodies are slightly curved.
+    const double before = 1e-4 * size;
     const auto first = end_of_body(gap, middle, low - more), last = end_of_body(gap, middle, high + more);
     low = first ? *first + before : low - more;
     high = last ? *last - before : high + more;
@@ -375,12 +374,23 @@ class AutomaticFrames final : public FrameMaker {
     return inside;
   }
 
-  /// An outermost strip; the end of a tilted body is curved and leaves it in its middle or at its ends.
-  void keep_on_body(Strip& strip, const Strip& next) const {
-    const auto gap = [&](double y) {
-      return std::max({(*gap_)(strip.from, y), (*gap_)(0.5 * (strip.from + strip.to), y), (*gap_)(strip.to, y)});
-    };
-    if (const auto end = end_of_body(gap, next.y, strip.y)) strip.y = *end + before_end * (next.y - *end);
+  /// Outermost strips that leave the body, in their middle or at their ends, are drawn back with those up to the
+  /// middle.
+  void keep_on_body(std::vector<Strip>& strip) const {
+    const std::size_t half = strip.size() / 2;
+    for (const bool upper : {false, true}) {
+      const Strip last = upper ? strip.back() : strip.front();
+      const double inside = strip[half].y;
+      const auto gap = [&](double y) {
+        return std::max({(*gap_)(last.from, y), (*gap_)(0.5 * (last.from + last.to), y), (*gap_)(last.to, y)});
+      };
+      const auto end = end_of_body(gap, inside, last.y);
+      if (!end) continue;
+      constexpr double rounding = 1e-6;
+      const double part = (1 - rounding) * (*end - inside) / (last.y - inside);
+      for (std::size_t i = upper ? half + 1 : 0; i < (upper ? strip.size() : half); ++i)
+        strip[i].y = inside + part * (strip[i].y - inside);
+    }
   }
 
   /// Strips that would end a little before or beyond where a body does end there.
@@ -391,8 +401,6 @@ class AutomaticFrames final : public FrameMaker {
       *end = end_of_body(gap, middle, *end + std::copysign(before, *end - middle)).value_or(*end);
   }
 
-  /// Of an interval, that ends of tilted bodies may be curved by.
-  static constexpr double before_end = 1e-4;
   /// Outlines are too short by up to 3 parts in a thousand. Strips that are too short by 2 % cost 1.5 % of the force,
   /// too long by as much up to 0.2 %.
   static constexpr double usual_stretch = 1.004;

@@ -201,7 +201,7 @@ double Outline::angle_of(double part) const {
          static_cast<double>(passed_.size() - 1);
 }
 
-// Straight line by least squares through the points nearest to the angle.
+// Straight line by least squares through the points nearest to the angle, not far beyond what there is of them.
 double Outline::reach(const Side& side, double angle) const {
   constexpr std::size_t nearest = 9;
   const std::size_t n = side.angle.size();
@@ -225,7 +225,9 @@ double Outline::reach(const Side& side, double angle) const {
   }
   const double determinant = w * wxx - wx * wx;
   const bool line = determinant > 1e-6 * w * w * width * width;
-  return std::max(0.0, line ? (wxx * wy - wx * wxy) / determinant : wy / w);
+  constexpr double least = 0.05, most = 1.25;
+  const double longest = *std::max_element(side.reach.begin(), side.reach.end());
+  return std::max(least * longest, std::min(most * longest, line ? (wxx * wy - wx * wxy) / determinant : wy / w));
 }
 
 double Outline::height_of(double angle, AtBodyEnds at_ends) const {

@@ -37,12 +37,17 @@ void limit_by_thickness(const SurfaceMesh& surface, const std::vector<std::int64
 
 }  // namespace
 
-// Contact faces that look the way of a layer: no walls of the body beside it.
+// Contact faces that look the way of a layer, from corner to corner: no walls of the body beside it.
 std::vector<std::int64_t> System::facing(const Vec3& normal) const {
   constexpr double least_cosine = 0.25;
   std::vector<std::int64_t> face;
-  for (const std::int64_t e : contact_elements(mesh_))
-    if (dot(unit_normal(surface_, e, middle, middle), normal) > least_cosine) face.push_back(e);
+  for (const std::int64_t e : contact_elements(mesh_)) {
+    const auto nodes = surface_.element(e);
+    const auto corner = [&](std::size_t i) { return surface_.node[at(nodes[i])]; };
+    const std::size_t last = at(corner_count(surface_.type[at(e)])) - 1;
+    const Vec3 n = cross(corner(last - 1) - corner(0), corner(last) - corner(last == 3 ? 1 : 0));
+    if (dot(n, normal) > least_cosine * length(n)) face.push_back(e);
+  }
   return face;
 }
 

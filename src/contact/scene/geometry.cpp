@@ -86,14 +86,19 @@ std::vector<double> undeformed_gap(const Frame& frame, const FrameSource& source
     MissedNodes missed(frame, body, pose, b);
     for (std::size_t k = 0; k < gap.size(); ++k) {
       if (!belongs[k]) continue;
-      const Vec3 n = frame.triad(k).n, direction = pose.turn_back(n);
-      const auto met =
-          look_aside(pose.to_body(frame.mesh.node[k]), direction, element_size(frame, k),
-                     [&](const Vec3& from) { return surface.distance(from, direction, outward(b, direction)); });
+      // Beside a body's end the local normal may leave it.
+      const Vec3 local = frame.triad(k).n;
+      std::optional<double> met;
+      for (const Vec3& n : {local, frame.axes.n}) {
+        const Vec3 direction = pose.turn_back(n);
+        if (!met)
+          met = look_aside(pose.to_body(frame.mesh.node[k]), direction, element_size(frame, k),
+                           [&](const Vec3& from) { return surface.distance(from, direction, outward(b, direction)); });
+      }
       if (met)
         gap[k] += sign * *met;
       else
-        missed.add(k, n);
+        missed.add(k, local);
     }
     missed.fail_if_any();
   }
