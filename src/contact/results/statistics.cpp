@@ -79,6 +79,18 @@ double t_gamma(SolverState& s) {
   return -(force[0] * motion[xi1] + force[1] * motion[xi2]);
 }
 
+// Part of the contact's area that came into contact within a step without rolling.
+double step_growth(SolverState& s) {
+  const auto area = [](const PastStep& past) {
+    double sum = 0;
+    for (std::size_t k = 0; past.loaded && past.on && k < past.lambda[2].size(); ++k)
+      if (past.lambda[2][k] < 0) sum += past.on->frame.cell_area[k];
+    return sum;
+  };
+  const double now = area(s.steps.last);
+  return s.prepared->step == StepKind::shift && now > 0 ? std::max(0.0, 1 - area(s.steps.before) / now) : 0;
+}
+
 constexpr Statistic table[] = {
     {"iterations",
      [](SolverState& s) {
@@ -137,6 +149,7 @@ constexpr Statistic table[] = {
     {"step_time", [](SolverState& s) { return s.steps.last.time; }},
     {"steps", [](SolverState& s) { return number(s.steps.last.steps); }},
     {"step_distance", [](SolverState& s) { return s.prepared->distance; }},
+    {"step_growth", step_growth},
     {"step_row_builds", [](SolverState& s) { return number(s.preparation ? s.preparation->carried.made() : 0); }},
     {"max_pressure",
      [](SolverState& s) {
