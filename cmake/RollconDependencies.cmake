@@ -30,10 +30,6 @@ if(ROLLCON_BUILD_OPENMP)
 endif()
 find_package(Threads REQUIRED)
 
-# Headers alone, inside the library alone: the search tree of surfaces is Boost.Geometry's.
-find_package(Boost 1.74 REQUIRED)
-list(APPEND ROLLCON_LICENCES "BSL-1.0 (Boost headers)")
-
 # Libraries a program needs beside a static rollcon, by name: a C or Fortran linker adds no C++
 # runtime, and no OpenMP runtime, by itself.
 set(ROLLCON_RUNTIME ${CMAKE_CXX_IMPLICIT_LINK_LIBRARIES})

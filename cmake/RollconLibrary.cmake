@@ -22,7 +22,7 @@ set_target_properties(rollcon_objects PROPERTIES
   VISIBILITY_INLINES_HIDDEN ON)
 target_include_directories(rollcon_objects PRIVATE
   "${PROJECT_SOURCE_DIR}/src" "${PROJECT_SOURCE_DIR}/include" "${PROJECT_BINARY_DIR}/generated")
-target_link_libraries(rollcon_objects PRIVATE rollcon_flags Boost::headers)
+target_link_libraries(rollcon_objects PRIVATE rollcon_flags)
 target_compile_definitions(rollcon_objects PRIVATE ROLLCON_BUILDING)
 target_compile_options(rollcon_objects PRIVATE
   ${ROLLCON_SANITIZE_OPTIONS} ${ROLLCON_COVERAGE_OPTIONS} ${ROLLCON_FUZZ_OPTIONS})

@@ -13,7 +13,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
 declare -A sets=(
   [build]="g++ gcc gfortran make cmake ninja-build pkg-config
-    libopenblas-dev libsuitesparse-dev libfftw3-dev libboost-dev python3 python3-numpy"
+    libopenblas-dev libsuitesparse-dev libfftw3-dev python3 python3-numpy"
   [demo]="gnuplot-nox"
   # Test libraries; a second compiler with its OpenMP and sanitizer runtimes, format, lint, ABI, memory; an example that
   # runs on several processes; pictures of the Python package, readers of the output files.

@@ -19,7 +19,6 @@ class Rollcon(CMakePackage):
 
     depends_on("cmake@3.25:", type="build")
     depends_on("ninja", type="build")
-    depends_on("boost@1.74:", type="build")
     depends_on("lapack")
     depends_on("suite-sparse", when="+fem")
     depends_on("suite-sparse", when="+umfpack")

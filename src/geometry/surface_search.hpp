@@ -24,8 +24,6 @@ class SurfaceSearch {
   /// Elements to search; empty: all. The mesh must outlive the search. Safe for several threads.
   SurfaceSearch(const SurfaceMesh& mesh, std::span<const std::int64_t> elements);
   ~SurfaceSearch();
-  SurfaceSearch(SurfaceSearch&&) noexcept;
-  SurfaceSearch& operator=(SurfaceSearch&&) noexcept;
 
   /// Intersection with the line from + t * direction (unit) of least |t|, among those whose outward normal has a
   /// component along `facing`, a cosine above 1e-9 (pass the zero vector: any). Points up to 1e-9 of the element's size

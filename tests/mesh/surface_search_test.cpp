@@ -346,11 +346,9 @@ TEST(SurfaceSearch, OnlyTheGivenElements) {
   const SurfaceMesh mesh = surfaces::block(surfaces::brick({4, 4, 4}, {1, 1, 1}), ElementType::quad8);
   const std::vector<std::int64_t> bottom = surfaces::elements_with_tag(mesh, 5);
   ASSERT_EQ(bottom.size(), 16u);
-  SurfaceSearch search(mesh, bottom);
+  const SurfaceSearch search(mesh, bottom);
   expect_error("the bottom alone", met(search, {0.3, 0.4, 0.9}, {0, 0, 1}).distance + 0.9, 1e-15);
   expect_error("nearest on it", search.nearest({0.3, 0.4, 0.9}).distance - 0.9, 1e-15);
-  const SurfaceSearch moved = std::move(search);
-  EXPECT_TRUE(moved.along({0.3, 0.4, 0.9}, {0, 0, 1}, any));
 }
 
 TEST(SurfaceSearch, ThreadsAgree) {
