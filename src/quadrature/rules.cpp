@@ -1,5 +1,6 @@
 #include "quadrature/rules.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -105,6 +106,25 @@ const std::vector<TriangleRule>& symmetric_triangle_rules() {
     return all;
   }();
   return rules;
+}
+
+void fill_rule(bool triangle, int first, int second, NearPoints& points) {
+  points.n = 0;
+  const auto add = [&](double xi, double eta, double w) {
+    points.xi[points.n] = xi;
+    points.eta[points.n] = eta;
+    points.w[points.n++] = w;
+  };
+  if (triangle) {
+    const auto& rules = symmetric_triangle_rules();
+    const auto found = std::find_if(rules.begin(), rules.end() - 1, [&](const auto& r) { return r.degree >= first; });
+    for (std::size_t q = 0; q < found->points.size(); ++q)
+      add(found->points.xi[q], found->points.eta[q], found->points.w[q]);
+    return;
+  }
+  const LineRule &one = line_rule(first), &other = line_rule(second);
+  for (std::size_t i = 0; i < one.x.size(); ++i)
+    for (std::size_t j = 0; j < other.x.size(); ++j) add(one.x[i], other.x[j], one.w[i] * other.w[j]);
 }
 
 }  // namespace rollcon::quadrature

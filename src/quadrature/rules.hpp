@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mesh/quadrature.hpp"
+#include "quadrature/near_points.hpp"
 
 namespace rollcon::quadrature {
 
@@ -20,5 +21,9 @@ struct TriangleRule {
 
 /// Fully symmetric rules with positive weights and inner points, ascending in degree.
 const std::vector<TriangleRule>& symmetric_triangle_rules();
+
+/// On triangles a symmetric rule of at least the degree `first` (the highest there is, if need be), else first x second
+/// Gauss points.
+void fill_rule(bool triangle, int first, int second, NearPoints& points);
 
 }  // namespace rollcon::quadrature

@@ -28,26 +28,6 @@ double power_of_two_near(double size) {
   return size > 0 ? std::exp2(std::round(std::log2(size))) : 1;
 }
 
-void gauss_points(bool triangle, FarRule rule, NearPoints& points) {
-  points.n = 0;
-  const auto add = [&](double xi, double eta, double w) {
-    points.xi[points.n] = xi;
-    points.eta[points.n] = eta;
-    points.w[points.n++] = w;
-  };
-  if (triangle) {
-    const auto& rules = symmetric_triangle_rules();
-    const auto found =
-        std::find_if(rules.begin(), rules.end() - 1, [&](const auto& r) { return r.degree >= rule.first; });
-    for (std::size_t q = 0; q < found->points.size(); ++q)
-      add(found->points.xi[q], found->points.eta[q], found->points.w[q]);
-    return;
-  }
-  const LineRule &first = line_rule(rule.first), &second = line_rule(rule.second);
-  for (std::size_t i = 0; i < first.x.size(); ++i)
-    for (std::size_t j = 0; j < second.x.size(); ++j) add(first.x[i], second.x[j], first.w[i] * second.w[j]);
-}
-
 std::vector<ElementGeometry> geometries(const SurfaceMesh& mesh, double scale) {
   std::vector<ElementGeometry> all;
   for (std::int64_t e = 0; e < mesh.elements(); ++e) all.push_back(element_geometry(mesh, e, scale));
@@ -129,7 +109,7 @@ void SomiglianaSurface::add(const std::vector<LoadedFace>& faces, const Vec3& x,
     const double distance = length(geometry_[e].shape.centre - x);
     const FarRule rule = far_.rule(e, distance, double_layer, factors_);
     if (rule.first > 0) {
-      gauss_points(geometry_[e].corners == 3, rule, w.points);
+      fill_rule(geometry_[e].corners == 3, rule.first, rule.second, w.points);
       kernels.face(faces[e], w.points, x.data(), poisson, linear, sum);
       continue;
     }

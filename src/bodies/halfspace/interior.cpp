@@ -31,21 +31,6 @@ constexpr double near_share = 0.03;
 constexpr std::int64_t points_for_boxes = 100;
 constexpr std::size_t elements_for_boxes = 64;
 
-std::size_t index_of(ElementType type) {
-  switch (type) {
-    case ElementType::tri3:
-      return 0;
-    case ElementType::tri6:
-      return 1;
-    case ElementType::quad4:
-      return 2;
-    case ElementType::quad8:
-      return 3;
-    default:
-      return 4;
-  }
-}
-
 LoadedElement loaded_element(const Frame& frame, std::int64_t number, const double* traction) {
   LoadedElement e;
   e.geometry = plane_geometry(frame, number);
@@ -84,7 +69,7 @@ HalfspaceInterior::HalfspaceInterior(const Frame& frame, const double* traction,
   least_depth_ = 1e-8 * smallest;
   const double error = far_share * accuracy;
   for (const LoadedElement& e : elements_) {
-    std::vector<Rule>& rules = rules_[index_of(e.element.type)][static_cast<std::size_t>(e.geometry.map)];
+    std::vector<Rule>& rules = rules_[at(node_count(e.element.type))][static_cast<std::size_t>(e.geometry.map)];
     if (!rules.empty()) continue;
     const int p = quadrature::direction_degree(e.element.type, e.geometry.map);
     const bool triangle = corner_count(e.element.type) == 3;
@@ -103,7 +88,7 @@ HalfspaceInterior::HalfspaceInterior(const Frame& frame, const double* traction,
 }
 
 const std::vector<HalfspaceInterior::Rule>& HalfspaceInterior::rules(const LoadedElement& e) const {
-  return rules_[index_of(e.element.type)][static_cast<std::size_t>(e.geometry.map)];
+  return rules_[at(node_count(e.element.type))][static_cast<std::size_t>(e.geometry.map)];
 }
 
 void HalfspaceInterior::near(const LoadedElement& e, const InteriorPoint& at, Workspace& w) const {

@@ -45,7 +45,8 @@ class HalfspaceInterior {
   Material material_;
   double largest_ = 0, least_depth_ = 0, accuracy_;
   std::vector<halfspace::LoadedElement> elements_;
-  std::vector<Rule> rules_[5][3];  ///< by element type and kind of map; empty: none of these elements
+  /// By the element's number of nodes and its kind of map; empty: none of these elements.
+  std::vector<Rule> rules_[max_element_nodes + 1][3];
 };
 
 }  // namespace rollcon

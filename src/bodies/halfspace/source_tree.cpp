@@ -90,22 +90,9 @@ void pass(const double* from, int q_from, const Passage& x, const Passage& y, do
 }  // namespace
 
 void plain_rule(ElementType type, int degree, NearPoints& points) {
-  points.n = 0;
-  const auto add = [&](double xi, double eta, double w) {
-    points.xi[points.n] = xi;
-    points.eta[points.n] = eta;
-    points.w[points.n++] = w;
-  };
-  if (corner_count(type) == 3) {
-    const auto& rules = quadrature::symmetric_triangle_rules();
-    const auto rule = std::find_if(rules.begin(), rules.end() - 1, [&](const auto& r) { return r.degree >= degree; });
-    for (std::size_t q = 0; q < rule->points.size(); ++q)
-      add(rule->points.xi[q], rule->points.eta[q], rule->points.w[q]);
-    return;
-  }
-  const LineRule& line = quadrature::line_rule(degree / 2 + 1);
-  for (std::size_t i = 0; i < line.x.size(); ++i)
-    for (std::size_t j = 0; j < line.x.size(); ++j) add(line.x[i], line.x[j], line.w[i] * line.w[j]);
+  const bool triangle = corner_count(type) == 3;
+  const int along = degree / 2 + 1;
+  quadrature::fill_rule(triangle, triangle ? degree : along, along, points);
 }
 
 SourceTree::SourceTree(std::span<const LoadedElement> elements, double error) : elements_(elements) {

@@ -21,12 +21,9 @@ class Coulomb final : public FrictionLaw {
     const double a1 = p.t1 - p.rt * p.s1, a2 = p.t2 - p.rt * p.s2;
     const double length = std::hypot(a1, a2), bound = p.mu * p.pressure;
     if (length < bound) return stick_law();
+    if (!(length > 0)) return law_without_friction();
     TangentialLaw law{};
     law.sliding = true;
-    if (!(length > 0)) {  // no friction at this node: lambda_t = 0
-      law.own[0][0] = law.own[1][1] = 1;
-      return law;
-    }
     const double e1 = a1 / length, e2 = a2 / length;
     const double gamma = bound / length;
     law.direction[0] = e1;
@@ -49,19 +46,10 @@ class Coulomb final : public FrictionLaw {
     return law;
   }
 
-  std::array<std::array<double, 2>, 2> capacity(double mu, double pressure) const override {
-    return {{{mu * pressure, 0}, {0, mu * pressure}}};
-  }
-
   std::array<double, 2> solve(const NodeResponse& response, const FrictionPoint& p) const override {
     const auto& b = response.b;
     return solve_on_disk(response, p.s1 - b[0][0] * p.t1 - b[0][1] * p.t2, p.s2 - b[1][0] * p.t1 - b[1][1] * p.t2,
                          p.mu * p.pressure, {p.t1, p.t2});
-  }
-
-  std::array<double, 2> against(const FrictionPoint& p) const override {
-    const double length = std::hypot(p.t1, p.t2);
-    return {p.t1 / length, p.t2 / length};
   }
 };
 

@@ -11,13 +11,9 @@ class CoulombGiven : public FrictionLaw {
   TangentialLaw linearise(const FrictionPoint& p, bool bound_follows) const override {
     return coulomb().linearise(p, bound_follows);
   }
-  std::array<std::array<double, 2>, 2> capacity(double mu, double pressure) const override {
-    return coulomb().capacity(mu, pressure);
-  }
   std::array<double, 2> solve(const NodeResponse& response, const FrictionPoint& p) const override {
     return coulomb().solve(response, p);
   }
-  std::array<double, 2> against(const FrictionPoint& p) const override { return coulomb().against(p); }
 };
 
 }  // namespace rollcon

@@ -63,12 +63,9 @@ class Falling final : public FrictionLaw {
     const Fall at = ratio(p.falling * speed);
     const double bound = p.mu * at.value * p.pressure;
     if (length < bound) return stick_law();
+    if (!(length > 0)) return law_without_friction();
     TangentialLaw law{};
     law.sliding = true;
-    if (!(length > 0)) {
-      law.own[0][0] = law.own[1][1] = 1;
-      return law;
-    }
     const double e[2] = {a1 / length, a2 / length}, gamma = bound / length;
     const double slope = p.mu * p.pressure * at.slope * p.falling;  // of the bound by the speed
     const double u[2] = {speed > 0 ? p.s1 / speed : 0, speed > 0 ? p.s2 / speed : 0};
@@ -87,10 +84,6 @@ class Falling final : public FrictionLaw {
     }
     if (slope == 0 || speed == 0) law.direction[0] = e[0], law.direction[1] = e[1];
     return law;
-  }
-
-  std::array<std::array<double, 2>, 2> capacity(double mu, double pressure) const override {
-    return {{{mu * pressure, 0}, {0, mu * pressure}}};
   }
 
   // From rest on: the least speed at which the traction that belongs to it leaves that slip.
@@ -114,11 +107,6 @@ class Falling final : public FrictionLaw {
     }
     beyond(high);
     return t;
-  }
-
-  std::array<double, 2> against(const FrictionPoint& p) const override {
-    const double length = std::hypot(p.t1, p.t2);
-    return {p.t1 / length, p.t2 / length};
   }
 
   bool falls() const override { return true; }

@@ -3,6 +3,7 @@
 /// this folder.
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <span>
 #include <string>
@@ -27,6 +28,14 @@ struct TangentialLaw {
 inline TangentialLaw stick_law() {
   TangentialLaw law{};
   law.slip[0][0] = law.slip[1][1] = 1;
+  return law;
+}
+
+/// Where nothing can be carried: lt = 0.
+inline TangentialLaw law_without_friction() {
+  TangentialLaw law{};
+  law.sliding = true;
+  law.own[0][0] = law.own[1][1] = 1;
   return law;
 }
 
@@ -71,12 +80,17 @@ class FrictionLaw {
   virtual TangentialLaw linearise(const FrictionPoint& point, bool bound_follows) const = 0;
   /// Tractions that are admitted under a pressure: the unit disk times this matrix. A motion of the node then takes at
   /// most the power |M^T s|.
-  virtual std::array<std::array<double, 2>, 2> capacity(double mu, double pressure) const = 0;
+  virtual std::array<std::array<double, 2>, 2> capacity(double mu, double pressure) const {
+    return {{{mu * pressure, 0}, {0, mu * pressure}}};
+  }
   /// Tractions that keep the law at one node under the pressure, the slip being linear in them; the point has the
   /// tractions and the slip so far, and needs no scale.
   virtual std::array<double, 2> solve(const NodeResponse& response, const FrictionPoint& point) const = 0;
   /// Against which direction (of unit length) a node slides under the point's traction, which is not zero.
-  virtual std::array<double, 2> against(const FrictionPoint& point) const = 0;
+  virtual std::array<double, 2> against(const FrictionPoint& point) const {
+    const double length = std::hypot(point.t1, point.t2);
+    return {point.t1 / length, point.t2 / length};
+  }
   /// Friction is the same in all directions.
   virtual bool isotropic() const { return true; }
   /// Where coefficients follow the whole solution: they are given while a node is looked at. Null: they do not.

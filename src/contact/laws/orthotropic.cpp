@@ -85,13 +85,6 @@ void set_direction(TangentialLaw& law, const std::array<double, 2>& normal) {
   law.direction[1] = normal[1] / length;
 }
 
-TangentialLaw no_friction() {
-  TangentialLaw law{};
-  law.sliding = true;
-  law.own[0][0] = law.own[1][1] = 1;
-  return law;
-}
-
 class Associated final : public Ellipse {
  public:
   using Ellipse::Ellipse;
@@ -109,7 +102,7 @@ class Associated final : public Ellipse {
     const auto a = augmented(p);
     const double length = std::hypot(a[0], a[1]), bound = p.mu * p.pressure;
     if (length < bound) return stick_law();
-    if (!(length > 0)) return no_friction();
+    if (!(length > 0)) return law_without_friction();
     const double e1 = a[0] / length, e2 = a[1] / length, gamma = bound / length;
     const std::array<double, 2> across = n_.times(-e2, e1);  // N of what is across e; e e^T + it = I
     const std::array<double, 2> by_tau = inverse_.times(-e2, e1);
@@ -174,7 +167,7 @@ class Collinear final : public Ellipse {
     const auto on = tau(a1, a2);
     const double rho = std::hypot(on[0], on[1]), bound = p.mu * p.pressure;
     if (rho < bound) return stick_law();
-    if (!(rho > 0)) return no_friction();
+    if (!(rho > 0)) return law_without_friction();
     const auto g = inverse_.times(on[0] / rho, on[1] / rho);
     const double a[2] = {a1 / rho, a2 / rho}, gamma = bound / rho;
     double by_a[2][2];
@@ -202,11 +195,6 @@ class Collinear final : public Ellipse {
       bound = wanted;
     }
     return t;
-  }
-
-  std::array<double, 2> against(const FrictionPoint& p) const override {
-    const double length = std::hypot(p.t1, p.t2);
-    return {p.t1 / length, p.t2 / length};
   }
 
   std::string description() const override { return describe("against the traction"); }

@@ -69,16 +69,20 @@ std::int64_t FreeSystem::size(Rows rows) const {
   return n;
 }
 
+void FreeSystem::write_across(const double* y, double* x) const {
+  for (std::size_t a = 0; a < na_; ++a) {
+    x[a] = across_[0][a] * y[a];
+    x[na_ + a] = across_[1][a] * y[a];
+  }
+  for (std::size_t k = 0; k < whole_.size(); ++k) x[na_ + static_cast<std::size_t>(whole_[k])] = y[na_ + k];
+}
+
 // Free unknowns y in the order of all unknowns.
 void FreeSystem::write(const double* y, double* x) const {
   const std::size_t na = na_, nw = whole_.size();
   double* const end = x + system_->size();
   if (tangential_) {
-    for (std::size_t a = 0; a < na; ++a) {
-      x[a] = across_[0][a] * y[a];
-      x[na + a] = across_[1][a] * y[a];
-    }
-    for (std::size_t k = 0; k < nw; ++k) x[na + static_cast<std::size_t>(whole_[k])] = y[na + k];
+    write_across(y, x);
     y += na + nw;
     if (normal_)
       for (std::size_t a = 0; a < na; ++a) {
@@ -137,13 +141,9 @@ void FreeSystem::apply(const double* y, double* out) {
 }
 
 void FreeSystem::subtract_from_normal(const double* y, double* out) {
-  const std::size_t na = na_, nw = whole_.size();
+  const std::size_t na = na_;
   double* x = x_.data();
-  for (std::size_t a = 0; a < na; ++a) {
-    x[a] = across_[0][a] * y[a];
-    x[na + a] = across_[1][a] * y[a];
-  }
-  for (std::size_t k = 0; k < nw; ++k) x[na + static_cast<std::size_t>(whole_[k])] = y[na + k];
+  write_across(y, x);
   const int columns = static_cast<int>(2 * na), rows = static_cast<int>(na), one = 1;
   const int stride = static_cast<int>(3 * na);
   const double minus = -1, add = 1;

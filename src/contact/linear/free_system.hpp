@@ -49,6 +49,7 @@ class FreeSystem final : public LinearOperator {
   template <class T>
   void columns(Rows rows, const double* row, T* out) const;
   void write(const double* y, double* x) const;
+  void write_across(const double* y, double* x) const;
   void select(const double* full, double* free) const;
 
   ReducedSystem* system_ = nullptr;
