@@ -3,7 +3,6 @@
 #include "bodies/body_results.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "capi/guard.hpp"
 #include "capi/results.hpp"
@@ -69,14 +68,9 @@ rollcon_status rollcon_body_get_point_stresses(const rollcon_body* body, int64_t
 rollcon_status rollcon_body_get_fields_at(const rollcon_body* body, int64_t nodes, const double* u, int64_t n,
                                           const double* xyz, double* displacement, double* stress) {
   return with_body(__func__, body, [&](const Body& b) {
-    require_count(n, "n");
-    if (n > PTRDIFF_MAX / (6 * int64_t{sizeof(double)}))
-      fail(Status::err_argument, "n is %lld: beyond the address space", static_cast<long long>(n));
+    require_points(n, 6);
     if (n > 0) require_pointer(xyz, "xyz");
-    for (int64_t i = 0; i < 3 * n; ++i)
-      if (!std::isfinite(xyz[i]))
-        fail(Status::err_nonfinite, "coordinate %c of point %lld (counting from 0) is %g", "xyz"[i % 3],
-             static_cast<long long>(i / 3), xyz[i]);
+    require_finite_points(n, xyz, 3, "xyz");
     body_fields_at(b, {nodes, u}, n, xyz, displacement, stress);
     require_finite_fields(n, displacement, stress);
   });

@@ -25,21 +25,6 @@ void require_body_number(int32_t body) {
   if (body != 1 && body != 2) fail(Status::err_argument, "body is %d; allowed: 1, 2", body);
 }
 
-/// Of which the longest array has so many doubles each.
-void require_points(int64_t n, int64_t doubles) {
-  require_count(n, "n");
-  if (n > PTRDIFF_MAX / (doubles * int64_t{sizeof(double)}))
-    fail(Status::err_argument, "n is %lld: beyond the address space", static_cast<long long>(n));
-}
-
-/// names: of the coordinates, a letter each.
-void require_finite_points(int64_t n, const double* x, int64_t coordinates, const char* names) {
-  for (int64_t i = 0; i < coordinates * n; ++i)
-    if (!std::isfinite(x[i]))
-      fail(Status::err_nonfinite, "coordinate %c of point %lld (counting from 0) is %g", names[i % coordinates],
-           static_cast<long long>(i / coordinates), x[i]);
-}
-
 }  // namespace
 
 rollcon_status rollcon_contact_get_size(const rollcon_contact* contact, int64_t* nodes, int64_t* elements) {

@@ -1,6 +1,8 @@
 #pragma once
 /// Copying results out.
 
+#include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <string_view>
 
@@ -38,6 +40,21 @@ inline void copy_text(std::string_view from, std::int64_t capacity, char* text, 
   if (!wants_copy(count, capacity, text, "text", needed, "bytes")) return;
   std::memcpy(text, from.data(), from.size());
   text[from.size()] = '\0';
+}
+
+/// The longest array has so many doubles for each of the points.
+inline void require_points(std::int64_t n, std::int64_t doubles) {
+  require_count(n, "n");
+  if (n > PTRDIFF_MAX / (doubles * std::int64_t{sizeof(double)}))
+    fail(Status::err_argument, "n is %lld: beyond the address space", static_cast<long long>(n));
+}
+
+/// names: of the coordinates, a letter each.
+inline void require_finite_points(std::int64_t n, const double* x, std::int64_t coordinates, const char* names) {
+  for (std::int64_t i = 0; i < coordinates * n; ++i)
+    if (!std::isfinite(x[i]))
+      fail(Status::err_nonfinite, "coordinate %c of point %lld (counting from 0) is %g", names[i % coordinates],
+           static_cast<long long>(i / coordinates), x[i]);
 }
 
 }  // namespace rollcon::capi

@@ -25,18 +25,10 @@ WearLaw law_of(const char* law, int32_t n, const double* parameters) {
   return {law, {parameters, static_cast<std::size_t>(n)}};
 }
 
-void require_points(int64_t points, int64_t least) {
+void require_point_count(int64_t points, int64_t least) {
   if (points < least || points > most_points)
     fail(Status::err_argument, "points is %lld; allowed: %lld to %lld", static_cast<long long>(points),
          static_cast<long long>(least), static_cast<long long>(most_points));
-}
-
-void require_list(int64_t n, const double* value, const char* name) {
-  require_pointer(value, name);
-  for (int64_t i = 0; i < n; ++i)
-    if (!std::isfinite(value[i]))
-      fail(Status::err_nonfinite, "entry %lld of %s (counting from 0) is %g", static_cast<long long>(i), name,
-           value[i]);
 }
 
 }  // namespace
@@ -46,7 +38,7 @@ rollcon_status rollcon_contact_get_wear(const rollcon_contact* contact, const ch
                                         double* volume) {
   return with_contact(__func__, contact, [&](const Contact& c) {
     const WearLaw taken = law_of(law, n, parameters);
-    require_points(points, 2);
+    require_point_count(points, 2);
     require_list(points, y, "y");
     for (int64_t j = 1; j < points; ++j)
       if (!(y[j] > y[j - 1]))
@@ -89,7 +81,7 @@ rollcon_status rollcon_wheelrail_find_wear(rollcon_wheelrail* wheelrail, int64_t
         fail(Status::err_argument, "entry %lld of weights (counting from 0) is %g; allowed: 0 or more",
              static_cast<long long>(i), weights[i]);
     const WearLaw taken = law_of(law, n, parameters);
-    require_points(points, 2);
+    require_point_count(points, 2);
     constexpr int64_t together = 20'000'000;
     if (points > together / n_cases)
       fail(Status::err_argument, "n_cases is %lld and points is %lld; allowed: a product up to %lld",
@@ -101,7 +93,7 @@ rollcon_status rollcon_wheelrail_find_wear(rollcon_wheelrail* wheelrail, int64_t
 rollcon_status rollcon_wear_profile(int64_t points, const double* yz, const double* rate, int32_t side, double distance,
                                     double most_depth, double smoothing, double* worn, double* taken) {
   return guarded(__func__, nullptr, [&] {
-    require_points(points, 2);
+    require_point_count(points, 2);
     require_list(2 * points, yz, "yz");
     require_list(points, rate, "rate");
     if (side != 1 && side != -1)

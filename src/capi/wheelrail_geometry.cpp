@@ -1,7 +1,5 @@
 /// Wheelsets on rails, both sides together.
 
-#include <cmath>
-
 #include "capi/guard.hpp"
 #include "support/input_checks.hpp"
 #include "wheelrail/wheelset_geometry.hpp"
@@ -31,11 +29,7 @@ template <class F>
 void for_each_entry(std::int64_t n, const double* value, const char* name, F&& f) {
   require_count(n, "n");
   if (n == 0) return;
-  require_pointer(value, name);
-  for (std::int64_t i = 0; i < n; ++i)
-    if (!std::isfinite(value[i]))
-      fail(Status::err_nonfinite, "entry %lld of %s (counting from 0) is %g", static_cast<long long>(i), name,
-           value[i]);
+  require_list(n, value, name);
   for (std::int64_t i = 0; i < n; ++i) {
     try {
       f(i);

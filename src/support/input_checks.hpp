@@ -32,6 +32,15 @@ inline void require_finite(std::int64_t n, int components, const double* value, 
   }
 }
 
+/// For a list of n numbers.
+inline void require_list(std::int64_t n, const double* value, const char* name) {
+  require_pointer(value, name);
+  for (std::int64_t i = 0; i < n; ++i)
+    if (!std::isfinite(value[i]))
+      fail(Status::err_nonfinite, "entry %lld of %s (counting from 0) is %g", static_cast<long long>(i), name,
+           value[i]);
+}
+
 /// For n results with `components` values each, before they go out: none is success that is no number.
 inline void require_finite_results(std::int64_t n, int components, const double* value, const char* name) {
   for (std::int64_t k = 0; k < n * components; ++k)
