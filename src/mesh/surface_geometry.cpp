@@ -96,12 +96,6 @@ double cone_volume(const SurfaceMesh& mesh, std::int64_t element, const Vec3& ap
   return volume / 3;
 }
 
-double surface_area(const SurfaceMesh& mesh) {
-  double area = 0;
-  for (std::int64_t e = 0; e < mesh.elements(); ++e) area += element_area(mesh, e);
-  return area;
-}
-
 double enclosed_volume(const SurfaceMesh& mesh) {
   if (mesh.elements() == 0) return 0;
   const Vec3 apex = position(mesh, mesh.element(0)[0]);

@@ -32,7 +32,6 @@ double element_area(const SurfaceMesh& mesh, std::int64_t element);
 /// Signed volume of the cone from the apex to the element, positive when its normal looks away from the apex. Exact for
 /// the mesh's own polynomial geometry.
 double cone_volume(const SurfaceMesh& mesh, std::int64_t element, const Vec3& apex);
-double surface_area(const SurfaceMesh& mesh);
 /// The volume that a closed surface encloses: cones from a point near it. Negative when the normals look inwards.
 double enclosed_volume(const SurfaceMesh& mesh);
 /// Longest distance between two corners of the element.

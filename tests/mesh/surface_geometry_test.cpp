@@ -13,6 +13,12 @@ using std::numbers::pi;
 using surfaces::all_types;
 using surfaces::name_of;
 
+double surface_area(const SurfaceMesh& mesh) {
+  double area = 0;
+  for (std::int64_t e = 0; e < mesh.elements(); ++e) area += element_area(mesh, e);
+  return area;
+}
+
 TEST(SurfaceGeometry, BrickHasItsAreaAndVolumeWhereverItStands) {
   for (ElementType type : all_types) {
     SurfaceMesh mesh = surfaces::block(surfaces::brick({2, 3, 4}, {1, 2, 3}), type);
