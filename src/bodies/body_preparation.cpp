@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <new>
 #include <utility>
 
 #include "bodies/body_model.hpp"
@@ -106,8 +107,13 @@ void prepare_model(BodyModel& model, int threads, const EquationSource& from) {
   require_supports(mesh);
   model.thin = thinness(mesh, traits.thin_linear, traits.thin_quadratic);
   if (traits.volume) choose_contact_material(model);
-  model.response = from.unlike_loads ? make_load_case(from.unlike_loads, mesh, threads)
-                                     : traits.make_response(model, threads, from.saved);
+  try {
+    model.response = from.unlike_loads ? make_load_case(from.unlike_loads, mesh, threads)
+                                       : traits.make_response(model, threads, from.saved);
+  } catch (const std::bad_alloc&) {
+    fail(Status::err_memory, "%s; the body has %lld nodes", out_of_memory_text(),
+         static_cast<long long>(mesh.surface.nodes()));
+  }
 }
 
 }  // namespace rollcon

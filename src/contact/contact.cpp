@@ -1,7 +1,9 @@
 #include "contact/contact.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <new>
 #include <string>
 
 #include "contact/cases/case_solver.hpp"
@@ -151,7 +153,7 @@ std::unique_ptr<Contact> Contact::make_twin() const {
 }
 
 std::size_t Contact::bytes() const {
-  return state_->prepared ? state_->bytes() : 0;
+  return state_->prepared && state_->prepared->problem.op ? state_->bytes() : 0;
 }
 
 std::unique_ptr<Contact> Contact::make_half_space(double modulus) const {
@@ -267,6 +269,11 @@ Status Contact::solve_on_frame() {
     clear_state();
     context_->log(LogLevel::info, "cancelled during preparation");
     return Status::cancelled;
+  } catch (const std::bad_alloc&) {
+    const double held = 1e-9 * static_cast<double>(bytes());
+    clear_state();
+    fail(Status::err_memory, "%s; the solve on a frame of %lld nodes held %.3g GB", out_of_memory_text(),
+         static_cast<long long>(nodes()), held);
   } catch (...) {
     // Whatever was half built when memory ran out or a callback threw must not be taken for whole. A refused load
     // leaves everything but the solution intact.

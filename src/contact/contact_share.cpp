@@ -26,17 +26,14 @@ std::optional<FrictionShare> Contact::frictionless_share() {
   SolverState& s = *state_;
   const double start = now_seconds();
   forget_solution(s);
-  s.settled = false;
+  {
+    const HostInterrupt interrupt(progress_, progress_user_, *cancel_);
+    prepare_or_clear();
+  }
+  s.revision_solved = scene.revision;
+  refuse_overflow(s);
   try {
     const BlasThreads blas(blas_threads());
-    {
-      const HostInterrupt interrupt(progress_, progress_user_, *cancel_);
-      prepare(s, scene, *body1_, *body2_, context_->threads());
-    }
-    s.revision_solved = scene.revision;
-    s.settled = true;
-    refuse_overflow(s);
-    s.settled = false;
     std::optional<FrictionShare> share;
     Quiet monitor(*cancel_);
     if (s.procedure.standard() && !s.frictionless) {
@@ -45,10 +42,9 @@ std::optional<FrictionShare> Contact::frictionless_share() {
                                          scene.options.max_iterations, monitor);
     }
     s.ahead = {true, s.work_before, s.assemblies_before, s.timings, now_seconds() - start};
-    s.settled = true;
     return share;
   } catch (...) {
-    if (!s.settled) clear_state();
+    clear_state();
     throw;
   }
 }

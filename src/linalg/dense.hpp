@@ -8,12 +8,21 @@
 #include <utility>
 #include <vector>
 
+#include "support/memory_limit.hpp"
+
 namespace rollcon {
 
 /// Leaves entries that nobody gave a value as the memory has them: the system gives large blocks no memory before they
-/// are written.
+/// are written. Blocks that cannot be had are told by their size.
 template <class T>
 struct UntouchedAllocator : std::allocator<T> {
+  T* allocate(std::size_t n) {
+    try {
+      return std::allocator<T>::allocate(n);
+    } catch (const std::bad_alloc&) {
+      refuse_matrix(static_cast<double>(n) * sizeof(T));
+    }
+  }
   template <class U>
   struct rebind {
     using other = UntouchedAllocator<U>;

@@ -53,6 +53,9 @@ Status worse(Status a, Status b);
 /// Throws Error; the message is formatted as by printf and holds whatever length is needed.
 [[noreturn]] void fail(Status status, const char* format, ...) __attribute__((format(printf, 2, 3)));
 
+/// Of an allocation that failed: "out of memory: this machine has free 1 GB"; the thread's own text.
+const char* out_of_memory_text() noexcept;
+
 /// From a catch block: tell(status, text) of the exception in flight.
 template <class Tell>
 auto tell_exception(const Tell& tell) {
@@ -61,7 +64,7 @@ auto tell_exception(const Tell& tell) {
   } catch (const Error& error) {
     return tell(error.status(), error.what());
   } catch (const std::bad_alloc&) {
-    return tell(Status::err_memory, "out of memory");
+    return tell(Status::err_memory, out_of_memory_text());
   } catch (const std::exception& error) {
     return tell(Status::err_internal, error.what());
   } catch (...) {

@@ -136,6 +136,25 @@ MemoryLimit allocation_limit(const MemorySources& sources) {
   return least;
 }
 
+const char* out_of_memory_text() noexcept {
+  thread_local char text[128];
+  std::snprintf(text, sizeof text, "out of memory");
+  try {
+    const MemorySources sources = memory_sources();
+    MemoryLimit least = memory_limit(sources);
+    if (const MemoryLimit allocation = allocation_limit(sources); allocation.bytes < least.bytes) least = allocation;
+    std::snprintf(text, sizeof text, "out of memory: %s %.3g GB", least.what, 1e-9 * least.bytes);
+  } catch (...) {
+    // There is none to look with.
+  }
+  return text;
+}
+
+void refuse_matrix(double bytes) {
+  fail(Status::err_memory, "%s; a matrix needs %.3g GB: take a coarser frame or mesh", out_of_memory_text(),
+       1e-9 * bytes);
+}
+
 void require_memory(const MemoryNeed& need, const char* remedy, const char* subject, ...) {
   const double most = std::max(need.allocated, need.written);
   if (most < small_need) return;

@@ -40,9 +40,6 @@ struct Team {
       if (!failure) failure = std::current_exception();
     }
   }
-  void run(int thread) noexcept {
-    attempt([&] { work(data, thread); });
-  }
   /// The host hears that the others work, and may stop them.
   void wait() {
     Interrupt* host = Interrupt::current();
@@ -65,7 +62,7 @@ void* start(void* member) {
   const QuietFloatingPoint quiet;
   const auto& m = *static_cast<const Member*>(member);
   inside = true;
-  m.team->run(m.number);
+  m.team->attempt([&] { m.team->work(m.team->data, m.number); });
   const std::lock_guard lock(m.team->mutex);
   --m.team->others;
   m.team->ended.notify_one();
@@ -123,7 +120,7 @@ void run_threads(int threads, void (*work)(void*, int), void* data) {
     }
   }
   const bool before = std::exchange(inside, inside || !member.empty());
-  team.run(0);
+  team.attempt([&] { work(data, 0); });
   inside = before;
   team.wait();
   for (const Member& m : member) pthread_join(m.handle, nullptr);

@@ -52,6 +52,36 @@ class state : public wheels {
 
 }  // namespace
 
+TEST_F(state, derivatives_are_those_of_the_state_gone_back_to) {
+  const auto w = make();
+  w->prescribe_vertical(2, 10000);
+  const auto derivatives = [&] {
+    std::array<double, 24> d{};
+    for (std::int32_t i = 1; i < 5; ++i) {
+      const WheelRail::Derivative of = w->derivative(i);
+      std::copy(of.force.begin(), of.force.end(), d.begin() + 6 * (i - 1));
+      std::copy(of.moment.begin(), of.moment.end(), d.begin() + 6 * (i - 1) + 3);
+    }
+    return d;
+  };
+  step(*w, 1);
+  w->save(0);
+  const auto right = derivatives();
+  step(*w, 3);
+  const auto elsewhere = derivatives();
+  w->restore(0);
+  const auto here = derivatives();
+  double off = 0, most = 0, other = 0;
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    most = std::max(most, std::abs(right[i]));
+    off = std::max(off, std::abs(here[i] - right[i]));
+    other = std::max(other, std::abs(elsewhere[i] - right[i]));
+  }
+  std::printf("gone back to: off by %.1e of the largest (bound 1e-6); elsewhere by %.1e\n", off / most, other / most);
+  EXPECT_LT(off, 1e-6 * most);
+  EXPECT_GT(other, 1e-3 * most);
+}
+
 TEST_F(state, a_rejected_step_leaves_no_trace) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> anywhere(-1, 6.5);

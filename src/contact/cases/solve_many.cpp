@@ -36,14 +36,11 @@ std::vector<std::int64_t> priority(std::span<const Parameter> parameter) {
 
 class ManyCases final : public Interrupt {
  public:
-  ManyCases(const CaseList& list, const CaseResults& results, std::atomic<bool>& cancel, ProgressFunction function,
-            void* user)
+  ManyCases(const CaseList& list, const CaseResults& results, const CaseHost& host)
       : list_(list),
         results_(results),
+        host_(host),
         order_(order_cases(list.cases, parameters(), list.value, priority(list.parameter))),
-        cancel_(cancel),
-        function_(function),
-        user_(user),
         batch_(list.cases) {
     for (const CaseColumn& c : results.column) width_ += c.width;
     for (const std::int64_t i : order_.solved) forget_results(i);
@@ -52,8 +49,8 @@ class ManyCases final : public Interrupt {
   /// Solves the chains; returns what all solvers held. Rethrows what a progress callback threw.
   std::size_t run(const std::function<std::unique_ptr<CaseSolver>()>& make, int threads);
   /// Copies to the repeated cases, and says what the call returns.
-  Status finish(const Context& context);
-  bool wanted() const override { return cancel_.load(); }
+  Status finish();
+  bool wanted() const override { return host_.cancel.load(); }
 
  private:
   void tell() override { tell(Phase::cases, solved_.load(), 0); }
@@ -83,11 +80,9 @@ class ManyCases final : public Interrupt {
 
   const CaseList& list_;
   const CaseResults& results_;
+  const CaseHost& host_;
   std::int64_t width_ = 0;  ///< numbers in a row
   const CaseOrder order_;
-  std::atomic<bool>& cancel_;
-  ProgressFunction function_;
-  void* user_;
   const double start_ = now_seconds();
   Batch batch_;
   std::atomic<std::int64_t> solved_{0};
@@ -99,17 +94,17 @@ void ManyCases::forget_results(std::int64_t i) {
 }
 
 void ManyCases::tell(Phase phase, std::int64_t iteration, double residual) {
-  if (!function_ || thrown_) return;
+  if (!host_.progress || thrown_) return;
   Event event;
   event.phase = static_cast<std::int32_t>(phase);
   event.iteration = iteration;
   event.residual = residual;
   event.seconds = now_seconds() - start_;
   try {
-    if (function_(event, user_) != 0) cancel_.store(true);
+    if (host_.progress(event, host_.user) != 0) host_.cancel.store(true);
   } catch (...) {
     thrown_ = std::current_exception();
-    cancel_.store(true);
+    host_.cancel.store(true);
   }
 }
 
@@ -154,13 +149,13 @@ std::size_t ManyCases::run(const std::function<std::unique_ptr<CaseSolver>()>& m
   return bytes;
 }
 
-Status ManyCases::finish(const Context& context) {
+Status ManyCases::finish() {
   for (std::int64_t i = 0; i < list_.cases; ++i) {
     const std::int64_t from = order_.solved_as[at(i)];
     batch_.repeat(i, from);
     if (from != i && width_ > 0) std::copy_n(row(from), width_, row(i));
   }
-  return batch_.finish(context, "case", results_.status);
+  return batch_.finish(host_.context, "case", results_.status);
 }
 
 }  // namespace
@@ -168,18 +163,18 @@ Status ManyCases::finish(const Context& context) {
 Status solve_cases(const std::function<std::unique_ptr<CaseSolver>()>& make, int threads, const CaseList& cases,
                    const CaseResults& results, const CaseHost& host, std::size_t& bytes) {
   const double start = now_seconds();
-  ManyCases many(cases, results, host.cancel, host.progress, host.user);
+  ManyCases many(cases, results, host);
   {
     const BlasThreads blas(1);
     bytes = many.run(make, threads);
   }
-  const Status status = many.finish(host.context);
+  const Status status = many.finish();
   host.context.log(LogLevel::info, "%lld cases, %.3f s", static_cast<long long>(cases.cases), now_seconds() - start);
   return status;
 }
 
 void cancel_cases(const CaseList& cases, const CaseResults& results, const CaseHost& host) {
-  ManyCases(cases, results, host.cancel, host.progress, host.user).finish(host.context);
+  ManyCases(cases, results, host).finish();
 }
 
 }  // namespace rollcon
