@@ -113,7 +113,7 @@ void Contact::restore_past(std::int64_t count, const double* from) {
   PastStep& last = s.steps.last;
   last.loaded = from[5] != 0;
   last.time = from[6];
-  last.steps = static_cast<std::int64_t>(from[7]);
+  last.steps = to_index(from[7]);
   std::copy_n(from + 8, 4, last.motion.begin());
   last.motion[approach] -= s.prepared->problem.datum;
   for (std::size_t c = 0; c < 3; ++c) last.lambda[c].assign(from + header + c * n, from + header + (c + 1) * n);

@@ -65,7 +65,7 @@ Cell cell(double x, double least, double spacing, std::int64_t points) {
   const double place = (x - least) / spacing, last = static_cast<double>(points - 1);
   if (!(place >= -rounding && place <= last + rounding)) return {};
   const double first = std::clamp(std::floor(place), 0.0, last - 1);
-  return {static_cast<std::int64_t>(first), std::clamp(place - first, 0.0, 1.0)};
+  return {to_index(first), std::clamp(place - first, 0.0, 1.0)};
 }
 
 }  // namespace

@@ -102,8 +102,8 @@ bool Search::number_nodes() {
   if (static_cast<double>(used) < least_lattice_fill * count[0] * count[1])
     return refuse("its nodes fill %.3g of a grid of cells like the first one, which is less than %g",
                   static_cast<double>(used) / (count[0] * count[1]), least_lattice_fill);
-  lattice_.nx = static_cast<std::int64_t>(count[0]);
-  lattice_.ny = static_cast<std::int64_t>(count[1]);
+  lattice_.nx = to_index(count[0]);
+  lattice_.ny = to_index(count[1]);
   i_.assign(n, -1);
   j_.assign(n, -1);
   for (std::size_t k = 0; k < n; ++k) {

@@ -240,7 +240,7 @@ void solve_samples(const TableGrid& grid, std::int64_t part, std::int64_t parts,
 
 StripsSize frame_of(const TableGrid& grid, double ratio) {
   const auto part = [](std::int64_t n, double factor, double least, double most) {
-    return static_cast<std::int64_t>(std::lround(static_cast<double>(n) * std::clamp(factor, least, most)));
+    return to_index(std::round(static_cast<double>(n) * std::clamp(factor, least, most)));
   };
   return {part(grid.along, std::pow(ratio, 0.2), 0.5, 1.35), part(grid.across, std::pow(ratio, -0.35), 0.8, 2.2)};
 }

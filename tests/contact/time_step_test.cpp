@@ -176,7 +176,13 @@ TEST(TimeStep, steps_that_overflow_are_refused) {
     spheres.scene().set_creep(1e-3, 0, 0);
     spheres.contact().solve();
     spheres.scene().set_step(rolling_step, dt);
-    EXPECT_THROW(spheres.contact().solve(), Error) << dt;
+    try {
+      spheres.contact().solve();
+      ADD_FAILURE() << dt;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.status(), Status::err_argument);
+      EXPECT_NE(std::string(error.what()).find("V dt = "), std::string::npos) << error.what();
+    }
     spheres.scene().set_step(rolling_step, 1);
     EXPECT_EQ(spheres.contact().solve(), Status::ok) << dt;
   }

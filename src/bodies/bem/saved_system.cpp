@@ -20,8 +20,7 @@ std::uint64_t System::numbering() const {
   // By places on elements to six digits: positions differ in the last bit between compilers.
   for (const CollocationPoint& point : unknowns_.point) {
     add(std::array{point.node, point.element});
-    add(std::array{static_cast<std::int64_t>(std::llround(1e6 * point.xi)),
-                   static_cast<std::int64_t>(std::llround(1e6 * point.eta))});
+    add(std::array{to_index(std::round(1e6 * point.xi)), to_index(std::round(1e6 * point.eta))});
   }
   return sum.value();
 }

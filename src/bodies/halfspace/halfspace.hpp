@@ -26,8 +26,8 @@ struct HalfspaceConstants {
 /// Constants of one body. sign = +1 for body 1, -1 for body 2.
 HalfspaceConstants halfspace_constants(double young, double poisson, int sign);
 
-/// tolerance: relative accuracy of each integral against the largest entry of its row; threads: OpenMP threads used by
-/// block and apply. The frame must outlive the compliance.
+/// tolerance: relative accuracy of each integral against the largest entry of its row; threads: those of block and
+/// apply. The frame must outlive the compliance.
 std::unique_ptr<Compliance> make_halfspace_compliance(const Frame& frame, HalfspaceConstants c, double tolerance,
                                                       int threads);
 

@@ -98,7 +98,7 @@ void plain_rule(ElementType type, int degree, NearPoints& points) {
 SourceTree::SourceTree(std::span<const LoadedElement> elements, double error) : elements_(elements) {
   const double digits = std::log(box_constant / error);
   const double nearest = nearest_axis + std::sqrt(nearest_axis * nearest_axis - 1);
-  const int most = std::clamp(static_cast<int>(std::ceil(digits / std::log(nearest))), 6, most_line);
+  const int most = static_cast<int>(to_index(std::clamp(std::ceil(digits / std::log(nearest)), 6.0, 1.0 * most_line)));
   for (int g = 0; g < grids; ++g) {
     q_[g] = std::max(3, most * (g + 2) / (grids + 1));
     padded_[g] = padded(q_[g] * q_[g]);

@@ -98,7 +98,7 @@ class Compliance {
   virtual void find_meshes(std::array<MeshOnFrame, 2>& /*found*/) const {}
   /// One line for the plan: model, how the frame lies on it.
   virtual std::string description() const { return {}; }
-  /// OpenMP threads that block and apply may use.
+  /// Threads that block and apply may use.
   virtual void set_threads(int threads) = 0;
   /// Kernel evaluations (point times quadrature point) since construction; for statistics.
   virtual std::int64_t kernel_evaluations() const = 0;

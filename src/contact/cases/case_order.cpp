@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "support/index.hpp"
+
 namespace rollcon {
 namespace {
 
@@ -30,8 +32,8 @@ class Walk {
     for (std::size_t i = 1; i < part.size(); ++i) values += differs(part[i - 1], part[i], depth);
     const bool table = 2 * values <= part.size();
     const auto left = static_cast<double>(priority_.size() - depth);
-    const auto strips =
-        static_cast<std::size_t>(std::max(1.0, std::round(std::pow(static_cast<double>(part.size()), 1 / left))));
+    const std::size_t strips =
+        rollcon::at(to_index(std::max(1.0, std::round(std::pow(static_cast<double>(part.size()), 1 / left)))));
     const std::size_t strip = (part.size() + strips - 1) / strips;
     for (std::size_t first = 0; first < part.size();) {
       std::size_t end = std::min(part.size(), first + (table ? 1 : strip));

@@ -1,6 +1,7 @@
 #include "contact/prepare/rigid_slip.hpp"
 
 #include "contact/prepare/between_surfaces.hpp"
+#include "support/error.hpp"
 #include "support/index.hpp"
 
 namespace rollcon {
@@ -77,8 +78,14 @@ void take_step(Preparation& preparation, const Scene& scene) {
     return;
   }
   on.speed = 1 / scene.step_time();
-  if (on.step == StepKind::rolling)
-    p.motion_scale = on.distance = scene.speed(preparation.origin_between) * scene.step_time();
+  if (on.step == StepKind::rolling) {
+    const double speed = scene.speed(preparation.origin_between), dt = scene.step_time();
+    p.motion_scale = on.distance = speed * dt;
+    if (constexpr double most = 1e12; !(on.distance <= most * p.length))
+      fail(Status::err_argument,
+           "a step rolls by V dt = %g (V %g, dt %g), %g times the frame's size; allowed: up to %g (units?)",
+           on.distance, speed, dt, on.distance / p.length, most);
+  }
   if (!preparation.points.enter(preparation.convection.version(), preparation.place.version(), on.distance)) return;
   for (std::size_t k = 0; k < on.frame.x.size(); ++k) {
     p.convection.slip_x[k] = on.frame.x[k] + upstream(on, k) / 2;
