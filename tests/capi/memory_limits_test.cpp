@@ -111,32 +111,6 @@ TEST_F(MemoryLimits, the_monolithic_system_of_a_large_frame_is_refused) {
   });
 }
 
-TEST_F(MemoryLimits, matrices_that_do_not_fit_are_told_by_their_size) {
-  in_child(450e6, [&] {
-    take_frame(40);
-    ASSERT_OK(rollcon_contact_set_str(contact, "operators", "dense"));
-    // Newton's matrix of three unknowns for each node in contact, beside operators of 0.2 GB.
-    EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_ERR_MEMORY);
-    for (const char* words : {"out of memory: the limit on address space leaves this process 0.", "a matrix needs 0."})
-      EXPECT_NE(error().find(words), std::string::npos) << error();
-    expect_usable();
-  });
-}
-
-// OpenBLAS asks for its buffer for ever if it cannot have it: what is left must not be taken by others before.
-TEST_F(MemoryLimits, a_solve_ends_whatever_is_left) {
-  for (const double bytes : {100e6, 250e6, 350e6})
-    in_child(bytes, [&] {
-      alarm(120);
-      take_frame(36);
-      ASSERT_OK(rollcon_contact_set_str(contact, "operators", "dense"));
-      const std::int32_t status = rollcon_contact_solve(contact);
-      EXPECT_TRUE(status >= 0 || status == ROLLCON_ERR_MEMORY) << status;
-      std::printf("%.0f MB: %s\n", 1e-6 * bytes, status < 0 ? error().c_str() : "solved");
-      if (bytes > 200e6) expect_usable();
-    });
-}
-
 TEST_F(MemoryLimits, a_large_boundary_element_body_is_refused) {
   in_child(250e6, [&] {
     cube = CubeSurface(22);
