@@ -79,7 +79,9 @@ void clip(SearchGrid& lattice, const Rectangle& bounds) {
 // Bodies that lie where their partners should have gaps that fall from within to the ends of the bodies.
 void refuse_exchanged(const std::vector<double>& gap, std::size_t n) {
   std::vector<std::uint8_t> rim(n * n, 0);
-  for (std::size_t k = 0; k < n; ++k) rim[k] = rim[n * n - 1 - k] = rim[k * n] = rim[k * n + n - 1] = 1;
+  for (std::size_t k = 0; k < rim.size(); ++k)
+    rim[k] = k < n || k + n >= n * n || k % n == 0 || k % n == n - 1 ||
+             !std::isfinite(gap[k - 1] + gap[k + 1] + gap[k - n] + gap[k + n]);
   if (is_turned(gap, rim)) fail(Status::err_argument, "%s", exchange_bodies);
 }
 

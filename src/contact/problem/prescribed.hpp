@@ -8,19 +8,10 @@
 #include <span>
 #include <vector>
 
+#include "contact/scene/enumerators.hpp"
+
 namespace rollcon {
 
-/// Indices of motions and of their conjugate loads: creepages, approach and spin, and rotations of body 1 about t1 and
-/// t2 through the origin, whose loads are moments on it.
-enum Motion : int { xi1 = 0, xi2 = 1, approach = 2, spin = 3, tilt1 = 4, tilt2 = 5 };
-constexpr std::size_t motion_count = 6;
-using MotionValues = std::array<double, motion_count>;
-/// Of a number of Direction or Parameter, which has that of friction between spin and tilts.
-template <class Number>
-constexpr std::size_t motion_of(Number number) {
-  const auto n = static_cast<std::size_t>(number);
-  return n > 5 ? n - 2 : n - 1;
-}
 constexpr bool changes_gap(int m) {
   return m == approach || m >= tilt1;
 }
@@ -44,7 +35,7 @@ inline constexpr double least_friction = 1e-100;
 
 struct Prescribed {
   std::array<bool, motion_count> by_force{};  ///< motion unknown, conjugate load given
-  MotionValues value{};                            ///< load (on body 1) where by force, else motion
+  MotionValues value{};                       ///< load (on body 1) where by force, else motion
   double full_approach = 0;                   ///< one that is prescribed, from no approach on, as it was given
   double friction = 1;                        ///< factor on the nodes' coefficients
   double falling = 1;                         ///< factor on the slip speed that friction falls with; 0: as at rest

@@ -86,11 +86,11 @@ Line describe_outcome(const SolverState& s) {
     case Outcome::converged:
       break;
   }
-  if (const Line deep = describe_too_deep(s); *deep.text) return deep;
   if (const std::int64_t rim = nodes_at_rim(s); rim > 0)
     return line_of("contact reaches the rim of the frame at %lld node(s), approach %.6g: %s",
                    static_cast<long long>(rim), s.given.approach_of(s.iterate.motion, s.prepared->problem.datum),
                    cause_of_rim_contact(s));
+  if (const Line deep = describe_too_deep(s); *deep.text) return deep;
   return line_of("converged, residuals %.1e normal, %.1e tangential", s.report.residual_normal,
                  s.report.residual_tangential);
 }

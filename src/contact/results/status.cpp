@@ -93,9 +93,9 @@ Status status_of(const SolverState& s) {
     case Outcome::converged:
       break;
   }
-  if (*describe_too_deep(s).text) return Status::too_deep;
   if (too_few_nodes(s)) return Status::coarse;
-  return nodes_at_rim(s) == 0 ? Status::ok : Status::rim_contact;
+  if (nodes_at_rim(s) > 0) return Status::rim_contact;
+  return *describe_too_deep(s).text ? Status::too_deep : Status::ok;
 }
 
 }  // namespace rollcon

@@ -1,6 +1,8 @@
 #pragma once
 /// What callers of a contact name by number; the numbers are those of rollcon.h and never change.
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace rollcon {
@@ -45,6 +47,18 @@ enum class InAxes : std::int32_t { local = 0, global = 1 };
 
 /// What a solve is: a steady state, or one step in time of a contact that rolls or whose bodies are shifted.
 enum class StepKind : std::int32_t { steady = 0, rolling = 1, shift = 2 };
+
+/// Indices of motions and of their conjugate loads: creepages, approach and spin, and rotations of body 1 about t1 and
+/// t2 through the origin, whose loads are moments on it.
+enum Motion : int { xi1 = 0, xi2 = 1, approach = 2, spin = 3, tilt1 = 4, tilt2 = 5 };
+constexpr std::size_t motion_count = 6;
+using MotionValues = std::array<double, motion_count>;
+/// Of a number of Direction or Parameter, which has that of friction between spin and tilts.
+template <class Number>
+constexpr std::size_t motion_of(Number number) {
+  const auto n = static_cast<std::size_t>(number);
+  return n > 5 ? n - 2 : n - 1;
+}
 
 using ProgressFunction = std::int32_t (*)(const Event& event, void* user);
 

@@ -10,7 +10,6 @@
 
 #include "contact/heat/flash_temperature.hpp"
 #include "contact/laws/friction_law.hpp"
-#include "contact/problem/prescribed.hpp"
 #include "contact/scene/enumerators.hpp"
 #include "contact/scene/options.hpp"
 #include "geometry/height_grid.hpp"
