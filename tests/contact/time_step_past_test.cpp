@@ -64,7 +64,8 @@ TEST(TimeStep, the_past_of_other_bodies_is_refused) {
     ADD_FAILURE();
   } catch (const Error& error) {
     EXPECT_EQ(error.status(), Status::err_argument);
-    EXPECT_NE(std::string(error.what()).find("bodies of other kinds, elastic constants"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("bodies of other kinds, elastic constants"), std::string::npos)
+        << error.what();
   }
 }
 
