@@ -224,5 +224,32 @@ TEST(profile_frames, bodies_in_the_other_order_are_refused) {
   }
 }
 
+// A load beside a roller's middle: the roller posed with the tilt that was found carries the load there.
+TEST(profile_frames, follow_the_tilt_that_a_moment_asks_for) {
+  for (const double beside : {0.5, -1.0}) {
+    RollingPair pair(steel, steel), posed(steel, steel);
+    for (RollingPair* const p : {&pair, &posed}) lay_roller_that_ends(*p, "arc", {2000, 5});
+    pair.pose(1, about_x(0), {0, 0, -6});
+    const double moment = -1500 * beside;
+    ASSERT_EQ(rollcon_contact_prescribe(pair.handle(), ROLLCON_TILT_1, ROLLCON_BY_FORCE, moment), ROLLCON_OK);
+    ASSERT_EQ(pair.solve(), ROLLCON_OK) << rollcon_last_caveat();
+    double tilt[2];
+    ASSERT_EQ(rollcon_contact_get_tilt(pair.handle(), tilt), ROLLCON_OK);
+    posed.pose(1, about_x(tilt[0]), {0, 6 * std::sin(tilt[0]), -6 * std::cos(tilt[0])});
+    ASSERT_EQ(posed.solve(), ROLLCON_OK) << rollcon_last_caveat();
+    expect_error("moment given", relative(pair.solution().moment[0], moment), 1e-9);
+    expect_error("moment of the roller that is posed", relative(posed.solution().moment[0], moment), 1e-2);
+    expect_error("approach", relative(posed.solution().approach, pair.solution().approach), 1e-2);
+    // Frames that are there already give the same.
+    ASSERT_EQ(pair.solve(), ROLLCON_OK);
+    double again[2];
+    ASSERT_EQ(rollcon_contact_get_tilt(pair.handle(), again), ROLLCON_OK);
+    expect_error("tilt, solved again", relative(again[0], tilt[0]), 1e-4);
+    ASSERT_EQ(rollcon_contact_prescribe(pair.handle(), ROLLCON_TILT_1, ROLLCON_BY_MOTION, tilt[0]), ROLLCON_OK);
+    ASSERT_EQ(pair.solve(), ROLLCON_OK);
+    expect_error("moment of the tilt", relative(pair.solution().moment[0], moment), 1e-3);
+  }
+}
+
 }  // namespace
 }  // namespace rollcon

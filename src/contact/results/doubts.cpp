@@ -38,7 +38,7 @@ Line doubt_about(const SolverState& s, int which) {
         "too soft; take its own faces as the frame, or faces no longer than half the thickness",
         which + 1, mesh.under_faces);
   Vec3 local{}, moment{};
-  sum_tractions(s.prepared->problem, s.prepared->frame, s.iterate.lambda, local, moment);
+  sum_tractions(s.prepared->problem, s.iterate.lambda, local, moment);
   const Axes& axes = s.prepared->frame.axes;
   const Vec3 force = s.prepared->pair.pose[static_cast<std::size_t>(which)].turn_back(
       local[0] * axes.t1 + local[1] * axes.t2 + local[2] * axes.n);
