@@ -42,9 +42,9 @@ TEST_F(sensitivity, needs_a_converged_solution) {
 TEST_F(sensitivity, arguments) {
   ASSERT_OK(rollcon_contact_solve(contact));
   double v[3];
-  for (const std::int32_t p : {0, 6, -1})
+  for (const std::int32_t p : {0, 8, -1})
     EXPECT_FAILS(rollcon_contact_get_sensitivity(contact, p, v, nullptr, nullptr, nullptr), ARGUMENT,
-                 "parameter is " + std::to_string(p), "allowed: 1 to 5");
+                 "parameter is " + std::to_string(p), "allowed: 1 to 7");
   double approach = 7, creep[3] = {7, 7, 7};
   ASSERT_OK(rollcon_contact_get_sensitivity(contact, ROLLCON_LATERAL, nullptr, nullptr, &approach, creep));
   EXPECT_EQ(approach, 0);

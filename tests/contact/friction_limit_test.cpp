@@ -46,12 +46,12 @@ SurfaceMesh mesh_of(ElementType type, int n, bool irregular) {
 }
 
 constexpr std::array<std::array<bool, motion_count>, 7> combinations{{{true, false, false, false},
-                                                           {false, true, false, false},
-                                                           {false, false, false, true},
-                                                           {true, true, false, false},
-                                                           {true, false, false, true},
-                                                           {false, true, false, true},
-                                                           {true, true, false, true}}};
+                                                                      {false, true, false, false},
+                                                                      {false, false, false, true},
+                                                                      {true, true, false, false},
+                                                                      {true, false, false, true},
+                                                                      {false, true, false, true},
+                                                                      {true, true, false, true}}};
 
 // Tractions along a motion's share of each node are as far as friction reaches in that direction.
 TEST(friction_limit, full_sliding_is_the_limit) {

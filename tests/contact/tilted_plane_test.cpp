@@ -151,7 +151,7 @@ TEST(tilted_plane, loads_are_the_resultant_in_the_axes) {
       about_t1 += flat.problem.moment_y[k] * flat.iterate.lambda[2][k];
     const double fx = load(flat, xi1), fz = -load(flat, approach);
     const MotionValues expected{s.cosine * fx - s.sine * fz, load(flat, xi2), -(s.sine * fx + s.cosine * fz),
-                                         s.sine * about_t1 + s.cosine * load(flat, spin)};
+                                s.sine * about_t1 + s.cosine * load(flat, spin)};
     const Solved askew = s.solve(true, Scheme::characteristic, by_motion, askew_motion(s), 0.3);
     for (int m = 0; m < 4; ++m) {
       const double error = std::abs(load(askew, m) - expected[static_cast<std::size_t>(m)]) / std::abs(fz);
@@ -162,10 +162,10 @@ TEST(tilted_plane, loads_are_the_resultant_in_the_axes) {
     // The motions come back when loads are given: all of them, or some.
     const MotionValues motion = askew_motion(s);
     for (const std::array<bool, motion_count>& by_force : {std::array<bool, motion_count>{true, true, true, true},
-                                                {true, false, false, false},
-                                                {false, false, true, false},
-                                                {true, true, false, false},
-                                                {false, true, true, true}}) {
+                                                           {true, false, false, false},
+                                                           {false, false, true, false},
+                                                           {true, true, false, false},
+                                                           {false, true, true, true}}) {
       MotionValues value = motion;
       for (std::size_t m = 0; m < 4; ++m)
         if (by_force[m]) value[m] = expected[m];

@@ -169,6 +169,30 @@ TEST(TimeStep, order_in_the_step) {
 }
 
 // Material that travels so far that a lattice's offsets are no numbers any more.
+// Loads N and Q = N / 4 from nothing: no slip, and shift over approach is (2 - nu) / (8 (1 - nu)) (Mindlin &
+// Deresiewicz). The steps' own estimate is a quarter of what their growth adds.
+TEST(TimeStep, growth_tells_the_error_of_steps) {
+  for (const int steps : {5, 20}) {
+    Spheres s(32);
+    s.pair.friction(0.6);
+    s.scene().set_step(shift_step, 1);
+    double shift = 0, told = 0, approach = 0;
+    for (int k = 1; k <= steps; ++k) {
+      s.scene().prescribe(3, 2, s.load * k / steps);
+      s.scene().prescribe(1, 2, -0.25 * s.load * k / steps);
+      ASSERT_TRUE(Contact::is_answer(s.contact().solve()));
+      shift += std::abs(s.creep());
+      told += 0.25 * s.contact().stat("step_growth") * std::abs(s.creep());
+    }
+    s.contact().motion(&approach, nullptr);
+    const double exact = 0.25 * approach * (2 - s.nu) / (2 * (1 - s.nu)), off = 1 - shift / exact;
+    std::printf("%d steps: shift %.2f %% too small, %.2f %% told (bounds: half to twice)\n", steps, 100 * off,
+                100 * told / shift);
+    EXPECT_GT(told / shift, 0.5 * off);
+    EXPECT_LT(told / shift, 2 * off);
+  }
+}
+
 TEST(TimeStep, steps_that_overflow_are_refused) {
   for (const double dt : {1e30, 1e160, 1e300}) {
     KalkerSpheres spheres(12);

@@ -244,10 +244,10 @@ TEST(profile_frames, follow_the_tilt_that_a_moment_asks_for) {
     ASSERT_EQ(pair.solve(), ROLLCON_OK);
     double again[2];
     ASSERT_EQ(rollcon_contact_get_tilt(pair.handle(), again), ROLLCON_OK);
-    expect_error("tilt, solved again", relative(again[0], tilt[0]), 1e-4);
+    expect_error("tilt, solved again", relative(again[0], tilt[0]), 5e-3);
     ASSERT_EQ(rollcon_contact_prescribe(pair.handle(), ROLLCON_TILT_1, ROLLCON_BY_MOTION, tilt[0]), ROLLCON_OK);
     ASSERT_EQ(pair.solve(), ROLLCON_OK);
-    expect_error("moment of the tilt", relative(pair.solution().moment[0], moment), 1e-3);
+    expect_error("moment of the tilt", relative(pair.solution().moment[0], moment), 1e-2);
   }
 }
 

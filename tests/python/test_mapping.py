@@ -258,23 +258,24 @@ class Mapping(MappingCase):
             self.fails(function, *arguments)
 
     def test_cases(self):
-        """Columns of the table: 3 + 3 + 1 + 3 + 20 + 9 + 2 numbers, the first of which is 600.5."""
+        """Columns of the table: 3 + 3 + 1 + 3 + 2 + 20 + 9 + 2 numbers, the first of which is 600.5."""
         cases = self.contact.solve_many(["normal", rc.FRICTION], X[:, :2], names=["iterations ", "seconds"],
                                         derivatives=True, tractions=True)
-        self.told("contact_solve_many", "contact1 <normal friction> 2 [1.5 2.5 4.5 5.5] <force moment approach creep "
-                  "derivatives tractions iterations seconds> 41 room null room")
-        table = 600.5 + np.arange(82).reshape(2, 41)
+        self.told("contact_solve_many", "contact1 <normal friction> 2 [1.5 2.5 4.5 5.5] <force moment approach creep tilt "
+                  "derivatives tractions iterations seconds> 43 room null room")
+        table = 600.5 + np.arange(86).reshape(2, 43)
         np.testing.assert_equal(cases.status, [800, 801])
         for name, shape, at in (("force", (3,), 0), ("moment", (3,), 3), ("approach", (), 6), ("creep", (3,), 7),
-                                ("derivatives", (2, 10), 10), ("tractions", (3, 3), 30), ("statistics", (2,), 39)):
+                                ("tilt", (2,), 10), ("derivatives", (2, 10), 12), ("tractions", (3, 3), 32),
+                                ("statistics", (2,), 41)):
             width = int(np.prod(shape))
             np.testing.assert_equal(getattr(cases, name), table[:, at:at + width].reshape((2, *shape)), name)
-        np.testing.assert_equal(cases["seconds"], table[:, 40])
+        np.testing.assert_equal(cases["seconds"], table[:, 42])
         self.assertEqual(cases.worst, rc.OK)
         few = self.contact.solve_many("longitudinal lateral spin", X, names="seconds")
         self.assertFalse(hasattr(few, "tractions") or hasattr(few, "derivatives"))
         self.told("contact_solve_many", f"contact1 <longitudinal lateral spin> 2 {WRITTEN} "
-                  "<force moment approach creep seconds> 11 room null room")
+                  "<force moment approach creep tilt seconds> 13 room null room")
         self.refuses("shape", self.contact.solve_many, [rc.LATERAL], [1, 2, 3])
         with self.assertRaises(ValueError):
             self.contact.solve_many(np.array([[rc.LATERAL, rc.NORMAL]]), [[1.0]])

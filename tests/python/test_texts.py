@@ -86,20 +86,6 @@ def light_wheel(context):
     return caveat(made.solve)
 
 
-def force_that_no_height_meets(context):
-    wheel_body, rail = half_spaces(context)
-    wheel_body.set_profile([[-5, 0], [5, 0]])
-    rail.set_profile_shape("arc", [-80.0, 30.0])
-    made = rc.WheelRail(context, wheel_body, rail, "right")
-    made.set_track(1500, 0, 0)
-    made.set_wheelset(1360, -70, 460)
-    made.set_friction(0.3)
-    made.set_position([0, 3, 0, 0, 0, 0])
-    made.set_velocity([2000, 0, 0, 0, 0, -4.35])
-    made.prescribe_vertical("by_force", 1e5)
-    return caveat(made.solve)
-
-
 def beyond_a_profile(context):
     wheel_body, rail = half_spaces(context)
     wheel_body.set_profile_shape("line", [20.0, 0.0])
@@ -183,7 +169,6 @@ TEXTS = [
     (friction_by_angle_alone, ["0"], []),
     (one_wheel_for_both_sides, ["right is a wheel on the left", "ROLLCON_RIGHT"], ["in use"]),
     (light_wheel, ["for 1e-09", "brought it nearer"], []),
-    (force_that_no_height_meets, ["for 100000; no height of 60 tried"], ["ends where a profile does"]),
     (beyond_a_profile, ["end of a profile", "ends where a profile does"], ["units", "sign"]),
     (saddle, ["0.01 x^2 - 0.01 y^2 + 0 x y"], ["+ -"]),
     (ratio_beyond_a_table, ["a / b of entry 0 is 25.0000003; the table has 0.04 to 25"], []),

@@ -74,7 +74,7 @@ struct Outcome {
 
   bool solved() const {
     return status == ROLLCON_OK || status == ROLLCON_INACCURATE || status == ROLLCON_COARSE ||
-           status == ROLLCON_NO_CONTACT;
+           status == ROLLCON_TOO_DEEP || status == ROLLCON_NO_CONTACT;
   }
   bool has_friction() const { return bound > 0; }
   Shares shares() const {

@@ -108,7 +108,7 @@ bool Scene::is_right(std::int32_t status) const {
 
 bool Ending::solved() const {
   return status == ROLLCON_OK || status == ROLLCON_RIM_CONTACT || status == ROLLCON_COARSE ||
-         status == ROLLCON_NO_CONTACT;
+         status == ROLLCON_NO_CONTACT || status == ROLLCON_INACCURATE || status == ROLLCON_TOO_DEEP;
 }
 
 Ending solve(scenes::RollingPair& pair, const Scene& scene, bool condition, std::size_t most_nodes) {

@@ -61,7 +61,7 @@ struct Ending {
   double iterations = 0, fallbacks = 0, condition = 0, nodes = 0;
   double residual = 0;  ///< that the iteration stopped at
   double seconds = 0;   ///< of the solve
-  /// OK, RIM_CONTACT, COARSE or NO_CONTACT: the library says that the laws hold.
+  /// OK, RIM_CONTACT, COARSE, INACCURATE, TOO_DEEP or NO_CONTACT: the library says that the laws hold.
   bool solved() const;
   /// Solved to the bound, or ended with a status that admits failure or names what is impossible.
   bool honest(double bound) const { return !solved() || law.worst() <= bound; }
