@@ -171,10 +171,10 @@ contains
     call finish(rollcon_wheelrail_set_position(self%p, position), self%p, 'rc_wheelrail%set_position', stat, errmsg)
   end subroutine
 
-  !> Says in which order positions turn a wheelset: a point of it is pitched about its axle, then yawed about z, then
-  !> rolled about x, as in CONTACT; or rolled, then yawed, as in a new handle. Rates of roll and yaw are those of these
-  !> angles. Counts from the next solve, for positions that were set before, too. Without roll or without yaw both
-  !> orders are one.
+  !> Says in which order positions turn a wheelset. A point of it is pitched about its axle; then it is either yawed
+  !> about z and rolled about x, as in CONTACT, or rolled and then yawed, as in a new handle. Rates of roll and yaw are
+  !> those of these angles. Counts from the next solve, for positions that were set before, too. Both orders are the
+  !> same without roll or without yaw.
   subroutine wheelrail_set_roll_outside(self, on, stat, errmsg)
     class(rc_wheelrail_plain), intent(inout) :: self
     integer, intent(in) :: on
@@ -281,8 +281,8 @@ contains
   end subroutine
 
   !> Finds the patches and solves each as a steady rolling contact, from the last solution where there is one. The
-  !> status is the worst of them in the order that holds for all calls. RIM_CONTACT: a patch ends at the end of a
-  !> profile, or is not within its frame; NO_CONTACT: the wheel is lifted; the log has the numbers. ROLLCON_ERR_STATE
+  !> status is the worst of the patches' in the order that holds for all calls. RIM_CONTACT: a patch ends at the end of
+  !> a profile, or is not within its frame; NO_CONTACT: the wheel is lifted; the log has the numbers. ROLLCON_ERR_STATE
   !> names the call that is missing. ROLLCON_ERR_ARGUMENT: with this z wheel and rail overlap by more than a tenth of
   !> the wheel's radius. ROLLCON_ERR_LOAD: with this y no height brings the wheel on the rail, or no overlap up to a
   !> tenth of the radius carries the vertical force. ROLLCON_ERR_MESH: a conformal patch

@@ -2186,10 +2186,10 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_position(
     rollcon_wheelrail *wheelrail, const double *position);
 
 /*
- * Says in which order positions turn a wheelset: a point of it is pitched about its axle, then
- * yawed about z, then rolled about x, as in CONTACT; or rolled, then yawed, as in a new handle.
- * Rates of roll and yaw are those of these angles. Counts from the next solve, for positions that
- * were set before, too. Without roll or without yaw both orders are one.
+ * Says in which order positions turn a wheelset. A point of it is pitched about its axle; then it
+ * is either yawed about z and rolled about x, as in CONTACT, or rolled and then yawed, as in a
+ * new handle. Rates of roll and yaw are those of these angles. Counts from the next solve, for
+ * positions that were set before, too. Both orders are the same without roll or without yaw.
  *   on         1: the roll outside the yaw; 0: the yaw outside the roll, as in a new handle
  * Source: docs/wheelrail.md.
  */
@@ -2294,7 +2294,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_accuracy(
 
 /*
  * Finds the patches and solves each as a steady rolling contact, from the last solution where
- * there is one. The status is the worst of them in the order that holds for all calls.
+ * there is one. The status is the worst of the patches' in the order that holds for all calls.
  * RIM_CONTACT: a patch ends at the end of a profile, or is not within its frame; NO_CONTACT: the
  * wheel is lifted; the log has the numbers. ROLLCON_ERR_STATE names the call that is missing.
  * ROLLCON_ERR_ARGUMENT: with this z wheel and rail overlap by more than a tenth of the wheel's

@@ -84,7 +84,7 @@ class Body {
   std::shared_ptr<Body> with_profile_alone() const;
   /// The elastic constants at the contact are those of the other.
   bool same_elastic(const Body& other) const;
-  /// Of z = 0 of a revolved profile; infinite: there is none.
+  /// The radius at z = 0 of a revolved profile; infinite: there is none.
   double revolved_radius() const {
     return model_->profile.place == ProfilePlace::revolved ? model_->profile.radius : INFINITY;
   }

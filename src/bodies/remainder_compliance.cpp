@@ -11,8 +11,8 @@
 namespace rollcon {
 namespace {
 
-/// Faces that bend away from the plane are folded there between their corners and midside nodes: these go to the middle
-/// of their sides. In a plane.
+/// Faces that bend away from the plane are folded between their corners and midside nodes when they are projected on
+/// it: their midside nodes go to the middle of their sides. All nodes lie in the plane.
 void straighten_folded(const Axes& axes, SurfaceMesh& faces) {
   for (std::int64_t e = 0; e < faces.elements(); ++e) {
     if (!is_quadratic(faces.type[at(e)])) continue;
@@ -26,7 +26,7 @@ void straighten_folded(const Axes& axes, SurfaceMesh& faces) {
       // Tangents of both sides at their corner.
       const Vec3 ahead = 4.0 * node(corners + i) - node(next) - 2.0 * node(i),
                  back = 4.0 * node(corners + last) - node(last) - 2.0 * node(i);
-      constexpr double least = 0.1;  // of what straight sides have
+      constexpr double least = 0.1;  // over the turn of straight sides
       folded = folded || !(turn(ahead, back) / turn(node(next), node(last)) > least);
     }
     for (std::size_t i = 0; folded && i < corners; ++i) node(corners + i) = 0.5 * (node(i) + node((i + 1) % corners));

@@ -28,7 +28,7 @@ inline bool wants_copy(std::int64_t count, std::int64_t capacity, const void* to
   return true;
 }
 
-/// Of n points; either may be null.
+/// Checks the fields at n points; either may be null.
 inline void require_finite_fields(std::int64_t n, const double* displacement, const double* stress) {
   if (displacement) require_finite_results(n, 3, displacement, "displacement");
   if (stress) require_finite_results(n, 6, stress, "stress");
@@ -42,14 +42,14 @@ inline void copy_text(std::string_view from, std::int64_t capacity, char* text, 
   text[from.size()] = '\0';
 }
 
-/// The longest array has so many doubles for each of the points.
+/// doubles: for each of the points in the longest array.
 inline void require_points(std::int64_t n, std::int64_t doubles) {
   require_count(n, "n");
   if (n > PTRDIFF_MAX / (doubles * std::int64_t{sizeof(double)}))
     fail(Status::err_argument, "n is %lld: beyond the address space", static_cast<long long>(n));
 }
 
-/// names: of the coordinates, a letter each.
+/// names: a letter for each coordinate.
 inline void require_finite_points(std::int64_t n, const double* x, std::int64_t coordinates, const char* names) {
   for (std::int64_t i = 0; i < coordinates * n; ++i)
     if (!std::isfinite(x[i]))

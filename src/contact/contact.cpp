@@ -29,7 +29,7 @@ namespace rollcon {
 namespace {
 
 constexpr std::size_t history_rows = 512;  // room without allocation
-std::atomic<std::int64_t> next_number{1};  // of a solution, in this process
+std::atomic<std::int64_t> next_number{1};  // number of the next solution in this process
 
 // Pressures at the vertices of tri6 have no resultant, and under a smooth one finite elements move there otherwise than
 // at midside nodes: tractions on both swing from node to node. Linear ones, told from the displacements of the
@@ -79,8 +79,8 @@ void Contact::prepare_or_clear() {
   state_->settled = true;
 }
 
-// Measured on two cores (docs/howto/speed.md): below, and where no rows are formed, threads of the BLAS save no time,
-// and take twice the processor's.
+// On frames of fewer nodes, and where no rows are formed, threads of the BLAS save no time and take twice the
+// processor's (docs/howto/speed.md, two cores).
 int Contact::blas_threads() const {
   constexpr std::int64_t least_nodes = 2000;
   const bool rows = !state_->prepared || !state_->prepared->problem.op || !state_->prepared->problem.op->all_at_once();
@@ -192,7 +192,7 @@ Status Contact::solve_unless_cancelled() {
     forget_solution(*state_);
     return Status::cancelled;
   } catch (...) {
-    forget_solution(*state_);  // of one frame of a pair
+    forget_solution(*state_);  // a pair may have solved one frame
     throw;
   }
 }
@@ -316,7 +316,7 @@ Status Contact::solve_scene() {
   s.revision_solved = scene.revision;
   s.options_solved = scene.options.revision;
   s.threads = blas_threads();
-  const BlasThreads fewer(s.threads);  // where the frame needs no rows
+  const BlasThreads fewer(s.threads);  // one where the frame needs no rows
   const double prepared = now_seconds();
   context_->log(LogLevel::info, "compliance and operators: %lld nodes, %.3f s",
                 static_cast<long long>(s.prepared->problem.nodes), prepared - start);

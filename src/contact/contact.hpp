@@ -118,12 +118,11 @@ class Contact {
   bool cancelled() const noexcept { return cancel_->load(); }
   void log(LogLevel level, const char* text) const;
   void caveat(Status status, const char* text) const;  ///< see Context::caveat
-  /// What a caller should know of the last solve, which ended with that status. solve() does this itself,
+  /// Tells what a caller should know of the last solve, which ended with that status. solve() does this itself,
   /// solve_on_frame does not.
   void tell(Status status) const;
-  /// Solves the scene with some of what is prescribed replaced, case by case and over threads. ok, or the first that
-  /// fits of cancelled, not_converged (or failed), too_deep, coarse, rim_contact, no_contact. The scene stays, and so
-  /// does the last solution unless something was set since.
+  /// Solves the scene with some of what is prescribed replaced, case by case and over threads. Returns the worst status
+  /// of the cases (see worse()). The scene stays, and so does the last solution unless something was set since.
   Status solve_many(const CaseList& cases, const CaseResults& results);
   /// The next solve on a frame depends on the scene and the last tractions alone, not on how they were found.
   void forget_all_but_tractions();
@@ -143,7 +142,7 @@ class Contact {
   std::int64_t field(Field field, InAxes axes, std::int64_t capacity, double* v) const;
   void node_status(std::int64_t capacity, std::int32_t* status) const;
   void resultant(InAxes axes, double* force, double* moment) const;
-  /// tilts: about t1 and t2. Any pointer may be null.
+  /// tilts: rotations about t1 and t2. Any pointer may be null.
   void motion(double* approach, double* creep, double* tilts = nullptr) const;
   /// Derivatives of what resultant(local) and motion() give; any pointer may be null. err_state: the last solve did not
   /// converge, or a tangential load is prescribed without friction.
@@ -200,9 +199,9 @@ class Contact {
   Status solve_on_own_frames(const CaseList& cases, const CaseResults& results, const CaseHost& host);
   const Rates& rates(Parameter parameter) const;
   void clear_state();
-  /// What a solution stands on; where that fails, all of the state is gone.
+  /// Prepares what a solution stands on; if that fails, all of the state is gone.
   void prepare_or_clear();
-  /// Threads of the BLAS for solves on this frame.
+  /// How many threads the BLAS gets in solves on this frame.
   int blas_threads() const;
 
   std::shared_ptr<Context> context_;

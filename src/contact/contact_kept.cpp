@@ -27,7 +27,7 @@ void Contact::return_to(const KeptSolution& kept) {
   SolverState& s = *state_;
   forget_solution(s);
   prepare_or_clear();
-  // Factors for derivatives are those of the solution that is here.
+  // Factors for derivatives belong to the solution that was here before.
   if (s.number != kept.number) s.newton.linear().forget_exact();
   s.number = kept.number;
   s.iterate = kept.iterate;

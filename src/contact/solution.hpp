@@ -53,7 +53,7 @@ struct ErrorEstimate {
 /// What results on two frames of a family tend to (contact/results/extrapolation.hpp).
 struct Extrapolated {
   Vec3 force{}, moment{};  ///< on body 1, about the origin, in the axes
-  MotionValues motion{};        ///< by Motion; the approach from no approach on
+  MotionValues motion{};   ///< by Motion; the approach from no approach on
   double area = 0;         ///< in contact
   double left_over = 0;    ///< of the difference of the frames, by which the finer one is off
 };
@@ -61,7 +61,7 @@ struct Extrapolated {
 /// Derivatives of results (contact/results/sensitivity.hpp), per unit of a parameter, in the axes.
 struct Rates {
   Vec3 force{}, moment{};  ///< on body 1, about the origin
-  MotionValues motion{};        ///< by Motion
+  MotionValues motion{};   ///< by Motion
 };
 
 /// What scene, poses and velocities prescribe at the nodes of a frame, or how fast that changes.
@@ -111,7 +111,7 @@ struct Prepared {
   PairOfBodies pair;                       ///< where the bodies stood
   std::shared_ptr<Compliance> compliance;  ///< of the pair
   std::array<MeshOnFrame, 2> meshes;
-  double bears = INFINITY;  ///< half of it makes sense as an approach, more does not
+  double bears = INFINITY;  ///< length, thickness or radius, of which an approach makes sense up to the half
   double accuracy = 0;
   Scheme scheme = Scheme::characteristic;
   /// From displacements of the bodies without any contact traction; empty: none.
@@ -162,7 +162,7 @@ struct SolverState {
   // The last solve.
   bool solved = false;
   std::int64_t number = 0;    ///< no other solution in this process has it
-  int threads = 1;            ///< of the BLAS
+  int threads = 1;            ///< that the BLAS had
   Revisions revision_solved;  ///< of the scene, when the last solve read it
   std::int64_t options_solved = -1;
   bool settled = false;  ///< caches are whole: nothing was interrupted
@@ -194,7 +194,7 @@ struct SolverState {
   std::size_t bytes() const;
 };
 
-/// Whatever is known of the last solution is gone; its tractions may still start the next one.
+/// Forgets all that is known of the last solution; its tractions may still start the next one.
 void forget_solution(SolverState& state);
 /// As the first solve with them does. Throws Error naming the body.
 void prepare_bodies(SolverState& state, Body& body1, Body& body2);

@@ -50,8 +50,8 @@ using Tilts = std::array<double, 2>;
 
 class AutomaticFrames final : public FrameMaker {
  public:
-  /// Tilts that moments ask for move the contact along the bodies: frames are made for those that were found last,
-  /// until they differ by less than matters beside the bodies' flattening.
+  /// Tilts that moments ask for move the contact along the bodies. Frames are made for the tilts that were found last,
+  /// until these change by little compared with the bodies' flattening.
   Status solve(Contact& contact) override {
     constexpr int most_rounds = 8;
     constexpr double little = 0.02;
@@ -170,13 +170,13 @@ class AutomaticFrames final : public FrameMaker {
     beyond_bounds_ = patches.at_bounds ? gap_->beyond_bounds() : nullptr;
     found_ = now;
     ++shapes_;
-    // Pressures at a sharp end are those of its frame, which is not that of the scene before.
+    // Pressures at a sharp end depend on the frame: no level is taken over from the scene before.
     if (shape_.at_body_ends == AtBodyEnds::closer &&
         std::any_of(shape_.outline.begin(), shape_.outline.end(), [](const Outline& o) { return o.ends_body(); }))
       level_ = levels.size();
   }
 
-  /// Those given; those found last for moments, at first the slope of the gap where the load acts.
+  /// Tilts that are given, and tilts found last for moments, at first the slope of the gap where the load acts.
   Tilts tilts_for(Contact& contact) {
     const Scene& scene = contact.scene;
     const Load* const load[2] = {&scene.load(Direction::tilt1), &scene.load(Direction::tilt2)};
@@ -196,7 +196,7 @@ class AutomaticFrames final : public FrameMaker {
     return tilts_;
   }
 
-  /// False: none is unknown.
+  /// Returns false if no tilt is unknown.
   bool take_found_tilts(const Contact& contact) {
     Tilts found{};
     contact.motion(nullptr, nullptr, found.data());
@@ -374,8 +374,8 @@ class AutomaticFrames final : public FrameMaker {
     return inside;
   }
 
-  /// Outermost strips that leave the body, in their middle or at their ends, are drawn back with those up to the
-  /// middle.
+  /// Draws outermost strips back that leave the body in their middle or at their ends, and all strips between them and
+  /// the middle.
   void keep_on_body(std::vector<Strip>& strip) const {
     const std::size_t half = strip.size() / 2;
     for (const bool upper : {false, true}) {
@@ -429,8 +429,8 @@ class AutomaticFrames final : public FrameMaker {
   std::unique_ptr<HertzFriction> hertz_friction_;  ///< made when it is asked for
   Shape shape_;
   Found found_;
-  Tilts tilts_{};                        ///< that frames were made for last
-  bool tilts_known_ = false;             ///< from a solve or a guess
+  Tilts tilts_{};                        ///< for which frames were made last
+  bool tilts_known_ = false;             ///< by a solve or a guess
   std::unique_ptr<KnownGap> gap_;        ///< of the scene being solved
   const char* beyond_bounds_ = nullptr;  ///< what to tell
   std::int64_t shapes_ = 0;              ///< found so far

@@ -201,7 +201,7 @@ double Outline::angle_of(double part) const {
          static_cast<double>(passed_.size() - 1);
 }
 
-// Straight line by least squares through the points nearest to the angle, not far beyond what there is of them.
+// Takes a straight line by least squares through the points nearest to the angle, and goes little beyond their last.
 double Outline::reach(const Side& side, double angle) const {
   constexpr std::size_t nearest = 9;
   const std::size_t n = side.angle.size();

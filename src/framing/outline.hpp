@@ -38,7 +38,7 @@ class Outline {
   /// across + 1 strips from side to side of an ellipse, more of other shapes, closer to each other near the sides;
   /// twice as many of them halve their distances. stretch: of the outline, about its middle, except where a body ends.
   std::vector<Strip> strips(std::int64_t across, double stretch, AtBodyEnds at_ends = AtBodyEnds::closer) const;
-  /// Whether it does so where a body does.
+  /// Whether the outline ends where a body ends.
   bool ends_body() const { return end_[0].ends_body || end_[1].ends_body; }
   Rectangle box() const;
   /// How much shorter a strip is than the straight lines between the ends of two others are there, over the longest

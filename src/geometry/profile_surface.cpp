@@ -28,7 +28,7 @@ struct StraightLine {
 struct LineAboutAxis {
   double y0, y1, slant, t_least, square;
   double radius;  ///< of z = 0
-  bool one_half;  ///< Counts what it meets on this side of the axis alone.
+  bool one_half;  ///< points count on this side of the axis alone
 
   double y(double t) const { return y0 + t * y1; }
   bool steep() const { return slant >= y1 * y1; }

@@ -18,8 +18,8 @@ struct SurfaceHint {
 };
 
 /// Lines are from + t * direction (unit). They meet the surface where |t| is least, among the parts that look towards
-/// `facing`; the zero vector: any. Where `facing` is along the line, as in contacts, nothing counts beyond the axis of a
-/// surface that goes round one.
+/// `facing`; the zero vector: all parts. Where `facing` is along the line, as in contacts, nothing counts beyond the
+/// axis of a surface that goes round one.
 class Surface {
  public:
   virtual ~Surface() = default;

@@ -59,7 +59,7 @@ struct Line {
     const double slack = 8 * epsilon * std::max(std::abs(first), std::abs(last));
     return {first - slack, last + slack};
   }
-  /// Least |t| there.
+  /// Least |t| of the line within the box.
   double reach(const Box& box) const {
     const auto [first, last] = within(box);
     if (first > last) return BoxTree::missed;

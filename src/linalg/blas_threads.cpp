@@ -29,13 +29,13 @@ namespace rollcon {
 namespace {
 
 // The setting belongs to the process. Callers at the same time share the first one's choice; the last to leave restores
-// the host's.
+// the host's setting.
 std::mutex mutex;
 int users = 0;
 int hosts_threads = 0;
 int callers = 0;       ///< threads with a scope
-int buffers = 0;       ///< that OpenBLAS has for callers
-int most_threads = 1;  ///< it has had, its caller included
+int buffers = 0;       ///< OpenBLAS's, for callers
+int most_threads = 1;  ///< that OpenBLAS has had, its caller included
 thread_local int scopes = 0;
 
 // OpenBLAS's getrf keeps 3.2 MB on the stack of the thread that calls it when it uses several.
@@ -86,8 +86,8 @@ bool has_room_for(int) {
 }
 #endif
 
-/// Has OpenBLAS map so many buffers, which it keeps: what is asked for later may leave no room for them. Other callers
-/// may be using theirs.
+/// Makes OpenBLAS map so many buffers, which it keeps: later allocations may leave no room for them. Other callers may
+/// be using buffers of theirs.
 void require_buffers(int count) {
   if (count <= buffers) return;
   if (!has_room_for(count - buffers + callers))

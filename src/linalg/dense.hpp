@@ -13,7 +13,7 @@
 namespace rollcon {
 
 /// Leaves entries that nobody gave a value as the memory has them: the system gives large blocks no memory before they
-/// are written. Blocks that cannot be had are told by their size.
+/// are written. The error for a block that cannot be had tells its size.
 template <class T>
 struct UntouchedAllocator : std::allocator<T> {
   T* allocate(std::size_t n) {

@@ -13,7 +13,7 @@ namespace rollcon {
 
 class BoxTree {
  public:
-  /// Boxes count from 0 in the order in which they are added; all of them before the tree is built.
+  /// Boxes count from 0 in the order in which they are added. All are added before the tree is built.
   void add(const Box& box) { leaf_.push_back({box, static_cast<std::int64_t>(leaf_.size())}); }
   void build() { divide(0, leaf_.size()); }
 
@@ -34,7 +34,7 @@ class BoxTree {
   struct Part {
     Box box;
     std::size_t first, last;  ///< leaves
-    std::size_t second = 0;   ///< of its halves' parts, the first of which is the next; 0: not halved
+    std::size_t second = 0;   ///< part of its second half; that of the first half comes next; 0: not halved
   };
   static constexpr std::size_t undivided = 8;
 

@@ -231,7 +231,7 @@ void check_outward(const SurfaceMesh& mesh, const Shells& shells) {
     box[s].add(box_of(mesh.node, mesh.element(static_cast<std::int64_t>(e))));
     balance[s] += looks_outward(e) ? 1 : -1;
   }
-  // What lies within the largest shell and looks the other way bounds a cavity.
+  // Shells within the box of the largest that look the other way bound cavities.
   const auto largest = static_cast<std::size_t>(
       std::max_element(volume.begin(), volume.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) -
       volume.begin());

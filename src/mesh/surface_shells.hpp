@@ -32,8 +32,8 @@ Shells find_shells(const SurfaceMesh& mesh, std::span<const Side> sides);
 /// The smaller part of each shell that looks to the other side.
 void check_neighbours(const SurfaceMesh& mesh, const Shells& shells);
 
-/// Volume that each shell encloses, with the sign of its first element's orientation. Fails for a shell that encloses
-/// none.
+/// Returns the volume that each shell encloses, with the sign of its first element's orientation. Fails for a shell
+/// that encloses none.
 std::vector<double> shell_volumes(const SurfaceMesh& mesh, const Shells& shells);
 
 /// Closed shells: one body, whose outer shell has outward normals and whose cavities have normals into the cavity.

@@ -80,7 +80,7 @@ void ContactEquations::add(const Step& step, std::int64_t k) {
   unknown_.push_back(normal);
 }
 
-// MotionValues count as the tractions that they cause at a pair, loads as their means over the pairs.
+// Motions count as the tractions that they cause at a pair, loads as their means over the pairs.
 void ContactEquations::take_motions() {
   const Problem& p = problem_;
   double rn = 0, rt = 0, area = 0;

@@ -22,8 +22,8 @@ struct TriangleRule {
 /// Fully symmetric rules with positive weights and inner points, ascending in degree.
 const std::vector<TriangleRule>& symmetric_triangle_rules();
 
-/// On triangles a symmetric rule of at least the degree `first` (the highest there is, if need be), else first x second
-/// Gauss points.
+/// Takes a symmetric rule of at least the degree `first` on triangles (or else the highest there is), and first x
+/// second Gauss points on quadrilaterals.
 void fill_rule(bool triangle, int first, int second, NearPoints& points);
 
 }  // namespace rollcon::quadrature

@@ -1,5 +1,5 @@
 #pragma once
-/// Answers of a list, found by themselves over the threads of parallel_for: one that fails leaves the others alone.
+/// Answers of a list, each found by itself over the threads of parallel_for: one that fails leaves the others alone.
 
 #include <cstdint>
 #include <mutex>
@@ -16,34 +16,34 @@ namespace rollcon {
 
 class Batch {
  public:
-  /// All are cancelled as long as nobody finds them.
+  /// Answers that were not found are cancelled.
   explicit Batch(std::int64_t answers) : status_(at(answers), Status::cancelled) {}
 
-  /// Takes the status that find() returns; false: it threw, and what it threw was taken. Any thread.
+  /// Takes the status that find() returns; false: it threw, and its exception was taken. Any thread may call it.
   template <class Find>
   bool take(std::int64_t i, const Find& find) {
     try {
       status_[at(i)] = find();
       return true;
     } catch (const Cancelled&) {
-      // As it is.
+      // The status stays cancelled.
     } catch (...) {
       keep_failure(i);
     }
     return false;
   }
 
-  /// Answer i is that of `from`.
+  /// Gives answer i the status of answer `from`.
   void repeat(std::int64_t i, std::int64_t from) { status_[at(i)] = status_[at(from)]; }
-  /// Logs failures in the order of the list, what being the name of an entry. Returns the worst status; status: each
-  /// one, may be null.
+  /// Logs failures in the order of the list; what: name of an entry. Returns the worst status. Fills status, which may
+  /// be null, with each one.
   Status finish(const Context& context, const char* what, std::int32_t* status);
 
  private:
   void keep_failure(std::int64_t i);
 
   std::vector<Status> status_;
-  std::mutex mutex_;  ///< of what follows
+  std::mutex mutex_;  ///< guards what follows
   std::vector<std::pair<std::int64_t, std::string>> failures_;
 };
 

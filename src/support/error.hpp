@@ -47,16 +47,16 @@ class Error : public std::exception {
   std::string message_;
 };
 
-/// Of two answers the one that says more for both, by the order of docs/api.md; a failure counts as not_converged.
+/// Returns the one of two statuses that comes first in the order of docs/api.md; a failure counts as not_converged.
 Status worse(Status a, Status b);
 
 /// Throws Error; the message is formatted as by printf and holds whatever length is needed.
 [[noreturn]] void fail(Status status, const char* format, ...) __attribute__((format(printf, 2, 3)));
 
-/// Of an allocation that failed: "out of memory: this machine has free 1 GB"; the thread's own text.
+/// Text for an allocation that failed: "out of memory: this machine has free 1 GB". It belongs to the thread.
 const char* out_of_memory_text() noexcept;
 
-/// From a catch block: tell(status, text) of the exception in flight.
+/// Calls tell(status, text) for the exception in flight, from a catch block.
 template <class Tell>
 auto tell_exception(const Tell& tell) {
   try {

@@ -32,7 +32,7 @@ inline void require_finite(std::int64_t n, int components, const double* value, 
   }
 }
 
-/// For a list of n numbers.
+/// Checks a list of n numbers.
 inline void require_list(std::int64_t n, const double* value, const char* name) {
   require_pointer(value, name);
   for (std::int64_t i = 0; i < n; ++i)

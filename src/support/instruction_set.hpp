@@ -1,7 +1,7 @@
 #pragma once
 /// Instruction sets of the processor: inner loops are compiled once for each and chosen at run time.
 
-/// The instruction set of a source that the build makes for one of them, and its name for what it compiles.
+/// The build makes a source for each instruction set, which defines that set's name and the names of what it compiles.
 #ifndef ROLLCON_COMPILED
 #define ROLLCON_SET_NAME "baseline"
 #define ROLLCON_COMPILED(name) name##_baseline

@@ -145,7 +145,7 @@ const char* out_of_memory_text() noexcept {
     if (const MemoryLimit allocation = allocation_limit(sources); allocation.bytes < least.bytes) least = allocation;
     std::snprintf(text, sizeof text, "out of memory: %s %.3g GB", least.what, 1e-9 * least.bytes);
   } catch (...) {
-    // There is none to look with.
+    // Looking needs memory, too; the short text stays.
   }
   return text;
 }

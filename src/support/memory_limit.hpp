@@ -40,7 +40,7 @@ struct MemoryNeed {
 void require_memory(const MemoryNeed& need, const char* remedy, const char* subject, ...)
     __attribute__((format(printf, 3, 4)));
 
-/// Throws Error(err_memory) where a matrix of so many bytes could not be allocated.
+/// Throws Error(err_memory) for a matrix of so many bytes that could not be allocated.
 [[noreturn]] void refuse_matrix(double bytes);
 
 }  // namespace rollcon

@@ -28,7 +28,7 @@ struct Team {
   void* data;
   std::mutex mutex{};
   std::condition_variable ended{};
-  int others = 0;  ///< at work
+  int others = 0;  ///< threads at work beside the caller
   std::exception_ptr failure{};
 
   template <class Do>
@@ -40,7 +40,7 @@ struct Team {
       if (!failure) failure = std::current_exception();
     }
   }
-  /// The host hears that the others work, and may stop them.
+  /// Waits for the others; the host hears that they work, and may stop them.
   void wait() {
     Interrupt* host = Interrupt::current();
     std::unique_lock lock(mutex);

@@ -14,7 +14,7 @@ namespace rollcon {
 /// Calls work(data, thread) once for each number in 0 .. threads - 1, at the same time; 0 is the calling thread. The
 /// others have stacks of their own size, take no signals of the host, and compute in the standard floating-point
 /// environment. Numbers for which no thread can be had are left out. Rethrows the first exception once all threads have
-/// ended; while the caller waits for that its Interrupt is asked.
+/// ended. While the caller waits for the others its Interrupt is asked.
 void run_threads(int threads, void (*work)(void*, int), void* data);
 
 /// Whether this thread is one of several that run_threads() keeps busy: loops within use no more.
@@ -22,9 +22,9 @@ bool in_threads();
 
 /// Calls work(i, thread) for i in 0 .. count - 1, in chunks of neighbours that threads take as they come. thread is
 /// below `threads`; equal ones never run at the same time. Which thread gets which i is not defined: work must not
-/// depend on it. One thread or one chunk, or within another such loop: a plain loop, in the caller. After an exception
-/// the chunks not yet begun are skipped. Before each chunk the caller of the whole (interrupt.hpp) may stop it:
-/// Cancelled.
+/// depend on it. With one thread, with one chunk, and within another such loop the caller runs a plain loop. After an
+/// exception the chunks not yet begun are skipped. Before each chunk the caller of the whole (interrupt.hpp) may stop
+/// it, by Cancelled.
 template <class Work>
 void parallel_for(std::int64_t count, std::int64_t chunk, int threads, const Work& work) {
   const std::int64_t chunks = (count + chunk - 1) / chunk;

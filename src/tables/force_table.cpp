@@ -185,7 +185,7 @@ void ForceTable::add_samples(std::int64_t n, const double* sample) {
     fail(Status::err_argument, "n is %lld; a table of this size has %lld numbers", static_cast<long long>(n),
          static_cast<long long>(size));
   require_pointer(sample, "samples");
-  constexpr double most = 1e6;  // forces are over mu Fn, coefficients of linear theory at most some hundred
+  constexpr double most = 1e6;  // forces are over mu Fn; coefficients of linear theory are some hundred at most
   for (std::int64_t i = 0; i < n; ++i)
     if (std::abs(sample[i]) > most)
       fail(std::isinf(sample[i]) ? Status::err_nonfinite : Status::err_argument,

@@ -14,14 +14,14 @@
 namespace rollcon {
 namespace {
 
-/// Solves each position; take(): what to take of one that was solved.
+/// Solves each position; take() takes the results of one that was solved.
 template <class Take>
 Status solve_each(WheelRail& wheel, const PositionList& list, std::int32_t* status, const Take& take) {
   const BlasThreads blas(1);
   Batch batch(list.cases);
   std::vector<std::unique_ptr<WheelRail>> worker;
   while (std::ssize(worker) < std::min<std::int64_t>(wheel.context().threads(), list.cases)) {
-    // Without a log, and one thread for each.
+    // Each worker has one thread and no log.
     const auto context = std::make_shared<Context>();
     context->set_threads(1);
     worker.push_back(wheel.copy(context));

@@ -12,7 +12,7 @@
 namespace rollcon {
 namespace {
 
-/// The roll about x is within the yaw about z, or outside.
+/// The roll about x is inside the yaw about z, or outside of it.
 Pose attitude(double roll, double yaw, bool roll_outside = false) {
   const double cr = std::cos(roll), sr = std::sin(roll), cy = std::cos(yaw), sy = std::sin(yaw);
   if (roll_outside) return {.rotation = {{{cy, -sy, 0}, {cr * sy, cr * cy, -sr}, {sr * sy, sr * cy, cr}}}};

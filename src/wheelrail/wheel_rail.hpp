@@ -19,7 +19,7 @@ namespace rollcon {
 /// Position and velocity of a wheelset: along x forward, y to the right, z down; about x, z and y (roll, yaw, pitch).
 struct WheelsetState {
   double x = 0, y = 0, z = 0, roll = 0, yaw = 0, pitch = 0;
-  bool roll_outside = false;  ///< of a position: rolled about the track's x after the yaw; else yawed after the roll
+  bool roll_outside = false;  ///< the position is rolled about the track's x after the yaw; else yawed after the roll
 };
 /// Of a rail from its place in the track.
 struct RailDeviation {
@@ -36,7 +36,7 @@ class WheelRail {
   void set_wheelset(double back_to_back, double flange_back, double radius);
   void set_rail_deviation(const double* deviation, const double* rate);
   void set_position(const double* position);
-  /// Positions are yawed, then rolled, from now on, or (0) rolled, then yawed.
+  /// From now on positions are yawed, then rolled; with 0 they are rolled, then yawed.
   void set_roll_outside(std::int32_t on);
   void set_velocity(const double* velocity);
   /// how: by motion: z of the position; by force: the vertical force on the rail.

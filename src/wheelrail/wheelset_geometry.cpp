@@ -22,7 +22,7 @@ double WheelsetGeometry::rise(double shift, Height height, double roll, Standing
   standing.y = shift + (height == Height::rails ? radius_ * std::sin(roll) : 0);
   for (std::size_t i = 0; i < 2; ++i) {
     standing.touch[i] = wheel_[i]->touch(standing.y, roll);
-    standing.touch[i].height += radius_ - wheel_[i]->radius();  // of the wheelset with the mean radius
+    standing.touch[i].height += radius_ - wheel_[i]->radius();  // from the centre of a wheelset with the mean radius
   }
   standing.z = 0.5 * (standing.touch[0].height + standing.touch[1].height);
   return standing.touch[1].height - standing.touch[0].height;

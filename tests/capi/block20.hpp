@@ -92,7 +92,7 @@ inline rollcon_contact* press_ball(rollcon_context* context, rollcon_body* body,
   EXPECT_OK(rollcon_contact_set_rolling(c, 1));
   EXPECT_OK(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_FORCE, force));
   EXPECT_OK(rollcon_contact_prescribe(c, ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE, 0.2 * force));
-  // Told where the block's elements are deeper than half of the contact's width.
+  // The status is INACCURATE where the block's elements are deeper than half of the contact's width.
   const rollcon_status status = solve_small(c);
   EXPECT_TRUE(status == ROLLCON_OK || status == ROLLCON_INACCURATE) << status;
   return c;

@@ -156,7 +156,7 @@ int threads_open_to_alarms() {
 TEST_F(solve_many_threads, signals_are_left_to_the_host) {
   if (!std::filesystem::exists("/proc/self/task")) GTEST_SKIP() << "no /proc";
   const std::vector<double> values = scattered(150);
-  table(three, values, 4);  // whatever threads libraries keep are there
+  table(three, values, 4);  // starts the threads that libraries keep
   int most = 0;
   ASSERT_OK(rollcon_contact_set_progress(
       contact,

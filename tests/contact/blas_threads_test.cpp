@@ -1,4 +1,4 @@
-/// How many threads the BLAS gets: the budget is a maximum.
+/// The budget of threads is a maximum for the BLAS.
 
 #include "contact/scene_fixture.hpp"
 

@@ -1,4 +1,5 @@
-// Solutions that no material bears, whatever the equations say; bodies in the wrong order; friction next to none.
+// Solutions that no material bears are told, whatever the equations say; bodies may come in the wrong order; friction
+// may be next to none.
 
 #include "contact/scene_fixture.hpp"
 #include "support/last_error.hpp"
@@ -27,7 +28,7 @@ TEST(doubts, pressures_above_the_modulus_are_too_deep) {
   const std::vector<double> lines = frames::uniform_lines(-2.5, 2.5, 20);
   const SurfaceMesh mesh = frames::rectangle(ElementType::quad4, lines, lines);
   pair.frame(mesh);
-  std::vector<double> ball;  // of radius 1, whose curvature nobody tells
+  std::vector<double> ball;  // of radius 1, given as gaps alone
   for (const Vec3& x : mesh.node) ball.push_back(0.5 * (x[0] * x[0] + x[1] * x[1]));
   pair.contact->scene.set_gap(mesh.nodes(), ball.data());
   pair.friction(0);
@@ -40,7 +41,7 @@ TEST(doubts, pressures_above_the_modulus_are_too_deep) {
       << pair.contact->plan();
 }
 
-// Squares of its tractions vanish: it is none, and carries nothing.
+// Friction whose tractions have squares that vanish counts as none and carries nothing.
 TEST(doubts, friction_next_to_none_is_none) {
   Pair none(young, poisson, young, poisson), little(young, poisson, young, poisson);
   for (Pair* pair : {&none, &little}) {
@@ -54,8 +55,8 @@ TEST(doubts, friction_next_to_none_is_none) {
   EXPECT_THROW(little.contact->solve(), Error);
 }
 
-// A roller in its groove, which turns the normals by 40 degrees: as body 2 above, or as body 1 with n downwards. Along
-// t1 motion and force change their signs; along t2, which turns, and about n they do not.
+// A roller in its groove turns the normals by 40 degrees. It is body 2, above, or body 1 with n downwards. Motion and
+// force change their signs along t1, but not along t2, which turns, nor about n.
 TEST(doubts, a_conformal_contact_rolls_alike_in_the_other_order) {
   Vec3 force[2];
   double approach[2];

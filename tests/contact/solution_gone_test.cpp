@@ -1,4 +1,4 @@
-/// Whatever takes a solution away takes all that was known of it: results, derivatives, estimates, history.
+/// What discards a solution discards all that was known of it: results, derivatives, estimates, history.
 
 #include "contact/cases/solve_many.hpp"
 #include "contact/kept_solution.hpp"
@@ -7,7 +7,7 @@
 namespace rollcon::contact_test {
 namespace {
 
-/// A solution of which everything was asked.
+/// Solves, and asks for everything that a solution gives.
 void solve_and_ask(KalkerSpheres& s, double creep) {
   s.scene().set_creep(creep, 0, 0);
   ASSERT_EQ(s.contact().solve(), Status::ok);
@@ -26,7 +26,7 @@ void expect_gone(Contact& c) {
   EXPECT_TRUE(c.error_function().empty());
 }
 
-/// Results, derivatives and estimates are those of a contact that solved this alone.
+/// Expects results, derivatives and estimates of a contact that solved nothing else.
 void expect_like_new(KalkerSpheres& s, double creep) {
   KalkerSpheres fresh(16);
   solve_and_ask(fresh, creep);

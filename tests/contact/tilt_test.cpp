@@ -1,5 +1,5 @@
-/// Tilts of body 1, given or found for moments: closed forms of paraboloids and of a flat punch, reciprocity, and the
-/// same solution by every way that solves.
+/// Tilts of body 1, given or found for moments, follow closed forms of paraboloids and of a flat punch, are reciprocal,
+/// and come out alike by all ways to solve.
 
 #include <algorithm>
 #include <array>
@@ -32,7 +32,7 @@ Found solve(Pair& pair) {
   return f;
 }
 
-/// Paraboloids under a load.
+/// Presses paraboloids together by a load.
 void scene(Pair& pair, ElementType type, int n, double load) {
   const std::vector<double> lines = frames::uniform_lines(-half_width, half_width, n);
   pair.frame(frames::rectangle(type, lines, lines));
@@ -41,7 +41,7 @@ void scene(Pair& pair, ElementType type, int n, double load) {
   pair.contact->scene.prescribe(normal, by_force, load);
 }
 
-/// The load acts at (x, y).
+/// Asks for the moments of a load that acts at (x, y).
 void press_at(Pair& pair, double load, double x, double y) {
   pair.contact->scene.prescribe(first, by_force, -load * y);
   pair.contact->scene.prescribe(second, by_force, load * x);
@@ -54,7 +54,7 @@ Pair unlike() {
   return {2.1e5, 0.28, 7e4, 0.1};
 }
 
-// Tilted by the slope of the gap at (x, y), a paraboloid touches there as it does at the origin.
+// A paraboloid that is tilted by the slope of the gap at (x, y) touches there as it does at the origin.
 TEST(tilt, carries_a_contact_of_paraboloids_along_the_surface) {
   constexpr double load = 800, x = 0.33, y = -0.47;
   const double expected[] = {curvature[1] * y, -curvature[0] * x};
@@ -103,7 +103,7 @@ TEST(tilt, given_as_found_gives_the_moments_back) {
   }
 }
 
-// A rigid disc on a half-space: moment over tilt is 4/3 E* a^3 (Johnson, 3.34).
+// Moment over tilt of a rigid disc on a half-space is 4/3 E* a^3 (Johnson, 3.34).
 TEST(tilt, of_a_rigid_disc_follows_its_closed_form) {
   constexpr double a = 1, load = 1000, moment = 100, young = 2.1e5, poisson = 0.3;
   double error[2];
@@ -120,7 +120,7 @@ TEST(tilt, of_a_rigid_disc_follows_its_closed_form) {
     pair.contact->scene.prescribe(normal, by_force, load);
     pair.contact->scene.prescribe(first, by_force, moment);
     const Found found = solve(pair);
-    // The disc of the nodes: each stands for a cell.
+    // Each node of the disc stands for a cell.
     const double area = static_cast<double>(std::count(gap.begin(), gap.end(), 0.0)) * std::pow(2.4 / n, 2);
     const double radius = std::sqrt(area / 3.14159265358979);
     const double stiffness = 4.0 / 3 * young / (1 - poisson * poisson) * std::pow(radius, 3);
@@ -133,7 +133,7 @@ TEST(tilt, of_a_rigid_disc_follows_its_closed_form) {
   EXPECT_LT(error[1], 0.03);
 }
 
-// Without friction the bodies' response has a potential: what a moment does to the approach, the load does to the tilt
+// The bodies' response without friction has a potential: a moment changes the approach as the load changes the tilt
 // (the pressures' moment is minus that of the tractions on body 1).
 TEST(tilt, and_approach_respond_to_each_other_alike) {
   constexpr double load = 500;

@@ -168,9 +168,8 @@ TEST(TimeStep, order_in_the_step) {
   EXPECT_LT(before, 0.02);
 }
 
-// Material that travels so far that a lattice's offsets are no numbers any more.
-// Loads N and Q = N / 4 from nothing: no slip, and shift over approach is (2 - nu) / (8 (1 - nu)) (Mindlin &
-// Deresiewicz). The steps' own estimate is a quarter of what their growth adds.
+// Loads N and Q = N / 4 that grow from nothing cause no slip, and shift over approach is (2 - nu) / (8 (1 - nu))
+// (Mindlin and Deresiewicz). The steps' own estimate is a quarter of what their growth adds.
 TEST(TimeStep, growth_tells_the_error_of_steps) {
   for (const int steps : {5, 20}) {
     Spheres s(32);
@@ -193,6 +192,7 @@ TEST(TimeStep, growth_tells_the_error_of_steps) {
   }
 }
 
+// Material that travels so far that a lattice's offsets are no numbers any more.
 TEST(TimeStep, steps_that_overflow_are_refused) {
   for (const double dt : {1e30, 1e160, 1e300}) {
     KalkerSpheres spheres(12);

@@ -79,7 +79,7 @@ TEST(automatic_loads, a_solution_that_is_gone_takes_its_extrapolation_along) {
   ASSERT_EQ(rollcon_contact_solve_many(pair.handle(), "longitudinal", 1, &value, "force", 3, force, nullptr, nullptr),
             ROLLCON_OK);
   gone();
-  // A load beyond friction.
+  // The load is beyond friction.
   pair.load(hertz.load);
   ASSERT_EQ(pair.solve(), ROLLCON_OK);
   pair.tangential_force(ROLLCON_LONGITUDINAL, -2 * mu * hertz.load);

@@ -157,12 +157,13 @@ TEST(meshed_frames, faces_that_look_away_are_told) {
   EXPECT_EQ(pair.solve(), ROLLCON_OK) << "the contact stays usable";
 }
 
-// A body that bends out of its plane is told where its mesh does not show that; what was tried on the way is not.
+// The log tells a body that bends out of its plane where its mesh does not show that, but not what was tried on the
+// way.
 TEST(meshed_frames, frames_that_are_tried_write_nothing) {
   surfaces::Ring shape = example1::bem_ring(6);
   auto pair = example1::pair(shape, ElementType::quad4, "characteristic");
   std::string log;
-  ASSERT_EQ(rollcon_body_prepare(pair->body(1)), ROLLCON_OK);  // which tells of slender elements
+  ASSERT_EQ(rollcon_body_prepare(pair->body(1)), ROLLCON_OK);  // tells of slender elements
   ASSERT_EQ(rollcon_context_set_log(
                 pair->context(), ROLLCON_LOG_WARNING,
                 [](std::int32_t, const char* text, void* to) { *static_cast<std::string*>(to) += text; }, &log),

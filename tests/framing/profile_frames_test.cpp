@@ -224,7 +224,7 @@ TEST(profile_frames, bodies_in_the_other_order_are_refused) {
   }
 }
 
-// A load beside a roller's middle: the roller posed with the tilt that was found carries the load there.
+// A roller that is posed with the tilt found for a load beside its middle carries the load there.
 TEST(profile_frames, follow_the_tilt_that_a_moment_asks_for) {
   for (const double beside : {0.5, -1.0}) {
     RollingPair pair(steel, steel), posed(steel, steel);
@@ -240,7 +240,7 @@ TEST(profile_frames, follow_the_tilt_that_a_moment_asks_for) {
     expect_error("moment given", relative(pair.solution().moment[0], moment), 1e-9);
     expect_error("moment of the roller that is posed", relative(posed.solution().moment[0], moment), 1e-2);
     expect_error("approach", relative(posed.solution().approach, pair.solution().approach), 1e-2);
-    // Frames that are there already give the same.
+    // Frames that are there already give the same tilt.
     ASSERT_EQ(pair.solve(), ROLLCON_OK);
     double again[2];
     ASSERT_EQ(rollcon_contact_get_tilt(pair.handle(), again), ROLLCON_OK);

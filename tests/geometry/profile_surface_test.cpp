@@ -202,7 +202,8 @@ TEST(profile_surface, extruded_circle_and_line_are_cylinder_and_plane) {
   }
 }
 
-// A roller of radius 6 that ends at y = 5, and the bore of a ring, touched where they reach z = 0 when they are level.
+// A roller of radius 6 that ends at y = 5 and the bore of a ring are touched where they reach z = 0 when they are
+// level.
 TEST(profile_surface, normals_of_a_contact_meet_no_far_side) {
   constexpr double radius = 6, half = 5;
   for (const double tilt : {-1e-2, -5e-4, 5e-4, 1e-2})
@@ -211,7 +212,7 @@ TEST(profile_surface, normals_of_a_contact_meet_no_far_side) {
         const RevolvedProfile body(shape("line", {half, 0}), {0, 0, -inside * radius},
                                    {0, std::cos(tilt), std::sin(tilt)}, radius);
         const Vec3 along{0, 0, direction}, facing{0, 0, inside};
-        // The side of the roller that is shorter at this height, and the one that is longer.
+        // One side of the roller is shorter at this height, the other is longer.
         const double end = half * std::cos(tilt), off = inside * radius * std::sin(tilt);
         for (const double side : {-1.0, 1.0}) {
           const double last = side * end - off;

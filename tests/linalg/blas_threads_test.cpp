@@ -1,4 +1,4 @@
-/// Scopes of BLAS threads: within each other each has its own number, and the host's comes back.
+/// Each of the scopes of BLAS threads within each other has its own number, and the host's comes back.
 
 #include "linalg/blas_threads.hpp"
 

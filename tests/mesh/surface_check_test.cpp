@@ -321,9 +321,9 @@ TEST(SurfaceCheck, BodiesHangTogether) {
     const auto n = ball.elements();
     expect_refused(mesh, "the surface encloses several bodies that do not hang together, as those of elements 1 and " +
                              std::to_string(n + 1) + " (counting from 1): give each its own body");
-    // One beside the other is a body however it looks.
+    // Parts beside each other are several bodies, whichever way they look.
     expect_refused(join(ball, surfaces::turn_inside_out(ball), {5, 0, 0}), "encloses several bodies");
-    // A ball that rattles in a cavity.
+    // The third part is a ball that rattles in a cavity.
     mesh = join(surfaces::with_cavity(surfaces::cube_sphere(type, 2, 3), surfaces::cube_sphere(type, 2, 2)), ball);
     expect_refused(mesh, "encloses several bodies that do not hang together");
   }

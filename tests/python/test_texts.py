@@ -1,4 +1,4 @@
-"""What texts say, in one table: the call, and the words that it must have or must not have."""
+"""One table has what texts say: the call, and the words that its text must have or must not have."""
 
 import math
 import os
@@ -162,7 +162,7 @@ def plan_of_a_mesh_file(context):
     return contact.plan()
 
 
-# The text; words that it has; words that it has not.
+# Each row has a text, words that it has, and words that it has not.
 TEXTS = [
     (spinning_backwards, ["pitch rate, entry 5 of velocity, is 4.4", "has about -4.34"], ["set_velocity"]),
     (without_friction, ["set_friction or", "set_friction_by_angle first"], []),

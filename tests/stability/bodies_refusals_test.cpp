@@ -41,7 +41,7 @@ class Told {
   struct Press {
     double approach = 1e-3, lateral = 0;
   };
-  /// A rigid ball pressed into it, and rolling with a lateral creepage.
+  /// Presses a rigid ball into the body, which rolls with a lateral creepage.
   std::int32_t press(const SurfaceMesh* frame, const Press& how = {1e-3, 0}) {
     rollcon_body* ball = nullptr;
     rollcon_contact* contact = nullptr;
@@ -185,7 +185,7 @@ TEST(stability_bodies, thin_bodies_are_told) {
   EXPECT_EQ(block.text(), "");
 }
 
-// A tall block of few faces, three times as long as it is thick, pushed sideways.
+// A tall block of few faces, three times as long as it is thick, is pushed sideways.
 TEST(stability_bodies, bending_of_boundary_elements_that_are_too_long_is_told_where_forces_bend) {
   BlockShape tall{.model = Model::bem};
   tall.half = {1, 1, 12};

@@ -1,4 +1,4 @@
-/// Answers of a list: what each throws is its own; one order of statuses.
+/// Answers of a list keep what they throw to themselves, and one order holds for all statuses.
 
 #include "support/batch.hpp"
 

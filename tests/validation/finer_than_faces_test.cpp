@@ -101,7 +101,7 @@ TEST(FinerThanFaces, a_ball_on_finite_elements) {
       RollingPair pair(body, RigidBody{}, 1);
       pair.axes({off, off, 0}, {1, 0, 0}, {0, 0, 1}).frame(frame).friction(0);
       pair.gap_quadratic(1 / (2 * radius), 1 / (2 * radius)).load(4.0 / 3 * modulus * a * a * a / radius);
-      // Volume elements as deep as half of the contact's width are told.
+      // The solve tells volume elements as deep as half of the contact's width.
       const bool told = faces <= 1;
       EXPECT_EQ(pair.solve(), told ? ROLLCON_INACCURATE : ROLLCON_OK);
       const Solution s = pair.solution();

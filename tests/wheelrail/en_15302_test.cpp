@@ -1,5 +1,5 @@
-/// Equivalent conicities and nonlinearity parameters of EN 15302:2021 for its reference profiles, which it has in
-/// closed form: straight lines and arcs; mm.
+/// Equivalent conicities and nonlinearity parameters are those of EN 15302:2021 for its reference profiles, which are
+/// straight lines and arcs in closed form; mm.
 
 #include <cmath>
 #include <functional>
@@ -12,7 +12,8 @@
 namespace rollcon {
 namespace {
 
-/// From the zone before to here: a straight line c + m y, or, with a radius, z = c - r / |r| sqrt(r^2 - (y - m)^2).
+/// A zone goes from the one before to `to`: a straight line z = c + m y, or, with a radius r,
+/// z = c - r / |r| sqrt(r^2 - (y - m)^2).
 struct Zone {
   double to, c, m, radius;
 };
@@ -89,8 +90,8 @@ const Reference wheel_i{-62.7647,
                          {60, 1.89679, -0.0667, 0}}};
 
 constexpr double amplitudes[] = {1, 2, 3, 4, 5};
-/// The standard's results at these amplitudes, three digits. radius_left: of the wheel on the left; that on the right
-/// has 460.
+/// The standard's results at these amplitudes, to three digits. radius_left: radius of the wheel on the left; the one
+/// on the right has 460.
 struct Case {
   const char* name;
   const Reference *left, *right;
@@ -117,7 +118,7 @@ class en_15302 : public ::testing::Test {
       body[b]->set_profile(std::ssize(yz) / 2, yz.data(), 0);
     }
     auto w = std::make_unique<WheelRail>(context, body[0], body[1], side);
-    w->set_track(1500, 0, 0);  // of the profiles' origins; the gauge is 1435.16
+    w->set_track(1500, 0, 0);  // distance of the profiles' origins; the gauge is 1435.16
     w->set_wheelset(1360, -70, radius);
     return w;
   }
@@ -126,7 +127,7 @@ class en_15302 : public ::testing::Test {
 
 }  // namespace
 
-// The standard allows 0.05, and half of the conicity where that is less.
+// The standard allows a difference of 0.05, and of half of the conicity where that is less.
 TEST_F(en_15302, reference_profiles_have_its_conicities) {
   for (const Case& c : cases) {
     const auto left = make(-1, *c.left, c.radius_left), right = make(1, *c.right, 460);

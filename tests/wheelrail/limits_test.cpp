@@ -39,8 +39,8 @@ TEST_F(limits, overlaps_that_no_metal_bears_are_too_deep) {
   EXPECT_EQ(w->solve(), Status::ok) << "the wheel stays usable";
 }
 
-// Near y = 4.77 a third patch begins to touch: with some newtons of 33 kN it has few nodes, which is no matter of the
-// wheel.
+// A third patch begins to touch near y = 4.77. It carries some newtons of 33 kN on few nodes, which does not concern
+// the wheel.
 TEST_F(limits, few_nodes_of_a_patch_that_carries_nothing_are_not_told) {
   const auto w = make();
   w->prescribe_vertical(2, 33000);
@@ -50,7 +50,7 @@ TEST_F(limits, few_nodes_of_a_patch_that_carries_nothing_are_not_told) {
     w->set_position(position);
     told.clear();
     const Status status = w->solve();
-    double least = 33000, greatest = 0;  // of patches with few nodes
+    double least = 33000, greatest = 0;  // forces of patches with few nodes
     for (std::int64_t k = 0; k < w->patches(); ++k) {
       if (w->patch_stat(k, "status") != static_cast<double>(Status::coarse)) continue;
       least = std::min(least, w->patch_stat(k, "normal_force"));

@@ -1,5 +1,5 @@
-/// Positions whose roll is outside the yaw, as CONTACT has them, and those whose yaw is outside: beside products of
-/// matrices that are written out here.
+/// Positions whose roll is outside the yaw, which CONTACT has, and positions whose yaw is outside are compared with
+/// products of matrices that are written out here.
 
 #include <array>
 #include <cmath>
@@ -39,8 +39,8 @@ Vec3 times(const Matrix& a, const Vec3& v) {
   return r;
 }
 
-/// Of a wheelset in space, with the roll outside: roll and yaw that turn it so with the yaw outside, and the pitch
-/// that is left over.
+/// Roll and yaw that turn a wheelset with the yaw outside as others turn it with the roll outside, and the pitch that
+/// is left over.
 struct Turns {
   double roll, yaw, pitch;
 };
@@ -55,7 +55,7 @@ using Six = std::array<double, 6>;
 struct State {
   Six position, velocity;
 };
-/// The place and motion of a wheelset, given with the roll outside, as the other order gives them.
+/// Gives the place and motion of a wheelset in the order with the yaw outside; they come with the roll outside.
 State yaw_outside(const State& given) {
   const double roll = given.position[3], yaw = given.position[4], h = 1e-4;
   const auto at = [&](double t) { return yaw_outside(roll + t * given.velocity[3], yaw + t * given.velocity[4]); };
@@ -74,7 +74,7 @@ constexpr State given{{0, y, 0.1, roll, yaw, 0}, {2000, 3, 0, 0.02, -0.05, -4.34
 
 class order_of_turns : public wheels {
  protected:
-  /// Under 10 kN, or at a height at which it carries about as much.
+  /// A wheel under 10 kN, or at a height at which it carries about as much.
   std::unique_ptr<WheelRail> standing(std::int32_t side, bool roll_outside, How how) const {
     auto w = make(side);
     w->set_accuracy(0.02);
@@ -126,7 +126,7 @@ TEST_F(order_of_turns, one_place_and_motion_has_one_answer) {
       const Matrix back = transposed(times(about_x(roll), about_z(yaw)));
       expect_error("force in the wheelset's axes", length(f_set - times(back, f)) / length(f), 1e-14);
       expect_error("moment in the wheelset's axes", length(m_set - times(back, m)) / length(m), 1e-14);
-      // What the order is worth here.
+      // The order matters here.
       const auto other = standing(side, true, how);
       other->set_roll_outside(0);
       other->solve();
@@ -145,7 +145,7 @@ TEST_F(order_of_turns, lists_of_positions_keep_it) {
   expect_error("force beside the single solve", length(f - Vec3{total[0], total[1], total[2]}) / length(f), 1e-6);
 }
 
-// By the chain rule through the angles of the other order.
+// The chain rule through the angles of the other order gives the derivatives.
 TEST_F(order_of_turns, derivatives_follow_it) {
   const auto w = standing(-1, true, How::by_force), inside = standing(-1, false, How::by_force);
   for (const std::size_t entry : {3U, 4U, 9U, 10U}) {

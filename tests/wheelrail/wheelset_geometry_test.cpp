@@ -142,7 +142,7 @@ TEST_F(wheelset_geometry, wheels_touch_where_they_begin_to_overlap) {
   }
 }
 
-// One axle carries both: the wheel on the left has to come down by the difference.
+// One axle carries both wheels: the one on the left has to come down by the difference.
 TEST_F(wheelset_geometry, radii_may_differ) {
   left = make(-1);
   right = make(1);

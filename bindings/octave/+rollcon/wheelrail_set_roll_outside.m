@@ -1,10 +1,10 @@
 function varargout = wheelrail_set_roll_outside(varargin)
 % WHEELRAIL_SET_ROLL_OUTSIDE  rollcon.wheelrail_set_roll_outside(wheelrail, on)
 %
-% Says in which order positions turn a wheelset: a point of it is pitched about its axle, then yawed
-% about z, then rolled about x, as in CONTACT; or rolled, then yawed, as in a new handle. Rates of
-% roll and yaw are those of these angles. Counts from the next solve, for positions that were set
-% before, too. Without roll or without yaw both orders are one.
+% Says in which order positions turn a wheelset. A point of it is pitched about its axle; then it is
+% either yawed about z and rolled about x, as in CONTACT, or rolled and then yawed, as in a new
+% handle. Rates of roll and yaw are those of these angles. Counts from the next solve, for positions
+% that were set before, too. Both orders are the same without roll or without yaw.
 %
 %   wheelrail (wheelrail)
 %   on (int32): 1: the roll outside the yaw; 0: the yaw outside the roll, as in a new handle

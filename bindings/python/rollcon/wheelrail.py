@@ -57,11 +57,11 @@ class ContactPoints:
 
 
 def contact_points(left: WheelRail, right: WheelRail, shift: ArrayLike) -> ContactPoints:
-    """Where both wheels of a rigid wheelset touch rigid rails over its lateral shift[n]; a
-    ContactPoints. The wheelset does not yaw, and rolls until both wheels touch.
+    """Finds where both wheels of a rigid wheelset touch rigid rails over its lateral shift[n]; returns
+    a ContactPoints. The wheelset does not yaw, and rolls until both wheels touch.
 
     left: the WheelRail on the left, with track and wheelset set.
-    right: that on the right.
+    right: the WheelRail on the right.
     shift: y of the wheelset's centre."""
     shift, shift_at = reals(shift)
     table, table_at = room(len(shift), 13)
@@ -73,7 +73,7 @@ def conicity(left: WheelRail, right: WheelRail, amplitude: ArrayLike) -> tuple[n
     """Equivalent conicity of EN 15302 for each amplitude[n], and the wavelength of the motion.
 
     left: the WheelRail on the left, with track and wheelset set.
-    right: that on the right.
+    right: the WheelRail on the right.
     amplitude: half the distance between the turning points of the motion."""
     amplitude, amplitude_at = reals(amplitude)
     found, found_at = room(len(amplitude))
@@ -87,19 +87,19 @@ def nonlinearity_parameter(left: WheelRail, right: WheelRail, millimetre: float 
     amplitude of 2 mm to one of 4 mm, over 2 mm.
 
     left: the WheelRail on the left, with track and wheelset set.
-    right: that on the right.
-    millimetre: its length in the caller's unit; 0.001 if that is the metre."""
+    right: the WheelRail on the right.
+    millimetre: the length of a millimetre in the caller's unit; 0.001 if that is the metre."""
     found, _ = conicity(left, right, [2 * millimetre, 4 * millimetre])
     return (found[1] - found[0]) / (2 * millimetre)
 
 
 def rolling_radii_coefficient(left: WheelRail, right: WheelRail, shift: float, curve: float) -> float:
-    """Rolling radii coefficient of EN 15302:2021: the rolling-radius difference that a wheelset has over
-    the one with which it rolls round a curve without slip; 1 and more: it can steer.
+    """Rolling radii coefficient of EN 15302:2021: the difference of rolling radii that a wheelset has,
+    divided by the one with which it rolls round a curve without slip. At 1 and above the wheelset can steer.
 
     left: the WheelRail on the left, with track and wheelset set.
-    right: that on the right, on the outer rail.
-    shift: of the wheelset to the outside at the height of the rails, as far as the standard says.
+    right: the WheelRail on the right, on the outer rail.
+    shift: the wheelset's shift to the outside at the height of the rails, up to which the standard goes.
     curve: radius of the track's middle."""
     centre = shift
     for _ in range(4):

@@ -19,7 +19,8 @@ namespace {
 /// Displacements are off by about the part of the load that is missed. Coarse rings that are right where they are
 /// loaded miss 0.78, plates that hardly bend 0.84 and more.
 constexpr double most_imbalance = 0.8;
-/// Lengths of edges over the thickness there, from which elements do not bend rightly (by the hub of rings).
+/// Elements whose edges are longer than these multiples of the thickness there do not bend rightly (by the hub of
+/// rings).
 constexpr double too_long = 1.2, too_long_quadratic = 2.7;
 
 /// Calls add(weight times area, position, shape) at the points of a rule on an element, with its own shape functions;
@@ -105,8 +106,8 @@ double System::missed(std::span<const double> load, std::span<const double> trac
   return force > 0 ? imbalance(resultant(traction), (1 / force) * first, force) : 0;
 }
 
-// An edge bends by what its middle has beyond the mean of its ends; the work is that of a plate as thick as the body
-// there, half of it on either side.
+// An edge bends by how far its middle moves beyond the mean of its ends. The work is that of a plate as thick as the
+// body there; half of it belongs to either side.
 double System::bent(const std::vector<double>& displacement, double force) const {
   const auto moved = [&](std::int32_t k) {
     return Vec3{displacement[3 * at(k)], displacement[3 * at(k) + 1], displacement[3 * at(k) + 2]};

@@ -1,4 +1,4 @@
-// The kernels, written once and compiled for each instruction set (cmake/RollconKernels.cmake). Internal linkage
+// The kernels are written once and compiled for each instruction set (cmake/RollconKernels.cmake). Linkage is internal
 // throughout; only the table of functions leaves the file.
 #pragma once
 

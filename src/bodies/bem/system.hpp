@@ -56,7 +56,7 @@ class System final : public ResponseCache, public MayMissLoads {
   double imbalance(const Resultant& sum, const Vec3& centre, double force) const;
   /// Of own loads, what the reactions miss.
   double missed(std::span<const double> load, std::span<const double> traction) const;
-  /// See Imbalances; force: that causes the displacements.
+  /// See Imbalances; force: what causes the displacements.
   double bent(const std::vector<double>& displacement, double force) const;
   /// Of uniform tractions on the surface that b was made for, right sides after elimination; err_mesh where a pressure
   /// gets no answer that can be trusted. (No load may act along the faces.)

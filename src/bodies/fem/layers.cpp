@@ -37,7 +37,7 @@ void limit_by_thickness(const SurfaceMesh& surface, const std::vector<std::int64
 
 }  // namespace
 
-// Contact faces that look the way of a layer, from corner to corner: no walls of the body beside it.
+// Finds the contact faces whose corners look the way of the layer; walls of the body beside it are left out.
 std::vector<std::int64_t> System::facing(const Vec3& normal) const {
   constexpr double least_cosine = 0.25;
   std::vector<std::int64_t> face;

@@ -45,7 +45,7 @@ class HalfspaceInterior {
   Material material_;
   double largest_ = 0, least_depth_ = 0, accuracy_;
   std::vector<halfspace::LoadedElement> elements_;
-  /// By the element's number of nodes and its kind of map; empty: none of these elements.
+  /// Rules by the element's number of nodes and its kind of map; empty: there are no such elements.
   std::vector<Rule> rules_[max_element_nodes + 1][3];
 };
 

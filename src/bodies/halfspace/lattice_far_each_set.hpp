@@ -1,4 +1,4 @@
-// The loop, written once and compiled for each instruction set (cmake/RollconKernels.cmake). Internal linkage
+// The loop is written once and compiled for each instruction set (cmake/RollconKernels.cmake). Linkage is internal
 // throughout; only one function's address leaves the file.
 #pragma once
 

@@ -62,8 +62,8 @@ struct BodyMesh {
   std::vector<FaceNaming> naming;    ///< of a volume's faces
   std::vector<BoundaryFace> origin;  ///< of each surface element, in the volume
   bool boundary_current = false;
-  std::string passed_over;  ///< of the file that it came from: what was not read
-  std::vector<double> thickness;  ///< behind each surface element; 0: see thinness(), which fills it
+  std::string passed_over;        ///< what was not read of the file that the mesh came from
+  std::vector<double> thickness;  ///< behind each surface element, filled by thinness(), which explains 0
 
   std::vector<std::uint8_t> held;     ///< per node: bit c is set when displacement component c is given
   std::vector<Vec3> held_value;       ///< per node, in the body's axes

@@ -59,10 +59,10 @@ class BlockBuffer {
 /// What a frame finds of the mesh of a body.
 struct MeshOnFrame {
   const SurfaceResponse* response = nullptr;  ///< null: the body has no mesh
-  double under_faces = 0;   ///< thickness over the length of faces (square root of the area), mean by area; at most 10
-  double glued = INFINITY;  ///< least thickness over what is held on the other side
+  double under_faces = 0;      ///< thickness over length of faces (square root of the area), mean by area; at most 10
+  double glued = INFINITY;     ///< least thickness where the other side is held
   double element = INFINITY;   ///< least depth of volume elements, half of it if quadratic
-  bool between_nodes = false;  ///< a half-space tells displacements there
+  bool between_nodes = false;  ///< displacements between nodes are those of a half-space
 };
 
 class Compliance {
@@ -94,7 +94,7 @@ class Compliance {
   virtual std::shared_ptr<const TranslationKernel> translation() const { return nullptr; }
   /// The frame's nodes have moved, in its plane. False: has to be made again.
   virtual bool follow_frame() { return false; }
-  /// By body, of those that have a mesh.
+  /// Fills the entries of bodies that have a mesh.
   virtual void find_meshes(std::array<MeshOnFrame, 2>& /*found*/) const {}
   /// One line for the plan: model, how the frame lies on it.
   virtual std::string description() const { return {}; }

@@ -1,6 +1,6 @@
 #pragma once
-/// Which loads the reactions of a body's supports miss, and which bend it where its mesh cannot. Only boundary elements
-/// can miss any: nothing in their equations keeps the balance.
+/// Loads that the reactions of a body's supports miss, and loads that bend the body where its mesh cannot. Only
+/// boundary elements can miss loads: nothing in their equations keeps the balance.
 
 namespace rollcon {
 
@@ -8,7 +8,8 @@ struct Imbalances {
   /// Parts of uniform tractions on frames, the largest of all frames: along the body's axes, and of a pressure.
   double along[3] = {0, 0, 0}, pressure = 0;
   double loads = 0;  ///< part of the body's own loads
-  /// Parts of the work of uniform tractions along the body's axes that bends elements too long for its thickness.
+  /// Part of the work of uniform tractions along each of the body's axes that bends elements too long for its
+  /// thickness.
   double bent[3] = {0, 0, 0};
 };
 

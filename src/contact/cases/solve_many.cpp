@@ -119,7 +119,7 @@ Status ManyCases::solve_case(CaseSolver& solver, std::int64_t i, Monitor& monito
 }
 
 void ManyCases::solve_chain(CaseSolver& solver, std::size_t chain, bool calling) {
-  const BlasThreads blas(1);  // in this thread, which needs a buffer of its own
+  const BlasThreads blas(1);  // this thread needs a buffer of its own
   Watch watch(*this, calling);
   solver.begin_chain();
   for (std::int64_t k = order_.chain_begin[chain]; k < order_.chain_begin[chain + 1] && !wanted(); ++k) {
@@ -141,7 +141,7 @@ std::size_t ManyCases::run(const std::function<std::unique_ptr<CaseSolver>()>& m
     parallel_for(order_.chains(), 1, static_cast<int>(solver.size()),
                  [&](std::int64_t chain, int thread) { solve_chain(*solver[at(thread)], at(chain), thread == 0); });
   } catch (const Cancelled&) {
-    // What was solved before is there.
+    // Cases that were solved before keep their results.
   }
   if (thrown_) std::rethrow_exception(thrown_);
   std::size_t bytes = 0;

@@ -78,7 +78,7 @@ bool too_few_nodes(const SolverState& s) {
 
 namespace {
 
-// Few nodes, or corners of quad8, which weigh less than nothing, carry what friction cannot.
+// Tells of few nodes, or corners of quad8, whose weights are negative, that carry more than friction can.
 Line beyond_friction(const SolverState& s) {
   Vec3 force{}, moment{};
   sum_tractions(s.prepared->problem, s.iterate.lambda, force, moment);

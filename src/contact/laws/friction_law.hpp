@@ -31,7 +31,7 @@ inline TangentialLaw stick_law() {
   return law;
 }
 
-/// Where nothing can be carried: lt = 0.
+/// The law where nothing can be carried: lt = 0.
 inline TangentialLaw law_without_friction() {
   TangentialLaw law{};
   law.sliding = true;

@@ -68,8 +68,8 @@ void ReducedSystem::gather_borders(const Problem& problem, const Prescribed& giv
   for (const int m : {xi1, xi2, spin, tilt1, tilt2, approach}) {
     if (!has_motion(part_, m) || !given.by_force[static_cast<std::size_t>(m)]) continue;
     add_border(problem, given, m, lambda);
-    // No active node has a part in the load, and none is asked for: one node at the origin has no moment. The motion is
-    // zero, as motion() says then.
+    // The border is dropped if no active node has a part in the load and no load is asked for: one node at the origin
+    // has no moment. motion() then says zero.
     const Border& last = border_[static_cast<std::size_t>(borders_ - 1)];
     const bool carried = std::any_of(std::begin(last.row), std::end(last.row), [](auto& row) { return !row.empty(); });
     if (!carried && last.right == 0 && given.value[static_cast<std::size_t>(m)] == 0) --borders_;

@@ -161,7 +161,7 @@ void SplitFactors::solve_normal(const double* x, double* y) {
 void SplitFactors::apply(const double* x, double* y) {
   if (!system_->normal()) return solve_tangential(x, y);
   if (!system_->tangential()) return solve_normal(x, y);
-  // MotionValues stand behind the normal tractions.
+  // Motions stand behind the normal tractions.
   const std::int64_t borders = tangential_.borders, na = system_->active();
   const std::int64_t tractions = system_->size(Rows::tangential) - borders;
   const std::int64_t normal = na + normal_.borders;

@@ -40,7 +40,8 @@ std::size_t Newton::bytes() const {
 
 Part Newton::goal(const Problem& problem, const Prescribed& given, bool frictionless) {
   if (frictionless) return Part::normal;
-  // Tangential tractions carry a part of the loads that gaps follow: of a curved frame, or outside of the axes' plane.
+  // Tangential tractions carry a part of the loads of motions that change the gap, on curved frames and on flat ones
+  // outside of the axes' plane.
   const bool tilted = given.by_force[tilt1] || given.by_force[tilt2];
   const bool together =
       problem.op->coupled || (!problem.turn.empty() && (given.by_force[approach] || tilted)) ||

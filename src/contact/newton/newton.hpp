@@ -48,7 +48,7 @@ class Newton {
   NewtonIteration iteration_;
   Solve solve_;
   std::vector<double> judged_;    ///< pressures that the normal part converged to
-  MotionValues judged_motion_{};       ///< likewise
+  MotionValues judged_motion_{};  ///< motions that it converged to
   bool pressures_found_ = false;  ///< the normal part converged
   bool compared_ = false;         ///< with sliding against the loads, in this solve
   FrictionShare slides_;          ///< what that gave

@@ -76,8 +76,8 @@ void guess_approach(const Problem& p, const Prescribed& given, MotionValues& mot
   if (c.low < INFINITY) motion[approach] = c.low + 2 * c.half;
 }
 
-// Tilts whose moments are given, where the load presses on ground that is level: the gap's slope near that point, over
-// a part of the frame.
+// Tilts whose moments are given level the gap where the load presses: they start from the gap's slope near that point,
+// fitted over a part of the frame.
 void guess_tilts(const Problem& p, const Prescribed& given, MotionValues& m) {
   constexpr double part = 0.15;
   double load = given.value[approach];
@@ -89,7 +89,7 @@ void guess_tilts(const Problem& p, const Prescribed& given, MotionValues& m) {
   double b[3] = {};
   for (std::size_t k = 0; k < at(p.nodes); ++k) {
     if (!p.used[k]) continue;
-    // The columns of tilts: y and -x.
+    // The columns of the tilts are y and -x.
     const double row[3] = {1, p.tilting[0][k] - y0, p.tilting[1][k] + x0};
     const double w = std::exp(-0.5 * (row[1] * row[1] + row[2] * row[2]) / (width * width));
     for (int r = 0; r < 3; ++r) {

@@ -30,13 +30,13 @@ inline bool has_motion(Part part, int m) {
   return changes_gap(m) ? has_normal(part) : has_tangential(part);
 }
 
-/// Less is none: squares of its tractions vanish.
+/// Less friction counts as none: squares of its tractions vanish.
 inline constexpr double least_friction = 1e-100;
 
 struct Prescribed {
   std::array<bool, motion_count> by_force{};  ///< motion unknown, conjugate load given
   MotionValues value{};                       ///< load (on body 1) where by force, else motion
-  double full_approach = 0;                   ///< one that is prescribed, from no approach on, as it was given
+  double full_approach = 0;                   ///< a prescribed approach as it was given, from no approach on
   double friction = 1;                        ///< factor on the nodes' coefficients
   double falling = 1;                         ///< factor on the slip speed that friction falls with; 0: as at rest
   double slip_scale = 1;                      ///< factor on the nodes' scales of slip: another path, same solution

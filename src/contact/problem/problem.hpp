@@ -49,7 +49,7 @@ struct Problem {
   std::vector<double> slip1, slip2;
   std::vector<double> weight;              ///< integral of N_i: force from tractions
   std::vector<double> moment_x, moment_y;  ///< integrals of N_i x and N_i y: spin moment
-  std::vector<double> moment_z;            ///< of N_i z
+  std::vector<double> moment_z;            ///< integral of N_i z
   std::vector<double> tilting[2];          ///< gap lost per unit of a tilt
   std::vector<std::uint8_t> used;          ///< nodes that may carry traction
   double length = 1;                       ///< of the frame; scales spin
@@ -73,7 +73,7 @@ struct Problem {
   }
   /// Gap lost per unit of approach.
   double closing(std::size_t k) const { return turn.empty() ? 1 : turn[k][2][2]; }
-  /// Likewise, of any motion.
+  /// Gap lost per unit of any motion.
   double closing(int motion, std::size_t k) const {
     return motion >= tilt1 ? tilting[motion - tilt1][k] : motion == approach ? closing(k) : 0;
   }

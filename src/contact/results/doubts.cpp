@@ -8,7 +8,7 @@
 namespace rollcon {
 namespace {
 
-/// Half of the lesser of what touching nodes span along t1 and t2.
+/// Half of the width that touching nodes span along t1 or t2, whichever is less.
 double half_width(const SolverState& s) {
   double width = INFINITY;
   for (const std::vector<double>* along : {&s.prepared->frame.x, &s.prepared->frame.y}) {

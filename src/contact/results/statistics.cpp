@@ -79,7 +79,7 @@ double t_gamma(SolverState& s) {
   return -(force[0] * motion[xi1] + force[1] * motion[xi2]);
 }
 
-// Part of the contact's area that came into contact within a step without rolling.
+// The part of the contact's area that came into contact within a step without rolling.
 double step_growth(SolverState& s) {
   const auto area = [](const PastStep& past) {
     double sum = 0;

@@ -53,7 +53,7 @@ enum class StepKind : std::int32_t { steady = 0, rolling = 1, shift = 2 };
 enum Motion : int { xi1 = 0, xi2 = 1, approach = 2, spin = 3, tilt1 = 4, tilt2 = 5 };
 constexpr std::size_t motion_count = 6;
 using MotionValues = std::array<double, motion_count>;
-/// Of a number of Direction or Parameter, which has that of friction between spin and tilts.
+/// The motion of a Direction or Parameter, whose numbers have friction between spin and tilts.
 template <class Number>
 constexpr std::size_t motion_of(Number number) {
   const auto n = static_cast<std::size_t>(number);

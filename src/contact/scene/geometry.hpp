@@ -25,7 +25,7 @@ std::vector<Vec3> surface_normals(const Frame& frame, const FrameSource& source,
 /// plane through the axes' origin normal to n. Throws err_mesh likewise.
 std::vector<double> undeformed_gap(const Frame& frame, const FrameSource& source, const PairOfBodies& pair);
 
-/// What is told of bodies that lie where their partners should.
+/// The text about bodies that lie where their partners should.
 inline constexpr const char* exchange_bodies =
     "body 1 lies on the side of n, where body 2 should be: exchange the bodies, or turn n, the outward normal of body "
     "1 "

@@ -71,7 +71,7 @@ class GapOfSurfaces final : public KnownGap {
   }
   bool measured() const { return !given_; }
 
-  // An edge, whatever its direction, is passed by one of the diagonals; those of tilted bodies are slightly curved.
+  // One of the diagonals passes an edge, whatever its direction; edges of tilted bodies are slightly curved.
   bool ends_at(double x, double y, double size) const override {
     const double beside = 2e-2 * size;
     for (const double sx : {-beside, beside})

@@ -90,8 +90,8 @@ INSTANTIATE_TEST_SUITE_P(Ring_long, PatchLoad,
                                            Case{Part::quarter, VolumeType::tet10, {6, 12, 3, 10}, 0.02}),
                          ring_part_name);
 
-// By how much of its work an axial load bends a ring within elements too long for its thickness, beside how far
-// displacements are off; of sound and of coarse meshes. What reactions miss does not follow the error.
+// The part of its work by which an axial load bends a ring within elements too long for the thickness is compared with
+// the error of the displacements, on sound and on coarse meshes. What reactions miss does not follow the error.
 TEST(RingBending_long, what_long_elements_bend_follows_the_error) {
   if (absent(ElementType::quad4)) GTEST_SKIP() << "not in this build";
   constexpr double least_told = 0.02;

@@ -17,7 +17,7 @@ constexpr double hopeless = 1e3;  // times the tractions at the start
 constexpr double smallest = 1e-300;
 
 // Every node's laws in turn with the tractions of the others held, from where material flows in to where it leaves:
-// slip depends on tractions near and upstream of it most. MotionValues stay.
+// slip depends on tractions near and upstream of it most. Motions stay.
 void sweep_along_flow(const Solve& s, const DenseOperators& op) {
   const Problem& p = *s.problem;
   Iterate& it = *s.iterate;

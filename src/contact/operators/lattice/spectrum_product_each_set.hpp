@@ -1,4 +1,4 @@
-// The products, written once and compiled for each instruction set (cmake/RollconKernels.cmake). Internal linkage
+// The products are written once and compiled for each instruction set (cmake/RollconKernels.cmake). Linkage is internal
 // throughout; only tables of functions leave the file.
 #pragma once
 
