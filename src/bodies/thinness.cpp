@@ -56,7 +56,7 @@ Thinness thinness(BodyMesh& mesh, double linear, double quadratic) {
 }
 
 MeshOnFrame look_under(const BodyMesh& mesh, std::span<const std::int64_t> element) {
-  constexpr double most = 10, third = 1.0 / 3;
+  constexpr double most = 10, third = 1.0 / 3, few_layers = 4;
   const SurfaceMesh& surface = mesh.surface;
   const SurfaceSearch all(surface, {});
   const std::vector<std::uint8_t> held = held_elements(mesh);
@@ -69,12 +69,13 @@ MeshOnFrame look_under(const BodyMesh& mesh, std::span<const std::int64_t> eleme
     areas += area;
     if (opposite && held[static_cast<std::size_t>(opposite->element)] != 0)
       found.glued = std::min(found.glued, opposite->distance);
-    if (mesh.origin.empty()) continue;
+    if (mesh.origin.empty() || !opposite) continue;
     const SurfaceFrame face = evaluate_surface(surface, e, third, third);
     double deepest = 0;
     for (const std::int32_t k : mesh.volume.element(mesh.origin[i].element))
       deepest = std::max(deepest, dot(face.x - surface.node[static_cast<std::size_t>(k)], normalized(face.normal)));
-    found.element = std::min(found.element, is_quadratic(surface.type[i]) ? 0.5 * deepest : deepest);
+    const double depth = is_quadratic(surface.type[i]) ? 0.5 * deepest : deepest;
+    if (opposite->distance < few_layers * depth) found.element = std::min(found.element, depth);
   }
   found.under_faces = areas > 0 ? sum / areas : most;
   return found;

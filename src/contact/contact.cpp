@@ -79,7 +79,7 @@ void Contact::prepare_or_clear() {
   state_->settled = true;
 }
 
-// On frames of fewer nodes, and where no rows are formed, threads of the BLAS save no time and take twice the
+// On frames of fewer nodes, and where no rows are formed, threads of the BLAS save little time and take twice the
 // processor's (docs/howto/speed.md, two cores).
 int Contact::blas_threads() const {
   constexpr std::int64_t least_nodes = 2000;

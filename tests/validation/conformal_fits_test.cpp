@@ -116,7 +116,7 @@ TEST(ConformalFits_long, a_pin_in_a_plate) {
       const SurfaceMesh frame = extremes::top_of(body, 1, 7);
       for (const Vec3& x : frame.node) gap.push_back(clearance * x[2]);
       pair.gap(gap);
-      ASSERT_EQ(pair.solve(), ROLLCON_OK);
+      ASSERT_EQ(pair.solve(), ROLLCON_OK) << rollcon_last_caveat();
       const Solution s = pair.solution();
       const double p0 = load / (2 * half_length) * persson.pressure(0);
       double error = 0;

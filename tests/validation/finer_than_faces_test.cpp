@@ -101,9 +101,7 @@ TEST(FinerThanFaces, a_ball_on_finite_elements) {
       RollingPair pair(body, RigidBody{}, 1);
       pair.axes({off, off, 0}, {1, 0, 0}, {0, 0, 1}).frame(frame).friction(0);
       pair.gap_quadratic(1 / (2 * radius), 1 / (2 * radius)).load(4.0 / 3 * modulus * a * a * a / radius);
-      // The solve tells volume elements as deep as half of the contact's width.
-      const bool told = faces <= 1;
-      EXPECT_EQ(pair.solve(), told ? ROLLCON_INACCURATE : ROLLCON_OK);
+      EXPECT_EQ(pair.solve(), ROLLCON_OK);
       const Solution s = pair.solution();
       double sum = 0, count = 0;
       for (std::size_t k = 0; k < s.nodes(); ++k) {

@@ -240,7 +240,8 @@ void ReducedSystem::add_laws(const double* x, double* y) const {
   }
 }
 
-void ReducedSystem::start(const std::vector<double> (&lambda)[3], const MotionValues& motion, std::vector<double>& x) const {
+void ReducedSystem::start(const std::vector<double> (&lambda)[3], const MotionValues& motion,
+                          std::vector<double>& x) const {
   const std::size_t na = nodes_.size();
   x.resize(static_cast<std::size_t>(size_));
   for (int r = 0; r < count_; ++r)

@@ -8,14 +8,15 @@
 namespace rollcon {
 namespace {
 
-/// Half of the width that touching nodes span along t1 or t2, whichever is less.
+/// Half of the lesser of what touching nodes span along t1 and t2, where the contact ends before the frame does.
 double half_width(const SolverState& s) {
   double width = INFINITY;
   for (const std::vector<double>* along : {&s.prepared->frame.x, &s.prepared->frame.y}) {
     double least = INFINITY, most = -INFINITY;
     for (std::size_t k = 0; k < along->size(); ++k)
       if (s.iterate.lambda[2][k] < 0) least = std::min(least, (*along)[k]), most = std::max(most, (*along)[k]);
-    width = std::min(width, most - least);
+    const auto [first, last] = std::minmax_element(along->begin(), along->end());
+    if (least > *first || most < *last) width = std::min(width, most - least);
   }
   return 0.5 * width;
 }
@@ -68,8 +69,7 @@ Line describe_too_deep(const SolverState& s) {
   if (!(largest > modulus)) return {};
   return line_of(
       "the largest pressure is %.4g, more than the modulus of contact (%.4g), as no material bears: check shapes, "
-      "sides, "
-      "loads and all units",
+      "sides, loads and all units",
       largest, modulus);
 }
 
