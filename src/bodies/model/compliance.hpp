@@ -59,8 +59,8 @@ class BlockBuffer {
 /// What a frame finds of the mesh of a body.
 struct MeshOnFrame {
   const SurfaceResponse* response = nullptr;  ///< null: the body has no mesh
-  double under_faces = 0;      ///< thickness over length of faces (square root of the area), mean by area; at most 10
-  double glued = INFINITY;     ///< least thickness where the other side is held
+  double under_faces = 0;   ///< thickness over length of faces (square root of the area), mean by area; at most 10
+  double glued = INFINITY;  ///< least thickness where the other side is held
   /// Least depth of volume elements, half of it if quadratic, where the body has fewer than four layers of them.
   double element = INFINITY;
   bool between_nodes = false;  ///< displacements between nodes are those of a half-space
