@@ -92,10 +92,11 @@ void require_buffers(int count) {
   if (count <= buffers) return;
   if (!has_room_for(count - buffers + callers))
     fail(Status::err_memory, "OpenBLAS needs 128 MiB of address space for a thread, and this process has no more");
-  std::vector<void*> held(blas_memory_alloc && blas_memory_free ? static_cast<std::size_t>(std::min(count, 64)) : 0);
+  buffers = count;
+  if (!blas_memory_alloc || !blas_memory_free) return;
+  std::vector<void*> held(static_cast<std::size_t>(std::min(count, 64)));
   for (void*& buffer : held) buffer = blas_memory_alloc(0);
   for (void* buffer : held) blas_memory_free(buffer);
-  buffers = count;
 }
 
 /// Each of OpenBLAS's own threads has a buffer from its beginning.

@@ -10,11 +10,9 @@ Status worse(Status a, Status b) {
   constexpr Status order[] = {Status::cancelled,  Status::not_converged, Status::derailed,
                               Status::too_deep,   Status::coarse,        Status::rim_contact,
                               Status::inaccurate, Status::no_contact,    Status::ok};
-  const auto rank = [&](Status s) {
-    if (static_cast<std::int32_t>(s) < 0) s = Status::not_converged;
-    return std::find(std::begin(order), std::end(order), s);
-  };
-  return *std::min(rank(a), rank(b));
+  for (Status* const s : {&a, &b})
+    if (static_cast<std::int32_t>(*s) < 0) *s = Status::not_converged;
+  return *std::find_if(std::begin(order), std::end(order) - 1, [&](Status s) { return s == a || s == b; });
 }
 
 void fail(Status status, const char* format, ...) {
