@@ -303,7 +303,7 @@ TEST(SurfaceCheck, CavitiesThatLookTheWrongWay) {
     expect_refused(hollow,
                    std::to_string(n / 3) + " such in the surface; first: element " + std::to_string(first) + " (");
     expect_refused(hollow, "on the wall of a cavity");
-    // As a whole it might be a body as well. The order of the shells does not matter, nor that both are wrong.
+    // The whole might be a body as well. The order of the shells does not matter, nor that both are wrong.
     const std::string words = "the elements of a cavity look into the cavity";
     expect_refused(join(outer, inner), "those of elements 0 and " + std::to_string(first));
     expect_refused(join(outer, inner), words);

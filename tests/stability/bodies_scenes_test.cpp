@@ -27,7 +27,8 @@ TEST(stability_bodies_long, named_scenes_keep_the_laws) {
   for (const Scene& scene : extremes::named_body_scenes()) {
     const Ending e = run(scene);
     const std::string name = scene.group + ": " + scene.name;
-    EXPECT_TRUE(scene.is_right(e.status) || e.status == ROLLCON_INACCURATE) << name << ": status " << e.status << " " << e.message << rollcon_last_caveat();
+    EXPECT_TRUE(scene.is_right(e.status) || e.status == ROLLCON_INACCURATE)
+        << name << ": status " << e.status << " " << e.message << rollcon_last_caveat();
     if (!e.solved()) continue;
     ++solved;
     EXPECT_LE(e.law.worst(), law_bound) << name << ": " << e.law.worst_name();
