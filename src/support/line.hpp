@@ -2,6 +2,7 @@
 /// A line of text that needs no memory: solves that must not allocate make some.
 
 #include <cstdio>
+#include <cstring>
 #include <string>
 
 namespace rollcon {
@@ -13,11 +14,12 @@ struct Line {
   std::string str() const { return text; }
 };
 
-/// As printf; longer lines are cut.
+/// Formats as printf does; a line that is too long ends with three dots.
 template <class... Args>
 Line line_of(const char* format, Args... args) {
   Line line;
-  std::snprintf(line.text, sizeof line.text, format, args...);
+  if (std::snprintf(line.text, sizeof line.text, format, args...) >= static_cast<int>(sizeof line.text))
+    std::memcpy(line.text + sizeof line.text - 4, "...", 4);
   return line;
 }
 
