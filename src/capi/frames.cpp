@@ -48,7 +48,7 @@ rollcon_status rollcon_contact_read_frame(rollcon_contact* contact, const char* 
     require_pointer(path, "path");
     require_pointer(part, "part");
     const MeshFile file = part_of(read_mesh_file(path), path, part, false);
-    if (!file.told.empty()) self.log(LogLevel::warning, (path + (": " + file.told)).c_str());
+    if (!file.told.empty()) self.solver->host.context->log(LogLevel::warning, "%s: %s", path, file.told.c_str());
     SurfaceMesh mesh = mesh_of_nodes(file.nodes(), file.node.data()->data(), 3, 1, 0);
     each_run(file, [&](int32_t type, int64_t n, const int32_t* nodes, int32_t tag) {
       append_elements(mesh, type, n, nodes, 0, tag, "frame", "rollcon_contact_read_frame");

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "contact/solution.hpp"
-
 namespace rollcon {
 
 OwnFramesSolver::OwnFramesSolver(const Contact& lead, std::span<const Parameter> parameter) : lead_(lead) {
@@ -49,7 +47,7 @@ void OwnFramesSolver::write(const CaseColumn& column, std::span<const Parameter>
     case CaseColumn::Kind::tilt:
       return contact_->motion(nullptr, nullptr, to);
     case CaseColumn::Kind::number:
-      *to = contact_->number(column.number);
+      *to = column.number(*contact_->solver);
       return;
     case CaseColumn::Kind::tractions:
       return;  // refused with the list
@@ -72,7 +70,7 @@ void OwnFramesSolver::write(const CaseColumn& column, std::span<const Parameter>
 }
 
 std::size_t OwnFramesSolver::bytes() const {
-  return contact_ ? contact_->bytes() : 0;
+  return contact_ ? contact_->solver->bytes() : 0;
 }
 
 }  // namespace rollcon

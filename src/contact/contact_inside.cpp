@@ -6,23 +6,13 @@
 #include "contact/contact.hpp"
 #include "contact/prepare/lattice_scene.hpp"
 #include "contact/results/stresses.hpp"
-#include "contact/solution.hpp"
 #include "support/input_checks.hpp"
 
 namespace rollcon {
 namespace {
 
-/// Of body 1 or 2 alone; made when it is first asked for.
-const Compliance& compliance_of(SolverState& s, std::int32_t body, int threads) {
-  auto& compliance = s.body_compliance[body - 1];
-  if (!compliance)
-    compliance = make_body_compliance(s.prepared->frame, s.prepared->pair, body - 1, s.prepared->accuracy, threads);
-  compliance->set_threads(threads);
-  return *compliance;
-}
-
 /// t[3 * node + component], local.
-std::vector<double> tractions_by_node(const SolverState& s) {
+std::vector<double> tractions_by_node(const Solution& s) {
   std::vector<double> t(3 * static_cast<std::size_t>(s.prepared->problem.nodes));
   for (std::size_t k = 0; k < t.size() / 3; ++k)
     for (std::size_t c = 0; c < 3; ++c) t[3 * k + c] = s.iterate.lambda[c][k];
@@ -40,22 +30,24 @@ void require_elements(const Body& body, std::int32_t number) {
 }  // namespace
 
 void Contact::displacements_at(std::int32_t body, std::int64_t n, const double* xy, double* u) const {
-  SolverState& s = *state_;
-  require_solution();
-  const Body& which = body == 1 ? *body1_ : *body2_;
+  solver->require_solution();
+  const Solution& s = solver->solution();
+  const Body& which = this->body(body);
   const auto points = static_cast<std::size_t>(n);
   std::fill(u, u + 3 * points, 0.0);
   if (which.rigid()) return;
-  const Compliance* compliance = &compliance_of(s, body, context_->threads());
+  const Compliance& compliance = solver->compliance_of(body);
   std::vector<double> x(points), y(points);
   for (std::size_t k = 0; k < points; ++k) x[k] = xy[2 * k], y[k] = xy[2 * k + 1];
   const std::vector<double> t = tractions_by_node(s);
-  ++s.work.displacements;
-  ++s.work.applications;
+  Derived& derived = solver->derived();
+  derived.displacements = true;
+  ++derived.computed.displacements;
+  ++derived.computed.applications;
   const bool at_nodes = s.prepared->problem.op->influence() && x == s.prepared->frame.x && y == s.prepared->frame.y;
-  if (!at_nodes || !displacements_on_lattice(s, *compliance, u)) compliance->apply({x, y}, t.data(), u);
+  if (!at_nodes || !displacements_on_lattice(s, compliance, u)) compliance.apply({x, y}, t.data(), u);
   std::vector<double> own(3 * points);
-  if (compliance->offset({x, y}, own.data()))
+  if (compliance.offset({x, y}, own.data()))
     for (std::size_t k = 0; k < own.size(); ++k) u[k] += own[k];
   // A lambda is u1 - u2: the second body's part carries the opposite sign.
   if (body == 2)
@@ -63,18 +55,16 @@ void Contact::displacements_at(std::int32_t body, std::int64_t n, const double* 
 }
 
 SurfaceState Contact::surface_state(std::int32_t body) const {
-  SolverState& s = *state_;
-  require_solution();
-  const Body& which = body == 1 ? *body1_ : *body2_;
-  require_elements(which, body);
+  solver->require_solution();
+  require_elements(this->body(body), body);
   SurfaceState state;
-  compliance_of(s, body, context_->threads()).everywhere(tractions_by_node(s).data(), state);
+  solver->compliance_of(body).everywhere(tractions_by_node(solver->solution()).data(), state);
   return state;
 }
 
 std::int64_t Contact::body_displacements(std::int32_t body, double* u) const {
-  require_solution();
-  const Body& which = body == 1 ? *body1_ : *body2_;
+  solver->require_solution();
+  const Body& which = this->body(body);
   require_elements(which, body);
   if (!u) return 3 * which.mesh().surface.nodes();
   const std::vector<double> moved = rollcon::body_displacements(which, surface_state(body));
@@ -83,16 +73,17 @@ std::int64_t Contact::body_displacements(std::int32_t body, double* u) const {
 }
 
 void Contact::body_fields_at(std::int32_t body, std::int64_t n, const double* xyz, double* u, double* stress) const {
-  rollcon::body_fields_at(body == 1 ? *body1_ : *body2_, surface_state(body), n, xyz, u, stress);
+  rollcon::body_fields_at(this->body(body), surface_state(body), n, xyz, u, stress);
 }
 
 void Contact::write_body(std::int32_t body, const char* path) const {
-  rollcon::write_body(body == 1 ? *body1_ : *body2_, surface_state(body), path);
+  rollcon::write_body(this->body(body), surface_state(body), path);
 }
 
 void Contact::stresses_at(std::int32_t body, std::int64_t n, const double* xyz, double* stress, double* u) const {
-  require_solution();
-  find_stresses(*state_, body, {n, xyz}, scene.options.stress_accuracy, context_->threads(), stress, u);
+  solver->require_solution();
+  find_stresses(solver->solution(), body, {n, xyz}, scene.options.stress_accuracy, solver->host.context->threads(),
+                stress, u);
 }
 
 }  // namespace rollcon

@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include "contact/contact.hpp"
-#include "contact/prepare/time_step.hpp"
-#include "contact/solution.hpp"
 #include "support/checksum.hpp"
 #include "support/error.hpp"
 #include "support/index.hpp"
@@ -51,16 +49,11 @@ void require_own_frame(const Scene& scene) {
 
 }  // namespace
 
-void Contact::repeat_step() {
-  rollcon::repeat_step(*state_);
-  if (frames_ && !scene.frame_given()) frames_->repeat_step();
-}
-
 std::int64_t Contact::save_past(std::int64_t capacity, double* to) const {
   require_own_frame(scene);
-  const SolverState& s = *state_;
-  const PastStep& last = s.steps.last;
-  if (!s.prepared || !s.steps.of_steps || !last.on)
+  const Solution& s = solver->solution();
+  const PastStep& last = solver->steps().last;
+  if (!s.prepared || !solver->steps().of_steps || !last.on)
     fail(Status::err_state, "no time step was solved yet: rollcon_contact_set_step and rollcon_contact_solve");
   const std::size_t n = last.lambda[0].size(), needed = numbers_for(n);
   if (capacity == 0 && !to) return static_cast<std::int64_t>(needed);
@@ -100,9 +93,10 @@ void Contact::restore_past(std::int64_t count, const double* from) {
     fail(Status::err_argument, "n is %lld, but past says it has %.0f numbers", static_cast<long long>(count), from[2]);
   if (checksum_of(from, given - 1) != from[given - 1])
     fail(Status::err_argument, "past has changed since it was saved: its checksum does not fit");
-  SolverState& s = *state_;
-  forget_solution(s);
-  prepare_or_clear();
+  solver->forget();
+  solver->prepare();
+  const Solution& s = solver->solution();
+  StepHistory& steps = solver->steps();
   const Frame& frame = s.prepared->frame;
   const std::size_t n = frame.x.size();
   if (from[3] != static_cast<double>(n) || from[4] != mark_of(frame, s.prepared->pair))
@@ -110,7 +104,7 @@ void Contact::restore_past(std::int64_t count, const double* from) {
          "past is of another frame (%.0f nodes; this one has %zu), or of bodies of other kinds, elastic constants or "
          "layers",
          from[3], n);
-  PastStep& last = s.steps.last;
+  PastStep& last = steps.last;
   last.loaded = from[5] != 0;
   last.time = from[6];
   last.steps = to_index(from[7]);
@@ -122,8 +116,8 @@ void Contact::restore_past(std::int64_t count, const double* from) {
     last.on = std::make_shared<FrameOfPast>();
     last.on->frame = frame;
   }
-  s.steps.of_steps = true;
-  s.steps.failed = s.steps.can_repeat = s.steps.iterate_is_last = false;
+  steps.of_steps = true;
+  steps.failed = steps.can_repeat = steps.iterate_is_last = false;
 }
 
 }  // namespace rollcon

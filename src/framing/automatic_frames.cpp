@@ -9,7 +9,10 @@
 #include <optional>
 #include <string>
 
+#include "bodies/body.hpp"
+#include "bodies/pair.hpp"
 #include "contact/results/extrapolation.hpp"
+#include "contact/results/outcome_text.hpp"
 #include "contact/scene/known_gap.hpp"
 #include "framing/hertz.hpp"
 #include "framing/hertz_friction.hpp"
@@ -48,26 +51,32 @@ struct Shape {
 
 using Tilts = std::array<double, 2>;
 
+/// Whether what ends over the contact deforms there: all surfaces are meshes of elastic bodies.
+bool surfaces_deform(const PairOfBodies& pair) {
+  return std::all_of(pair.body.begin(), pair.body.end(),
+                     [](const Body* body) { return !body->has_surface() || (body->meshed() && !body->rigid()); });
+}
+
 class AutomaticFrames final : public FrameMaker {
  public:
   /// Tilts that moments ask for move the contact along the bodies. Frames are made for the tilts that were found last,
   /// until these change by little compared with the bodies' flattening.
-  Status solve(Contact& contact) override {
+  Status solve(Solver& lead) override {
     constexpr int most_rounds = 8;
     constexpr double little = 0.02;
     for (int round = 1;; ++round) {
-      const Status status = solve_on_levels(contact);
+      const Status status = solve_on_levels(lead);
       const Tilts before = tilts_;
-      if (!Contact::is_answer(status) || shape_.outline.empty() || !take_found_tilts(contact)) return status;
+      if (!is_answer(status) || shape_.outline.empty() || !take_found_tilts(lead)) return status;
       double x = 0, y = 0;
       for (const Outline& outline : shape_.outline) {
         const Rectangle b = outline.box();
         x = std::max(x, 0.5 * (b.x_greatest - b.x_least)), y = std::max(y, 0.5 * (b.y_greatest - b.y_least));
       }
-      Vec3 force{};
-      contact.resultant(InAxes::local, force.data(), nullptr);
+      const Vec3 force = lead.loads().force;
       const double moved = y * std::abs(tilts_[0] - before[0]) + x * std::abs(tilts_[1] - before[1]);
-      if (moved <= little * std::abs(force[2]) / (contact.modulus() * std::max(x, y)) || round == most_rounds)
+      if (moved <= little * std::abs(force[2]) / (contact_modulus(lead.pair()) * std::max(x, y)) ||
+          round == most_rounds)
         return status;
     }
   }
@@ -86,20 +95,20 @@ class AutomaticFrames final : public FrameMaker {
   }
 
  private:
-  Status solve_on_levels(Contact& contact) {
-    find_shape(contact);
+  Status solve_on_levels(Solver& lead) {
+    find_shape(lead);
     // A level is kept while the accuracy asked for is.
-    if (const double asked = contact.scene.options.frame_accuracy; level_ == levels.size() || asked != asked_) {
+    if (const double asked = lead.scene.options.frame_accuracy; level_ == levels.size() || asked != asked_) {
       level_ = first_level(asked);
       asked_ = asked;
     }
     for (;; ++level_) {
-      const Status status = solve_on_fitting(contact);
+      const Status status = solve_on_fitting(lead);
       if (status != Status::ok) {
-        (coarse_solved_ ? *coarse_ : contact).tell(status);
+        (coarse_solved_ ? *coarse_ : lead).tell(status);
         return status;
       }
-      const double wanted = contact.scene.options.frame_accuracy, reached = contact.error_estimate();
+      const double wanted = lead.scene.options.frame_accuracy, reached = lead.error_estimate();
       if (reached <= wanted) break;
       if (level_ + 1 == levels.size()) {
         char text[160];
@@ -107,13 +116,13 @@ class AutomaticFrames final : public FrameMaker {
                       "frames: the error on the finest frames is about %.2g %%, %.2g %% was asked for "
                       "(option frame_accuracy)",
                       100 * reached, 100 * wanted);
-        contact.caveat(Status::inaccurate, text);
+        lead.host.caveat(Status::inaccurate, text);
         level_ = levels.size();  // the next scene may be an easier one
         return Status::inaccurate;
       }
     }
     if (!beyond_bounds_) return Status::ok;
-    contact.caveat(Status::rim_contact, (std::string("frames: ") + beyond_bounds_).c_str());
+    lead.host.caveat(Status::rim_contact, (std::string("frames: ") + beyond_bounds_).c_str());
     return Status::rim_contact;
   }
 
@@ -124,14 +133,16 @@ class AutomaticFrames final : public FrameMaker {
   }
 
   /// Sets shape_ and counts what changed it.
-  void find_shape(Contact& contact) {
-    const Scene& scene = contact.scene;
-    if (const auto quadratic = scene.quadratic_gap(); quadratic && contact.half_spaces() && !scene.tilts()) {
+  void find_shape(Solver& lead) {
+    const Scene& scene = lead.scene;
+    PairOfBodies pair = lead.bodies();
+    if (const auto quadratic = scene.quadratic_gap();
+        quadratic && !pair.meshed() && pair.half_spaces() && !scene.tilts()) {
       shape_.outline.clear();
-      const HertzContact hertz = find_ellipse(contact, {(*quadratic)[0], (*quadratic)[1], (*quadratic)[2]});
+      const HertzContact hertz = find_ellipse(lead, {(*quadratic)[0], (*quadratic)[1], (*quadratic)[2]});
       shape_.place = place_of_disc(hertz.larger, hertz.smaller, hertz.angle);
       shape_.load = hertz.load;
-      shape_.stretch = stretch_by_friction(contact.dundurs_beta(), scene.friction(0, 0));
+      shape_.stretch = stretch_by_friction(dundurs_beta(lead.pair()), scene.friction(0, 0));
       beyond_bounds_ = nullptr;
       return;
     }
@@ -139,34 +150,35 @@ class AutomaticFrames final : public FrameMaker {
       fail(Status::err_state,
            "no frame was given: with tilts the library makes one where the gap is on a grid or between profiles or "
            "meshes; else call rollcon_contact_frame_rectangle or another maker of frames");
-    if (!contact.knows_gap_between_nodes())
+    if (!is_gap_known(scene, pair))
       fail(Status::err_state,
            "no frame was given: the library makes one where the gap is known between nodes, too "
            "(rollcon_contact_set_gap_quadratic, rollcon_contact_set_gap_grid, profiles of the bodies); else call "
            "rollcon_contact_frame_ellipse, rollcon_contact_set_frame_nodes or rollcon_contact_frame_from_body");
     const Load& normal = scene.load(Direction::normal);
-    Found now{scene.revision.gap, contact.modulus(), normal.how, normal.value};
-    now.conformal = scene.options.conformal != 0 && !scene.has_gap() && !contact.meshed();
-    if (!scene.has_gap() || contact.meshed()) {
+    pair = lead.pair();
+    Found now{scene.revision.gap, contact_modulus(pair), normal.how, normal.value};
+    now.conformal = scene.options.conformal != 0 && !scene.has_gap() && !pair.meshed();
+    if (!scene.has_gap() || pair.meshed()) {
       now.pose = scene.revision.pose;
       now.axes = scene.revision.axes;
     }
     now.tilted = scene.tilts();
-    if (now.tilted) now.tilts = tilts_for(contact);
+    if (now.tilted) now.tilts = tilts_for(lead);
     if (!shape_.outline.empty() && now == found_) return;
-    gap_ = contact.gap_between_nodes();
+    gap_ = known_gap(scene, pair);
     const auto gap = [this, now](double x, double y) {
       return (*gap_)(x, y) - (now.tilted ? now.tilts[0] * y - now.tilts[1] * x : 0);
     };
-    const Patches patches = search_.find(contact, {gap, gap_->bounds(), now.modulus, normal.how == How::by_force,
-                                                   normal.value, !scene.has_gap() && !contact.meshed()});
+    const Patches patches = search_.find(lead, {gap, gap_->bounds(), now.modulus, normal.how == How::by_force,
+                                                normal.value, !scene.has_gap() && !pair.meshed()});
     shape_.outline = patches.outline;
     constexpr double too_hollow = 0.1;
     // Outlines are those in the plane of the axes: a conformal contact ends elsewhere.
     shape_.lattice = now.conformal || std::any_of(shape_.outline.begin(), shape_.outline.end(),
                                                   [](const Outline& outline) { return outline.hollow() > too_hollow; });
     shape_.stretch = usual_stretch;
-    shape_.at_body_ends = contact.surfaces_deform() ? AtBodyEnds::even : AtBodyEnds::closer;
+    shape_.at_body_ends = surfaces_deform(pair) ? AtBodyEnds::even : AtBodyEnds::closer;
     beyond_bounds_ = patches.at_bounds ? gap_->beyond_bounds() : nullptr;
     found_ = now;
     ++shapes_;
@@ -177,12 +189,12 @@ class AutomaticFrames final : public FrameMaker {
   }
 
   /// Tilts that are given, and tilts found last for moments, at first the slope of the gap where the load acts.
-  Tilts tilts_for(Contact& contact) {
-    const Scene& scene = contact.scene;
+  Tilts tilts_for(Solver& lead) {
+    const Scene& scene = lead.scene;
     const Load* const load[2] = {&scene.load(Direction::tilt1), &scene.load(Direction::tilt2)};
     if (const double normal = scene.load(Direction::normal).value;
         !std::exchange(tilts_known_, true) && normal > 0 && scene.load(Direction::normal).how == How::by_force) {
-      const std::unique_ptr<KnownGap> gap = contact.gap_between_nodes();
+      const std::unique_ptr<KnownGap> gap = known_gap(scene, lead.pair());
       const double x = load[1]->value / normal, y = -load[0]->value / normal;
       const Rectangle b = gap->bounds();
       const double step = 1e-3 * std::min(b.x_greatest - b.x_least, b.y_greatest - b.y_least);
@@ -197,23 +209,22 @@ class AutomaticFrames final : public FrameMaker {
   }
 
   /// Returns false if no tilt is unknown.
-  bool take_found_tilts(const Contact& contact) {
-    Tilts found{};
-    contact.motion(nullptr, nullptr, found.data());
+  bool take_found_tilts(const Solver& lead) {
+    const MotionValues found = lead.motions();
     bool any = false;
     for (const auto& [t, direction] : {std::pair{0, Direction::tilt1}, {1, Direction::tilt2}})
-      if (contact.scene.load(direction).how == How::by_force) tilts_[at(t)] = found[at(t)], any = true;
+      if (lead.scene.load(direction).how == How::by_force) tilts_[at(t)] = found[at(t) + tilt1], any = true;
     return any;
   }
 
-  static HertzContact find_ellipse(Contact& contact, const QuadraticGap& gap) {
+  static HertzContact find_ellipse(Solver& lead, const QuadraticGap& gap) {
     if (!has_ellipse(gap))
       fail(Status::err_state,
            "no frame was given, and the gap %g x^2 %c %g y^2 %c %g x y does not grow in all directions: no ellipse "
            "bounds the contact; call rollcon_contact_frame_rectangle or another maker of frames",
            gap.a, gap.b < 0 ? '-' : '+', std::abs(gap.b), gap.c < 0 ? '-' : '+', std::abs(gap.c));
-    const Load& normal = contact.scene.load(Direction::normal);
-    const double modulus = contact.modulus();
+    const Load& normal = lead.scene.load(Direction::normal);
+    const double modulus = contact_modulus(lead.pair());
     HertzContact hertz = normal.how == How::by_force ? hertz_by_load(gap, modulus, normal.value)
                                                      : hertz_by_approach(gap, modulus, normal.value);
     // Bodies that do not touch still have a frame: of the size under a thousandth of the radius of curvature.
@@ -223,57 +234,57 @@ class AutomaticFrames final : public FrameMaker {
   }
 
   /// Patches whose edge friction moves outwards, or that the search found too small, get longer strips.
-  Status solve_on_fitting(Contact& contact) {
+  Status solve_on_fitting(Solver& lead) {
     constexpr double longer = 1.02;
     constexpr int most_trials = 5;
-    Status status = solve_pair(contact);
+    Status status = solve_pair(lead);
     for (int trial = 0; status == Status::rim_contact && !shape_.outline.empty() && trial < most_trials; ++trial) {
       shape_.stretch *= longer;
       ++shapes_;
-      status = solve_pair(contact);
+      status = solve_pair(lead);
     }
     // A step is made on both frames, whatever the finer one says: the past of both is the one it starts from.
-    if (coarse_solved_ || contact.scene.step_kind() == StepKind::steady || !Contact::is_answer(status)) return status;
-    const Status below = coarse_->solve_on_frame();
-    return Contact::is_answer(below) ? status : below;
+    if (coarse_solved_ || lead.scene.step_kind() == StepKind::steady || !is_answer(status)) return status;
+    const Status below = coarse_->solve();
+    return is_answer(below) ? status : below;
   }
 
-  Status solve_pair(Contact& contact) {
-    if (!coarse_) coarse_ = contact.make_follower();
-    coarse_->follow(contact);
-    lay_frames(contact.scene, coarse_->scene);
-    share_loads(contact);
-    const Status status = contact.solve_on_frame();
+  Status solve_pair(Solver& lead) {
+    if (!coarse_) coarse_ = lead.make_follower();
+    coarse_->follow(lead);
+    lay_frames(lead.scene, coarse_->scene);
+    share_loads(lead);
+    const Status status = lead.solve();
     coarse_solved_ = status == Status::ok;
     if (!coarse_solved_) return status;
-    const Status below = coarse_->solve_on_frame();
+    const Status below = coarse_->solve();
     if (below != Status::ok) return below;
-    contact.extrapolate_from(*coarse_, family(contact));
+    lead.extrapolate_from(*coarse_, family(lead));
     return status;
   }
 
   /// Friction carries less on coarse frames, its moment by 2 % on 6 x 4 strips. Each frame of a pair gets the same
   /// share of what it can carry: that which the loads take where the frames tend to.
-  void share_loads(Contact& contact) {
-    contact.scale_tangential_loads(1);
+  void share_loads(Solver& lead) {
+    lead.scale_tangential_loads(1);
     coarse_->scale_tangential_loads(1);
-    if (!limit_differs(contact.scene)) return;
-    std::optional<FrictionShare> fine = contact.frictionless_share();
+    if (!limit_differs(lead.scene)) return;
+    std::optional<FrictionShare> fine = lead.frictionless_share();
     const std::optional<FrictionShare> coarse = coarse_->frictionless_share();
     if (!fine || !coarse || !(fine->sliding > 0 && coarse->sliding > 0)) return;
     double share = 0;
     if (shape_.outline.empty()) {
       if (!hertz_friction_) hertz_friction_ = std::make_unique<HertzFriction>();
-      share = hertz_friction_->share(contact.scene, shape_.place, shape_.load).together;
+      share = hertz_friction_->share(lead.scene, shape_.place, shape_.load).together;
     } else {
-      const double left_over = 1 / (std::exp2(family(contact).order) - 1);
+      const double left_over = 1 / (std::exp2(family(lead).order) - 1);
       share = 1 / (1 / fine->sliding + left_over * (1 / fine->sliding - 1 / coarse->sliding));
     }
     if (!(share < 1)) {
       for (double* const s : {&fine->force, &fine->moment, &fine->sliding}) *s *= share / fine->sliding;
-      contact.refuse_loads(*fine);
+      fail(Status::err_load, "%s: there is no steady solution", describe_beyond_friction(*fine).c_str());
     }
-    contact.scale_tangential_loads(share / fine->sliding);
+    lead.scale_tangential_loads(share / fine->sliding);
     coarse_->scale_tangential_loads(share / coarse->sliding);
   }
 
@@ -285,7 +296,7 @@ class AutomaticFrames final : public FrameMaker {
            (loaded(Direction::longitudinal) || loaded(Direction::lateral));
   }
 
-  FrameFamily family(const Contact& on) const {
+  FrameFamily family(Solver& on) const {
     // Contacts fill a stretched ellipse on the side that friction moves them to, on small frames as far as nodes tell
     // on both.
     if (shape_.outline.empty()) {
@@ -423,7 +434,7 @@ class AutomaticFrames final : public FrameMaker {
     bool operator==(const Made&) const = default;
   };
 
-  std::unique_ptr<Contact> coarse_;
+  std::unique_ptr<Solver> coarse_;
   bool coarse_solved_ = false;  // by the last pair
   PatchSearch search_;
   std::unique_ptr<HertzFriction> hertz_friction_;  ///< made when it is asked for

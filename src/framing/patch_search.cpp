@@ -120,30 +120,30 @@ void PatchSearch::press(const PatchScene& scene) {
   std::vector<double> gap = gap_;
   for (double& g : gap)
     if (!std::isfinite(g)) g = far;
-  Scene& on = contact_->scene;
+  Scene& on = half_space_->scene;
   const Rectangle sides{-lattice_.half_length, lattice_.half_length, -lattice_.half_width, lattice_.half_width};
   on.set_made_frame(rectangle_mesh(on.axes(), ElementType::quad4, lattice_.intervals, lattice_.intervals, sides), false,
                     true);
   on.set_gap(static_cast<std::int64_t>(gap.size()), gap.data());
   on.prescribe(static_cast<std::int32_t>(Direction::normal),
                static_cast<std::int32_t>(scene.by_force ? How::by_force : How::by_motion), scene.value);
-  solve(*contact_);
+  solve(*half_space_);
 }
 
-void PatchSearch::solve(Contact& contact) {
-  const Status status = contact.solve_on_frame();
+void PatchSearch::solve(Solver& solver) {
+  const Status status = solver.solve();
   if (status == Status::cancelled) throw Cancelled();
-  const auto n = static_cast<std::int64_t>(gap_.size());
-  pressure_.resize(gap_.size());
-  deformed_.resize(gap_.size());
-  contact.field(Field::pressure, InAxes::local, n, pressure_.data());
-  contact.field(Field::gap, InAxes::local, n, deformed_.data());
-  contact.motion(&depth_, nullptr);
+  const std::vector<double>& normal = solver.solution().iterate.lambda[2];
+  pressure_.resize(normal.size());
+  std::transform(normal.begin(), normal.end(), pressure_.begin(), [](double l) { return std::max(-l, 0.0); });
+  deformed_.resize(normal.size());
+  derive_gap(solver.solution(), deformed_.data());
+  depth_ = solver.motions()[approach];
 }
 
 // Thin bodies touch elsewhere than half-spaces. A lattice about what those touch, on the bodies themselves; it grows
 // while it cuts the contact off, and closes in on it. False: it does not fit on them.
-bool PatchSearch::press_bodies(Contact& lead, const PatchScene& scene, std::vector<PatchEdge>& edge) {
+bool PatchSearch::press_bodies(Solver& lead, const PatchScene& scene, std::vector<PatchEdge>& edge) {
   constexpr std::int64_t intervals = 16;
   constexpr double larger = 1.25, filled = 0.6;
   constexpr int most_rounds = 8;
@@ -151,14 +151,14 @@ bool PatchSearch::press_bodies(Contact& lead, const PatchScene& scene, std::vect
   lattice.half_length *= larger;
   lattice.half_width *= larger;
   lattice.intervals = intervals;
-  const std::unique_ptr<Contact> bodies = lead.make_follower();
+  const std::unique_ptr<Solver> bodies = lead.make_follower();
   bodies->follow(lead);
   const double none = 0;
   bodies->scene.set_friction("coulomb", 1, &none);
   for (const Direction d : {Direction::longitudinal, Direction::lateral, Direction::spin})
     bodies->scene.prescribe(static_cast<std::int32_t>(d), static_cast<std::int32_t>(How::by_motion), 0);
   for (int round = 0; round < most_rounds; ++round) {
-    if (lead.cancelled()) throw Cancelled();
+    if (lead.host.cancelled()) throw Cancelled();
     clip(lattice, scene.bounds);
     lay(lattice, scene);
     if (!std::all_of(gap_.begin(), gap_.end(), [](double g) { return std::isfinite(g); })) return false;
@@ -185,7 +185,7 @@ bool PatchSearch::press_bodies(Contact& lead, const PatchScene& scene, std::vect
 }
 
 // The contact lies where the gap is less than the approach. Lattices that are much wider than that close in on it.
-SearchGrid PatchSearch::close_in(Contact& lead, const PatchScene& scene) {
+SearchGrid PatchSearch::close_in(Solver& lead, const PatchScene& scene) {
   constexpr double filled = 0.6, filled_by_contact = 0.5;
   constexpr int most_rounds = 60;
   SearchGrid next;
@@ -197,7 +197,7 @@ SearchGrid PatchSearch::close_in(Contact& lead, const PatchScene& scene) {
   const std::int64_t n = next.lines();
   std::vector<EdgePoint> near, touching;
   for (int round = 0; round < most_rounds; ++round) {
-    if (lead.cancelled()) throw Cancelled();
+    if (lead.host.cancelled()) throw Cancelled();
     lay(next, scene);
     if (std::none_of(gap_.begin(), gap_.end(), [](double g) { return std::isfinite(g); }))
       fail(Status::err_argument, "the gap is nowhere finite on a lattice of %lld x %lld points over its bounds",
@@ -245,12 +245,12 @@ SearchGrid PatchSearch::close_in(Contact& lead, const PatchScene& scene) {
   return next;
 }
 
-Patches PatchSearch::find(Contact& lead, const PatchScene& scene) {
-  if (!contact_ || modulus_ != scene.modulus) {
-    contact_ = lead.make_half_space(scene.modulus);
+Patches PatchSearch::find(Solver& lead, const PatchScene& scene) {
+  if (!half_space_ || modulus_ != scene.modulus) {
+    half_space_ = lead.make_half_space(scene.modulus);
     modulus_ = scene.modulus;
     const double none = 0;
-    contact_->scene.set_friction("coulomb", 1, &none);
+    half_space_->scene.set_friction("coulomb", 1, &none);
   }
   SearchGrid lattice = close_in(lead, scene);
   Patches found;
@@ -278,7 +278,7 @@ Patches PatchSearch::find(Contact& lead, const PatchScene& scene) {
     lattice = next;
     lay(lattice, scene);
   }
-  if (lead.meshed() && !edge.empty()) {
+  if (lead.pair().meshed() && !edge.empty()) {
     const std::vector<PatchEdge> of_half_spaces = edge;
     const SearchGrid before = lattice_;
     if (!press_bodies(lead, scene, edge)) {

@@ -29,16 +29,16 @@ class PatchSearch {
   /// lead: whose context and cancelling it takes part in; outlives it. Where the bodies do not touch one outline tells
   /// where they are nearest to each other. err_argument: there is no finite gap, or the bodies' order is the other one.
   /// Throws Cancelled.
-  Patches find(Contact& lead, const PatchScene& scene);
+  Patches find(Solver& lead, const PatchScene& scene);
 
  private:
   void lay(const SearchGrid& lattice, const PatchScene& scene);
   void press(const PatchScene& scene);
-  bool press_bodies(Contact& lead, const PatchScene& scene, std::vector<PatchEdge>& edge);
-  void solve(Contact& contact);
-  SearchGrid close_in(Contact& lead, const PatchScene& scene);
+  bool press_bodies(Solver& lead, const PatchScene& scene, std::vector<PatchEdge>& edge);
+  void solve(Solver& solver);
+  SearchGrid close_in(Solver& lead, const PatchScene& scene);
 
-  std::unique_ptr<Contact> contact_;  ///< of half-spaces, on the lattice
+  std::unique_ptr<Solver> half_space_;  ///< of half-spaces, on the lattice
   double modulus_ = 0;
   SearchGrid lattice_;
   std::vector<double> gap_, pressure_, deformed_;

@@ -1,6 +1,6 @@
 #include "procedures/published.hpp"
 
-#include "contact/solution.hpp"
+#include "contact/settle/solve_prepared.hpp"
 #include "procedures/gnmls.hpp"
 
 namespace rollcon {
@@ -8,11 +8,11 @@ namespace {
 
 class Published final : public PublishedSolver {
  public:
-  void run(SolverState& s, const Options& options, Monitor& monitor) override {
-    s.newton.use(s.procedure);
-    s.newton.linear().forget_exact();
+  void run(Solution& s, Newton& newton, Effort& effort, const Options& options, Monitor& monitor) override {
+    newton.use(s.procedure);
+    newton.linear().forget_exact();
     const Prepared& on = *s.prepared;
-    s.newton.forget_prediction();
+    newton.forget_prediction();
     const Tangential tangential = s.frictionless                              ? Tangential::none
                                   : s.procedure.jacobian == Jacobian::reduced ? Tangential::shift
                                                                               : Tangential::slip;
@@ -25,12 +25,12 @@ class Published final : public PublishedSolver {
     s.report = gnmls_.solve(on.problem, s.given, s.iterate, *system_, s.procedure, s.frictionless, options.tolerance,
                             options.max_iterations, monitor);
     const StepCounters after = system_->counters();
-    s.linear_iterations = after.iterations - before.iterations;
-    s.factorizations = after.factorizations - before.factorizations;
-    s.right_sides = s.report.normal_iterations + s.report.tangential_iterations + s.report.full_iterations;
-    s.timings.linear = after.seconds - before.seconds;
-    s.system_unknowns = after.unknowns;
-    s.system_nonzeros = after.nonzeros;
+    effort.linear_iterations = after.iterations - before.iterations;
+    effort.factorizations = after.factorizations - before.factorizations;
+    effort.right_sides = s.report.normal_iterations + s.report.tangential_iterations + s.report.full_iterations;
+    effort.timings.linear = after.seconds - before.seconds;
+    effort.unknowns = after.unknowns;
+    effort.nonzeros = after.nonzeros;
     s.images_known = !s.frictionless;
   }
   std::size_t bytes() const override { return system_ ? system_->counters().bytes : 0; }

@@ -2,7 +2,7 @@
 /// The published procedures behind contact's seam. They are a component of the build; where it is left out nobody calls
 /// this, and choose_procedure() refuses what would ask for them.
 
-#include "contact/solution.hpp"
+#include "contact/settle/solve_prepared.hpp"
 
 namespace rollcon {
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "bodies/body.hpp"
 #include "bodies/body_kind.hpp"
 #include "framing/hertz.hpp"
 #include "framing/makers.hpp"
@@ -31,13 +32,13 @@ QuadraticGap gap_of(double ratio, double modulus) {
 }  // namespace
 
 RollingSampler::RollingSampler(double ratio, double poisson, std::int64_t along, std::int64_t across, bool fine)
-    : context_(std::make_shared<Context>()) {
+    : context_(std::make_shared<Context>()), cancel_(std::make_unique<std::atomic<bool>>(false)) {
   make(ratio, {{1, 1}, {poisson, poisson}, {}}, usual_friction, along, across, fine);
 }
 
 RollingSampler::RollingSampler(double ratio, const UnlikePair& pair, double friction, std::int64_t along,
                                std::int64_t across)
-    : context_(std::make_shared<Context>()) {
+    : context_(std::make_shared<Context>()), cancel_(std::make_unique<std::atomic<bool>>(false)) {
   make(ratio, pair, friction, along, across, true);
 }
 
@@ -61,13 +62,13 @@ void RollingSampler::make(double ratio, const UnlikePair& pair, double friction,
   const double a = stretch * std::sqrt(ratio), b = stretch / std::sqrt(ratio);
   for (const std::int64_t finer : {2, 1}) {
     if (finer == 2 && !fine) continue;
-    auto contact = std::make_unique<Contact>(context_, body[0], body[1]);
-    Scene& scene = contact->scene;
+    auto solver = std::make_unique<Solver>(Host{.context = context_, .cancel = cancel_.get()}, body[0], body[1]);
+    Scene& scene = solver->scene;
     scene.set_gap_quadratic(gap.a, gap.b, gap.c);
     scene.set_friction("coulomb", 1, &friction);
     scene.prescribe(static_cast<std::int32_t>(Direction::normal), static_cast<std::int32_t>(How::by_force), load);
     scene.set_made_frame(strips_mesh({}, strips_of_ellipse(a, b, 0, finer * across), finer * along), true, true);
-    (finer == 2 ? fine_ : coarse_) = std::move(contact);
+    (finer == 2 ? fine_ : coarse_) = std::move(solver);
   }
 }
 
@@ -76,18 +77,17 @@ void RollingSampler::reset() {
   coarse_->reset();
 }
 
-std::array<double, 3> RollingSampler::solve_on(Contact& contact, const std::array<double, 3>& creepage) {
-  contact.scene.set_creep(bound_ * creepage[0], bound_ * creepage[1], bound_ * creepage[2]);
-  Status status = contact.solve_on_frame();
+std::array<double, 3> RollingSampler::solve_on(Solver& solver, const std::array<double, 3>& creepage) {
+  solver.scene.set_creep(bound_ * creepage[0], bound_ * creepage[1], bound_ * creepage[2]);
+  Status status = solver.solve();
   if (status == Status::not_converged) {
-    contact.reset();
-    status = contact.solve_on_frame();
+    solver.reset();
+    status = solver.solve();
   }
   if (status == Status::not_converged)
     fail(Status::err_internal, "a case of the table did not converge: creepages %g %g, spin %g over mu Fn / (G a b)",
          creepage[0], creepage[1], creepage[2]);
-  double force[3], moment[3];
-  contact.resultant(InAxes::local, force, moment);
+  const auto [force, moment] = solver.loads();
   return {force[0] / bound_, force[1] / bound_, moment[2] / bound_};
 }
 

@@ -2,10 +2,11 @@
 /// Solves Hertzian contacts of one shape on two frames of strips and extrapolates them.
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <memory>
 
-#include "contact/contact.hpp"
+#include "contact/solver.hpp"
 #include "tables/table_grid.hpp"
 
 namespace rollcon {
@@ -27,11 +28,12 @@ class RollingSampler {
 
  private:
   void make(double ratio, const UnlikePair& pair, double friction, std::int64_t along, std::int64_t across, bool fine);
-  std::array<double, 3> solve_on(Contact& contact, const std::array<double, 3>& creepage);
+  std::array<double, 3> solve_on(Solver& solver, const std::array<double, 3>& creepage);
 
   double bound_ = 0;  ///< mu Fn
   std::shared_ptr<Context> context_;
-  std::unique_ptr<Contact> fine_, coarse_;  ///< fine_ may be null
+  std::unique_ptr<std::atomic<bool>> cancel_;  ///< nobody does
+  std::unique_ptr<Solver> fine_, coarse_;      ///< fine_ may be null
 };
 
 }  // namespace rollcon

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "bodies/pair.hpp"
 #include "framing/hertz.hpp"
 #include "framing/makers.hpp"
 #include "support/index.hpp"
@@ -69,17 +70,16 @@ Status PatchContact::solve(const OverlapPatch& patch, const WheelMotion& motion,
   }
   prescribe(give_way, friction);
   solve_on_frame(size);
-  Vec3 force{}, moment{};
-  contact_->resultant(InAxes::local, force.data(), moment.data());
-  take_results(force, moment);
+  const Loads loads = contact_->solver->loads();
+  take_results(loads.force, loads.moment);
   return now_.status;
 }
 
 void PatchContact::solve_on_frame(const LatticeSize& size) {
   for (int growths = 0;; ++growths) {
     lay_frame(size);
-    contact_->forget_all_but_tractions();
-    now_.status = contact_->solve_on_frame();
+    contact_->solver->forget_all_but_tractions();
+    now_.status = contact_->solver->solve();
     if (now_.status != Status::ok && now_.status != Status::coarse) break;
     // Nothing touches beyond the overlap of the undeformed bodies.
     const int rim = rim_reached(size);
@@ -105,8 +105,8 @@ double power_of(const Vec3& own, const EquivalentEllipse& e) {
 
 // False: the table does not have this patch.
 bool PatchContact::take_table_results(const PatchFriction& friction) {
-  Vec3 force{}, moment{}, own{};
-  contact_->resultant(InAxes::local, force.data(), moment.data());
+  Vec3 own{};
+  const auto [force, moment] = contact_->solver->loads();
   if (now_.status != Status::ok && now_.status != Status::coarse && now_.status != Status::rim_contact) {
     if (now_.status != Status::no_contact) return false;
     now_.by_table = true;
@@ -163,7 +163,7 @@ bool PatchContact::take_hertzian_results(const PatchFriction& friction, double g
     now_.table_power = speed * power_of(own, e);
   }
   now_.status = h.load > 0 ? Status::ok : Status::no_contact;
-  if (h.max_pressure > contact_->modulus()) now_.status = Status::too_deep;
+  if (h.max_pressure > modulus()) now_.status = Status::too_deep;
   now_.by_table = now_.hertzian = true;
   now_.hertzian_pressure = h.max_pressure;
   now_.hertzian_area = std::numbers::pi * h.a * h.b;
@@ -173,6 +173,10 @@ bool PatchContact::take_hertzian_results(const PatchFriction& friction, double g
   now_.moment = own[2] * axes.n + cross(arm, now_.force);
   contact_->reset();
   return true;
+}
+
+double PatchContact::modulus() const {
+  return contact_modulus(contact_->solver->pair());
 }
 
 double PatchContact::max_pressure() const {
@@ -199,7 +203,7 @@ void PatchContact::reset() {
 void PatchContact::keep(Kept& kept) const {
   kept.state = now_;
   kept.state.owner = this;
-  contact_->keep(kept.solution);
+  kept.solution = contact_->solver->solution();
 }
 
 void PatchContact::return_to(const Kept& kept) {
@@ -216,7 +220,7 @@ void PatchContact::return_to(const Kept& kept) {
   stand(now_.motion);
   prescribe(now_.give_way, now_.friction);
   put_frame(kept.state.size, kept.state.place);
-  contact_->return_to(kept.solution);
+  contact_->solver->return_to(kept.solution);
 }
 
 // Points across count from the middle of the frame, along t2.
@@ -314,7 +318,7 @@ int PatchContact::rim_reached(const LatticeSize& size) {
   constexpr double overlap = 0.02;
   const std::int64_t lines = size.across + 1, points = size.along + 1;
   gap_.resize(static_cast<std::size_t>(lines * points));
-  contact_->field(Field::gap, InAxes::local, static_cast<std::int64_t>(gap_.size()), gap_.data());
+  derive_gap(contact_->solver->solution(), gap_.data());
   double ends = 0, sides = 0;
   const auto at = [&](std::int64_t i, std::int64_t j) { return gap_[static_cast<std::size_t>(j * points + i)]; };
   for (std::int64_t i = 0; i < points; ++i) sides = std::min({sides, at(i, 0), at(i, lines - 1)});

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "contact/contact.hpp"
-#include "contact/kept_solution.hpp"
 #include "geometry/velocity.hpp"
 #include "tables/force_table.hpp"
 #include "wheelrail/contact_search.hpp"
@@ -104,6 +103,8 @@ class PatchContact {
   const Vec3& creepages() const { return now_.creepages; }
   /// Origin and axes of its space are axes().
   const std::shared_ptr<Contact>& contact() const { return contact_; }
+  /// E* of the bodies.
+  double modulus() const;
   /// Times a frame was too small, and was made larger.
   std::int64_t grown() const { return now_.grown; }
 
@@ -157,7 +158,7 @@ class PatchContact {
 
 struct PatchContact::Kept {
   State state;
-  KeptSolution solution;
+  Solution solution;
 };
 
 }  // namespace rollcon

@@ -1,6 +1,5 @@
 /// Derivatives of a patch's forces.
 
-#include "contact/solution.hpp"
 #include "support/error.hpp"
 #include "wheelrail/patch_contact.hpp"
 
@@ -23,14 +22,13 @@ void PatchContact::read_nearby(const Nearby& nearby, NodeGivens& givens) {
   now_.patch = nearby.patch;
   stand(nearby.motion);
   prescribe(now_.give_way, nearby.friction);
-  contact_->read_givens(givens);
+  contact_->solver->read_givens(givens);
 }
 
 // Loads in the axes change as Newton's system says, and the axes themselves as the overlap moves.
 PatchContact::Rate PatchContact::rate(const Nearby& before, const Nearby& behind, double distance) {
   if (now_.by_table) fail(Status::err_state, "forces of the patch come from a table: they have no solution");
-  Vec3 force{}, moment{};
-  contact_->resultant(InAxes::local, force.data(), moment.data());
+  const auto [force, moment] = contact_->solver->loads();
   if (!here_) here_ = std::make_unique<Kept>();
   keep(*here_);
   NodeGivens rate, low;
@@ -46,20 +44,18 @@ PatchContact::Rate PatchContact::rate(const Nearby& before, const Nearby& behind
   per_distance(rate.gap, low.gap);
   for (std::size_t c = 0; c < 2; ++c) per_distance(rate.slip[c], low.slip[c]);
   per_distance(rate.mu, low.mu);
-  Vec3 force_rate{}, moment_rate{};
-  contact_->rates_by_givens(rate, force_rate.data(), moment_rate.data());
+  const Rates found = contact_->solver->rates(rate);
   const Rate turned[2] = {loads(axes_before, before.patch.reference, force, moment),
                           loads(axes_behind, behind.patch.reference, force, moment)};
-  const Rate own = loads(now_.axes, now_.patch.reference, force_rate, moment_rate);
+  const Rate own = loads(now_.axes, now_.patch.reference, found.force, found.moment);
   const double inverse = 1 / distance;
   return {own.force + inverse * (turned[1].force - turned[0].force),
           own.moment + inverse * (turned[1].moment - turned[0].moment)};
 }
 
 PatchContact::Rate PatchContact::rate_of_giving_way() const {
-  Vec3 force{}, moment{};
-  contact_->sensitivity(static_cast<Parameter>(Direction::normal), force.data(), moment.data(), nullptr, nullptr);
-  const Rate r = loads(now_.axes, now_.patch.reference, force, moment);
+  const Rates found = contact_->solver->rates(static_cast<Parameter>(Direction::normal));
+  const Rate r = loads(now_.axes, now_.patch.reference, found.force, found.moment);
   return {-1.0 * r.force, -1.0 * r.moment};
 }
 

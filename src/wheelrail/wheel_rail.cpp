@@ -238,7 +238,7 @@ double WheelRail::give_way_per_load(const OverlapPatch& here, const OverlapPatch
 }
 
 double WheelRail::give_way_under_others(const Slot& slot) const {
-  const double modulus = slot.contact.contact()->modulus();
+  const double modulus = slot.contact.modulus();
   double sum = 0;
   for (const Slot* other : active_) {
     const OverlapPatch& there = other->contact.overlap();
@@ -263,7 +263,7 @@ double WheelRail::first_sink(double touch) {
                                                 [](const auto& a, const auto& b) { return depth_of(a) < depth_of(b); });
   const double half = 0.5 * (patch.high - patch.low), a = 0.5 * patch.curvature.along;
   if (slot_.empty()) add_slot();
-  const double modulus = slot_.front()->contact.contact()->modulus(), tilt = std::cos(patch.angle);
+  const double modulus = slot_.front()->contact.modulus(), tilt = std::cos(patch.angle);
   return hertz_by_load({a, patch.overlap / (half * half), 0}, modulus, in_.load / tilt).approach / tilt;
 }
 
@@ -342,7 +342,7 @@ void WheelRail::tell(Status status) const {
         "units",
         deepest, radius_, in_.by_force ? "the vertical force" : "z");
   for (const Slot* slot : active_)
-    if (slot->contact.status() == status) slot->contact.contact()->tell(status);
+    if (slot->contact.status() == status) slot->contact.contact()->solver->tell(status);
   for (std::size_t i = 0; i < active_.size(); ++i)
     if (const OverlapPatch& patch = active_[i]->contact.overlap(); patch.cut && status == Status::rim_contact)
       context_->caveat(Status::rim_contact,

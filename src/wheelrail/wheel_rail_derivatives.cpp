@@ -50,7 +50,7 @@ void WheelRail::differentiate(const Inputs& in, std::size_t entry, double step, 
   }
   const std::size_t n = active_.size();
   const double distance = 2 * step;
-  const double modulus = n > 0 ? active_.front()->contact.contact()->modulus() : 1;
+  const double modulus = n > 0 ? active_.front()->contact.modulus() : 1;
   std::vector<PatchContact::Rate> own(n), yield(n);
   std::vector<double> settled(n, 0.0), given(n, 0.0);
   for (std::size_t i = 0; i < n; ++i) {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "contact/prepare/preparation.hpp"
 #include "contact/scene_fixture.hpp"
 #include "support/closed_forms.hpp"
 
@@ -142,8 +141,10 @@ TEST(few_nodes, counts_nodes_without_an_open_neighbour) {
        {Count{ElementType::quad4, 25, 9}, Count{ElementType::tri3, 25, 9}, Count{ElementType::tri6, 81, 49},
         Count{ElementType::quad8, 65, 33}, Count{ElementType::quad9, 81, 49}}) {
     const std::vector<double> lines = frames::uniform_lines(-4, 4, 8);
-    SolverState s;
-    Frame& frame = begin_preparation(s).frame;
+    const auto on = std::make_shared<Prepared>();
+    Solution s;
+    s.prepared = on;
+    Frame& frame = on->frame;
     frame = build_frame(frames::rectangle(c.type, lines, lines), Axes{});
     std::int64_t touching = 0;
     for (const Vec3& x : frame.mesh.node) {

@@ -4,7 +4,8 @@
 #include "contact/prepare/gap_between_nodes.hpp"
 
 #include "bodies/halfspace/halfspace.hpp"
-#include "contact/prepare/preparation.hpp"
+#include "contact/operators/dense_operators.hpp"
+#include "contact/solution.hpp"
 #include "support/frames.hpp"
 #include "support/testing.hpp"
 
@@ -22,6 +23,8 @@ class GapBetweenNodes : public ::testing::TestWithParam<ElementType> {
   void SetUp() override {
     x_ = frames::uniform_lines(-1.2, 1.5, cells);
     y_ = frames::uniform_lines(-0.8, 1.1, cells);
+    s_.prepared = on_;
+    on_->problem.op = std::make_shared<DenseOperators>();
     on_->frame = build_frame(frames::rectangle(GetParam(), x_, y_), Axes{});
     take_frame(on_->problem, on_->frame);
     const Frame& f = on_->frame;
@@ -59,8 +62,8 @@ class GapBetweenNodes : public ::testing::TestWithParam<ElementType> {
   }
 
   std::vector<double> x_, y_, rate_;
-  SolverState s_;
-  Prepared* on_ = &begin_preparation(s_);
+  std::shared_ptr<Prepared> on_ = std::make_shared<Prepared>();
+  Solution s_;
 };
 
 TEST_P(GapBetweenNodes, is_summed_over_rectangles) {

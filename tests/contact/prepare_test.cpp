@@ -53,15 +53,15 @@ class Changed final : public Compliance {
 
 struct PreparedScene {
   Pair pair{1e4, 0.3, 1e4, 0.3};
-  SolverState state;
+  Preparation preparation;
 
   PreparedScene() { standard_scene(pair, 10); }
-  void run() { prepare(state, pair.contact->scene, *pair.body1, *pair.body2, 1); }
+  void run() { prepare(preparation, pair.contact->scene, *pair.body1, *pair.body2, 1); }
   void change(Changed::Field given, double coupling) {
-    Prepared& on = *state.preparation->made;
+    Prepared& on = *preparation.made;
     on.compliance = std::make_shared<Changed>(std::move(on.compliance), given, coupling);
-    forget_operators(*state.preparation);
-    state.preparation->convection.forget();
+    forget_operators(preparation);
+    preparation.convection.forget();
   }
 };
 
@@ -71,7 +71,7 @@ TEST(bodies_displaced, gap_and_slip_take_it) {
     scene.pair.contact->scene.options.set_text("convection", scheme);
     scene.pair.contact->scene.set_speed(7);
     scene.run();
-    const Problem before = scene.state.prepared->problem;
+    const Problem before = scene.preparation.made->problem;
     ASSERT_TRUE(before.slip1.empty());
     scene.change(
         [](double x, double y) {
@@ -79,13 +79,13 @@ TEST(bodies_displaced, gap_and_slip_take_it) {
         },
         0);
     scene.run();
-    const Problem& p = scene.state.prepared->problem;
+    const Problem& p = scene.preparation.made->problem;
     double gap = 0, slip = 0;
     const std::vector<double> with = p.undeformed_gaps(), without = before.undeformed_gaps();
     for (std::size_t k = 0; k < p.gap.size(); ++k) {
-      const double x = scene.state.prepared->frame.x[k], y = scene.state.prepared->frame.y[k];
+      const double x = scene.preparation.made->frame.x[k], y = scene.preparation.made->frame.y[k];
       gap = std::max(gap, std::abs(without[k] - with[k] - (1e-3 + 2e-4 * x * y)));
-      if (scene.state.prepared->frame.rim[k]) continue;  // stencils may be cut there
+      if (scene.preparation.made->frame.rim[k]) continue;  // stencils may be cut there
       // Material flows along -t1: D w = -dw/dx, exact for linear displacements.
       slip = std::max({slip, std::abs(p.slip1[k] + 2e-3), std::abs(p.slip2[k] - 3e-3)});
     }
@@ -104,7 +104,7 @@ TEST(bodies_displaced, gap_and_slip_take_it) {
     scene.run();
     EXPECT_NEAR(p.slip1[60], -2e-3, 1e-13);
     EXPECT_NEAR(p.undeformed_gaps()[60],
-                -(1e-3 + 2e-4 * scene.state.prepared->frame.x[60] * scene.state.prepared->frame.y[60]), 1e-16);
+                -(1e-3 + 2e-4 * scene.preparation.made->frame.x[60] * scene.preparation.made->frame.y[60]), 1e-16);
   }
 }
 
@@ -114,7 +114,7 @@ TEST(coupling, blocks_of_rounding_are_dropped) {
     scene.run();
     scene.change(nullptr, coupling);
     scene.run();
-    const DenseOperators& op = *scene.state.prepared->problem.op->dense();
+    const DenseOperators& op = *scene.preparation.made->problem.op->dense();
     const bool dropped = coupling < 1e-10;
     EXPECT_EQ(op.coupled, !dropped);
     EXPECT_EQ(op.coupling_vanished, dropped);

@@ -1,7 +1,6 @@
 /// What discards a solution discards all that was known of it: results, derivatives, estimates, history.
 
 #include "contact/cases/solve_many.hpp"
-#include "contact/kept_solution.hpp"
 #include "contact/time_step_case.hpp"
 
 namespace rollcon::contact_test {
@@ -76,12 +75,11 @@ TEST_F(solution_gone, when_another_past_is_restored) {
 }
 
 TEST_F(solution_gone, when_another_is_gone_back_to) {
-  KeptSolution kept;
   solve_and_ask(s, -2e-4);
-  s.contact().keep(kept);
+  const Solution kept = s.contact().solver->solution();
   solve_and_ask(s, -8e-4);
   s.scene().set_creep(-2e-4, 0, 0);
-  s.contact().return_to(kept);
+  s.contact().solver->return_to(kept);
   EXPECT_TRUE(s.contact().history().empty());
   EXPECT_TRUE(s.contact().error_function().empty());
   expect_like_new(s, -2e-4);
@@ -103,7 +101,7 @@ TEST_F(solution_gone, when_a_list_is_solved_after_a_change) {
 
 TEST_F(solution_gone, when_friction_is_judged_before_a_solve) {
   solve_and_ask(s, -2e-4);
-  s.contact().frictionless_share();
+  s.contact().solver->frictionless_share();
   expect_gone(s.contact());
 }
 

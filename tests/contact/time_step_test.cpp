@@ -179,7 +179,7 @@ TEST(TimeStep, growth_tells_the_error_of_steps) {
     for (int k = 1; k <= steps; ++k) {
       s.scene().prescribe(3, 2, s.load * k / steps);
       s.scene().prescribe(1, 2, -0.25 * s.load * k / steps);
-      ASSERT_TRUE(Contact::is_answer(s.contact().solve()));
+      ASSERT_TRUE(is_answer(s.contact().solve()));
       shift += std::abs(s.creep());
       told += 0.25 * s.contact().stat("step_growth") * std::abs(s.creep());
     }

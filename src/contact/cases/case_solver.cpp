@@ -3,91 +3,51 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "contact/cases/solve_many.hpp"
-#include "contact/results/doubts.hpp"
-#include "contact/results/sensitivity.hpp"
-#include "contact/solution.hpp"
+#include "contact/solver.hpp"
 
 namespace rollcon {
-
-bool can_share(const SolverState& state) {
-  return state.procedure.standard();
-}
 
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-// A solver of its own on the same preparation, which it may add to if no other solver reads it.
-std::unique_ptr<SolverState> share(const SolverState& from) {
-  auto to = std::make_unique<SolverState>();
-  to->make_published = from.make_published;
-  to->prepared = from.prepared;
-  to->preparation = can_share(from) ? nullptr : from.preparation;
-  to->given = from.given;
-  to->given.share = {};
-  to->frictionless = from.frictionless;
-  to->procedure = from.procedure;
-  to->iterate.resize(to->prepared->problem.nodes);
-  return to;
-}
-
 }  // namespace
 
-SharedFrameSolver::SharedFrameSolver(const SolverState& scene, const Options& options)
-    : options_(options), state_(share(scene)), frictionless_(scene.frictionless) {}
+SharedFrameSolver::SharedFrameSolver(const Solver& lead)
+    : solver_(lead.make_worker()), given_(solver_->solution().given), frictionless_(lead.solution().frictionless) {}
 
 SharedFrameSolver::~SharedFrameSolver() = default;
 
 void SharedFrameSolver::begin_chain() {
-  state_->newton = Newton{};
-  state_->published.reset();
+  solver_->engine().newton = Newton{};
+  solver_->engine().published.reset();
   warm_ = false;
 }
 
-void SharedFrameSolver::prescribe(std::span<const Parameter> parameter, const double* value) {
-  SolverState& s = *state_;
+Status SharedFrameSolver::solve(std::span<const Parameter> parameter, const double* value, Monitor& monitor) {
   for (std::size_t j = 0; j < parameter.size(); ++j) {
     const double v = value[j] + 0.0;  // no negative zero
     const std::size_t m = motion_of(parameter[j]);
     if (parameter[j] == Parameter::friction)
-      s.given.friction = v;
+      given_.friction = v;
     else if (m == approach)
-      s.given.prescribe_normal(s.given.by_force[m], v, s.prepared->problem.datum);
+      given_.prescribe_normal(given_.by_force[m], v, solver_->solution().prepared->problem.datum);
     else
-      s.given.value[m] = v;
+      given_.value[m] = v;
   }
-  const bool frictionless = frictionless_ || !(s.given.friction > least_friction);
-  if (frictionless && !s.frictionless) {
-    for (int c = 0; c < 2; ++c) std::fill(s.iterate.lambda[c].begin(), s.iterate.lambda[c].end(), 0.0);
-    s.iterate.invalidate();
-  }
-  s.frictionless = frictionless;
-}
-
-Status SharedFrameSolver::solve(std::span<const Parameter> parameter, const double* value, Monitor& monitor) {
-  SolverState& s = *state_;
-  forget_solution(s);
-  if (!warm_ || options_.warm_start == 0) {
-    s.iterate.clear();
-    s.settled_friction.share.clear();
-    s.given.share = {};
-  }
-  warm_ = false;
-  prescribe(parameter, value);
-  if (s.frictionless) refuse_tangential_loads(s.given);
-  refuse_load_beside_frame(s);
-  refuse_overflow(s);
-  solve_prepared(s, options_, monitor);
-  s.outcome = s.report.outcome;
-  warm_ = s.outcome == Outcome::converged;
-  return with_doubts(s, status_of(s));
+  const bool frictionless = frictionless_ || !(given_.friction > least_friction);
+  const bool warm = std::exchange(warm_, false) && solver_->scene.options.warm_start != 0;
+  const Status status = solver_->solve_given(given_, frictionless, warm, monitor);
+  warm_ = solver_->solution().report.outcome == Outcome::converged;
+  return status;
 }
 
 void SharedFrameSolver::write(const CaseColumn& column, std::span<const Parameter> parameter, const double* value,
                               double* to) {
-  SolverState& s = *state_;
+  const Solution& s = solver_->solution();
   const Prepared& on = *s.prepared;
   const auto& motion = s.iterate.motion;
   switch (column.kind) {
@@ -120,22 +80,21 @@ void SharedFrameSolver::write(const CaseColumn& column, std::span<const Paramete
       break;
     }
     case CaseColumn::Kind::number:
-      *to = column.number(s);
+      *to = column.number(*solver_);
       break;
   }
 }
 
 void SharedFrameSolver::derivatives(std::span<const Parameter> parameter, const double* value, double* d) {
-  SolverState& s = *state_;
+  const Outcome outcome = solver_->solution().report.outcome;
   std::fill_n(d, 10 * parameter.size(), none);
-  if (s.outcome != Outcome::converged && s.outcome != Outcome::no_contact) return;
+  if (outcome != Outcome::converged && outcome != Outcome::no_contact) return;
   for (std::size_t j = 0; j < parameter.size(); ++j, d += 10) {
     double unit = 1;  // per relative change of the coefficients, so far
     if (parameter[j] == Parameter::friction && !frictionless_) unit = value[j];
     if (unit == 0) continue;  // one-sided: not in the system of a frictionless solution
     try {
-      if (s.procedure.monolithic) require_operators(s);
-      const Rates& r = find_rates(s, parameter[j]);
+      const Rates r = solver_->rates(parameter[j]);
       std::copy(r.force.begin(), r.force.end(), d);
       std::copy(r.moment.begin(), r.moment.end(), d + 3);
       d[6] = r.motion[approach];
@@ -150,8 +109,8 @@ void SharedFrameSolver::derivatives(std::span<const Parameter> parameter, const 
 }
 
 std::size_t SharedFrameSolver::bytes() const {
-  const SolverState& s = *state_;
-  return s.newton.bytes() + static_cast<std::size_t>(s.prepared->problem.nodes) * sizeof(double) * 30;
+  const auto nodes = static_cast<std::size_t>(solver_->solution().prepared->problem.nodes);
+  return solver_->engine().bytes() + nodes * sizeof(double) * 30;
 }
 
 }  // namespace rollcon

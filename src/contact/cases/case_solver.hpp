@@ -15,10 +15,7 @@
 
 namespace rollcon {
 
-struct SolverState;
-
-/// Whether a state can serve several threads at once: not with the systems of published procedures.
-bool can_share(const SolverState& state);
+class Solver;
 
 class CaseSolver {
  public:
@@ -40,8 +37,8 @@ class CaseSolver {
 
 class SharedFrameSolver final : public CaseSolver {
  public:
-  /// `scene` must be prepared, and outlive this object unchanged.
-  SharedFrameSolver(const SolverState& scene, const Options& options);
+  /// `lead` must be prepared, and outlive this object unchanged.
+  explicit SharedFrameSolver(const Solver& lead);
   ~SharedFrameSolver() override;
 
   void begin_chain() override;
@@ -51,10 +48,9 @@ class SharedFrameSolver final : public CaseSolver {
 
  private:
   void derivatives(std::span<const Parameter> parameter, const double* value, double* d);
-  void prescribe(std::span<const Parameter> parameter, const double* value);
 
-  const Options& options_;
-  std::unique_ptr<SolverState> state_;
+  std::unique_ptr<Solver> solver_;
+  Prescribed given_;           ///< of the last case
   bool frictionless_ = false;  ///< the scene
   bool warm_ = false;
 };

@@ -11,7 +11,6 @@
 
 #include "contact/cases/case_order.hpp"
 #include "contact/cases/case_solver.hpp"
-#include "contact/solution.hpp"
 #include "linalg/blas_threads.hpp"
 #include "support/batch.hpp"
 #include "support/clock.hpp"
@@ -36,7 +35,7 @@ std::vector<std::int64_t> priority(std::span<const Parameter> parameter) {
 
 class ManyCases final : public Interrupt {
  public:
-  ManyCases(const CaseList& list, const CaseResults& results, const CaseHost& host)
+  ManyCases(const CaseList& list, const CaseResults& results, const Host& host)
       : list_(list),
         results_(results),
         host_(host),
@@ -50,7 +49,7 @@ class ManyCases final : public Interrupt {
   std::size_t run(const std::function<std::unique_ptr<CaseSolver>()>& make, int threads);
   /// Copies to the repeated cases, and says what the call returns.
   Status finish();
-  bool wanted() const override { return host_.cancel.load(); }
+  bool wanted() const override { return host_.cancel->load(); }
 
  private:
   void tell() override { tell(Phase::cases, solved_.load(), 0); }
@@ -80,7 +79,7 @@ class ManyCases final : public Interrupt {
 
   const CaseList& list_;
   const CaseResults& results_;
-  const CaseHost& host_;
+  const Host& host_;
   std::int64_t width_ = 0;  ///< numbers in a row
   const CaseOrder order_;
   const double start_ = now_seconds();
@@ -101,10 +100,10 @@ void ManyCases::tell(Phase phase, std::int64_t iteration, double residual) {
   event.residual = residual;
   event.seconds = now_seconds() - start_;
   try {
-    if (host_.progress(event, host_.user) != 0) host_.cancel.store(true);
+    if (host_.progress(event, host_.user) != 0) host_.cancel->store(true);
   } catch (...) {
     thrown_ = std::current_exception();
-    host_.cancel.store(true);
+    host_.cancel->store(true);
   }
 }
 
@@ -155,13 +154,13 @@ Status ManyCases::finish() {
     batch_.repeat(i, from);
     if (from != i && width_ > 0) std::copy_n(row(from), width_, row(i));
   }
-  return batch_.finish(host_.context, "case", results_.status);
+  return batch_.finish(*host_.context, "case", results_.status);
 }
 
 }  // namespace
 
 Status solve_cases(const std::function<std::unique_ptr<CaseSolver>()>& make, int threads, const CaseList& cases,
-                   const CaseResults& results, const CaseHost& host, std::size_t& bytes) {
+                   const CaseResults& results, const Host& host, std::size_t& bytes) {
   const double start = now_seconds();
   ManyCases many(cases, results, host);
   {
@@ -169,11 +168,11 @@ Status solve_cases(const std::function<std::unique_ptr<CaseSolver>()>& make, int
     bytes = many.run(make, threads);
   }
   const Status status = many.finish();
-  host.context.log(LogLevel::info, "%lld cases, %.3f s", static_cast<long long>(cases.cases), now_seconds() - start);
+  host.context->log(LogLevel::info, "%lld cases, %.3f s", static_cast<long long>(cases.cases), now_seconds() - start);
   return status;
 }
 
-void cancel_cases(const CaseList& cases, const CaseResults& results, const CaseHost& host) {
+void cancel_cases(const CaseList& cases, const CaseResults& results, const Host& host) {
   ManyCases(cases, results, host).finish();
 }
 

@@ -8,20 +8,20 @@
 #include <memory>
 #include <span>
 
+#include "contact/host.hpp"
 #include "contact/scene/enumerators.hpp"
-#include "support/context.hpp"
 #include "support/error.hpp"
 
 namespace rollcon {
 
 class CaseSolver;  // contact/cases/case_solver.hpp
-struct SolverState;
+class Solver;
 
 /// Neighbouring numbers in the row of a case, in the axes.
 struct CaseColumn {
   enum class Kind { force, moment, approach, creep, tilt, derivatives, tractions, number };
   Kind kind = Kind::force;
-  double (*number)(SolverState&) = nullptr;  ///< a statistic, of kind number
+  double (*number)(Solver&) = nullptr;  ///< a statistic, of kind number
   std::int64_t width = 0;
 };
 /// err_option: unknown name. parameters: those of the list; nodes: those of the frame.
@@ -43,19 +43,11 @@ struct CaseResults {
   std::span<const CaseColumn> column;
 };
 
-/// Whom a list of cases belongs to.
-struct CaseHost {
-  const Context& context;
-  ProgressFunction progress;
-  void* user;
-  std::atomic<bool>& cancel;
-};
-
 /// Solves the cases over so many threads, each with a solver that make() gives; the status is that of
 /// Contact::solve_many. bytes: what all solvers held.
 Status solve_cases(const std::function<std::unique_ptr<CaseSolver>()>& make, int threads, const CaseList& cases,
-                   const CaseResults& results, const CaseHost& host, std::size_t& bytes);
+                   const CaseResults& results, const Host& host, std::size_t& bytes);
 /// What a list has whose preparation was cancelled.
-void cancel_cases(const CaseList& cases, const CaseResults& results, const CaseHost& host);
+void cancel_cases(const CaseList& cases, const CaseResults& results, const Host& host);
 
 }  // namespace rollcon

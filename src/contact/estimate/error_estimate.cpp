@@ -12,7 +12,7 @@
 #include "contact/estimate/few_nodes.hpp"
 #include "contact/prepare/gap_between_nodes.hpp"
 #include "contact/prepare/lattice_scene.hpp"
-#include "contact/solution.hpp"
+#include "contact/results/derived.hpp"
 #include "mesh/topology.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"
@@ -37,7 +37,7 @@ struct Sums {
   double pressure2 = 0, tangential2 = 0;
 };
 
-Sums sums_of(const SolverState& s, const Tractions& t) {
+Sums sums_of(const Solution& s, const Tractions& t) {
   Sums r;
   Vec3 force, moment;
   sum_tractions(s.prepared->problem, t, force, moment);
@@ -52,7 +52,7 @@ Sums sums_of(const SolverState& s, const Tractions& t) {
   return r;
 }
 
-Sums difference(const SolverState& s, const Tractions& a, const Tractions& b) {
+Sums difference(const Solution& s, const Tractions& a, const Tractions& b) {
   Tractions d;
   for (std::size_t c = 0; c < 3; ++c) {
     d[c] = a[c];
@@ -81,7 +81,7 @@ double fringe(const Frame& frame, const std::vector<double>& normal) {
 
 // A variant with the step wished for or, where that finds no solution, the most stable one.
 template <class Make>
-std::optional<Variant> solved(const SolverState& s, bool given_load, double step, Make make) {
+std::optional<Variant> solved(const Solution& s, bool given_load, double step, Make make) {
   constexpr double stable_step = 1;
   std::optional<Variant> v = make(step);
   if (v->solve(s, given_load)) return v;
@@ -93,7 +93,7 @@ std::optional<Variant> solved(const SolverState& s, bool given_load, double step
 
 // Errors of forces are of second order in the spacing for pressures and of first order for friction, those of tractions
 // of first order: their edges.
-void estimate_on_lattice(const SolverState& s, ErrorEstimate& e) {
+void estimate_on_lattice(const Solution& s, ErrorEstimate& e) {
   constexpr double tolerance = 1e-6;
   Iterate coarse, coarser;
   if (!solve_on_coarser_lattice(s, tolerance, 1, coarse)) return;
@@ -119,7 +119,7 @@ void estimate_on_lattice(const SolverState& s, ErrorEstimate& e) {
       std::sqrt(std::max(ratio(change.pressure2, whole.pressure2), ratio(change.tangential2, whole.tangential2)));
 }
 
-void estimate(const SolverState& s, ErrorEstimate& e) {
+void estimate(const Solution& s, ErrorEstimate& e) {
   const Tractions& solution = s.iterate.lambda;
   const std::vector<double>& normal = solution[2];
   if (std::none_of(normal.begin(), normal.end(), [](double l) { return l < 0; })) return;
@@ -162,17 +162,17 @@ void estimate(const SolverState& s, ErrorEstimate& e) {
 
 }  // namespace
 
-const ErrorEstimate& find_error_estimate(SolverState& s) {
-  ErrorEstimate& e = s.error_estimate;
+const ErrorEstimate& find_error_estimate(const Solution& s, Derived& derived) {
+  ErrorEstimate& e = derived.error_estimate;
   if (e.known) return e;
-  ++s.work.estimates;
+  ++derived.computed.estimates;
   e = {};
   {
     const Stopwatch watch(e.seconds);
     try {
-      if (s.outcome == Outcome::converged)
+      if (s.report.outcome == Outcome::converged)
         estimate(s, e);
-      else if (s.outcome != Outcome::no_contact)
+      else if (s.report.outcome != Outcome::no_contact)
         e.normal = e.tangential = e.tractions = 1;
     } catch (const Error&) {
       // A coarse frame that would be none. What is known by then stays.

@@ -5,11 +5,12 @@
 
 namespace rollcon {
 
-struct ErrorEstimate;  // contact/solution.hpp
-struct SolverState;
+struct Derived;        // contact/results/derived.hpp
+struct ErrorEstimate;  // contact/results/derived.hpp
+struct Solution;
 
 /// 0 without contact; 1 where nothing can be said: the solve did not converge, or the frame has too few nodes to leave
 /// any out.
-const ErrorEstimate& find_error_estimate(SolverState& state);
+const ErrorEstimate& find_error_estimate(const Solution& solution, Derived& derived);
 
 }  // namespace rollcon

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/prepare/preparation.hpp"
+#include "contact/operators/dense_operators.hpp"
+#include "contact/solution.hpp"
 #include "support/index.hpp"
 
 namespace rollcon {
@@ -53,7 +54,7 @@ Convection pick(const TractionSpace& space, const Convection& whole) {
 
 }  // namespace
 
-void Variant::take_problem(const SolverState& s) {
+void Variant::take_problem(const Solution& s) {
   const Problem& from = s.prepared->problem;
   Problem& p = problem_;
   p.nodes = space_->frame.nodes();
@@ -71,7 +72,7 @@ void Variant::take_problem(const SolverState& s) {
   p.cell_area = gather(*space_, from.cell_area);
   p.gap = pick(*space_, from.gap);
   std::vector<double> mu = from.mu;  // that of the solution, where friction follows it
-  for (std::size_t k = 0; k < mu.size() && !s.given.share.empty(); ++k) mu[k] *= s.given.share[k];
+  for (std::size_t k = 0; k < mu.size() && !s.given.utilisation.empty(); ++k) mu[k] *= s.given.utilisation[k];
   p.mu = pick(*space_, mu);
   p.slip1 = pick(*space_, from.slip1);
   p.slip2 = pick(*space_, from.slip2);
@@ -84,7 +85,7 @@ void Variant::take_problem(const SolverState& s) {
 }
 
 // A step in time on these nodes, from what the step before left on the fine frame.
-void Variant::take_step(const SolverState& s) {
+void Variant::take_step(const Solution& s) {
   const Convection& fine = s.prepared->problem.convection;
   problem_.convection = make_convection(space_->frame, Scheme::time_step, false);
   problem_.convection.slip_x = pick(*space_, fine.slip_x);
@@ -92,7 +93,7 @@ void Variant::take_step(const SolverState& s) {
 }
 
 // Slip that is given at nodes, taken where the characteristic scheme takes slip: half a step upstream.
-void Variant::move_given_slip(const SolverState& s) {
+void Variant::move_given_slip(const Solution& s) {
   Problem& p = problem_;
   if (p.slip1.empty()) return;
   const SparseRows d = least_squares(s.prepared->frame, 1, 0);
@@ -110,7 +111,7 @@ void Variant::move_given_slip(const SolverState& s) {
   }
 }
 
-void Variant::assemble(const SolverState& s, bool tangential) {
+void Variant::assemble(const Solution& s, bool tangential) {
   frictionless_ = !tangential;
   const auto op = std::make_shared<DenseOperators>();
   // Under a monolithic solve there are no rows to take.
@@ -122,7 +123,7 @@ void Variant::assemble(const SolverState& s, bool tangential) {
   set_scales(problem_);
 }
 
-Variant Variant::same_nodes(const SolverState& s, bool tangential, double step) {
+Variant Variant::same_nodes(const Solution& s, bool tangential, double step) {
   Variant v;
   v.space_ = std::make_unique<TractionSpace>(loaded_space(s.prepared->frame, s.iterate.lambda[2]));
   v.take_problem(s);
@@ -142,7 +143,7 @@ Variant Variant::same_nodes(const SolverState& s, bool tangential, double step) 
   return v;
 }
 
-Variant Variant::coarse(const SolverState& s, double step) {
+Variant Variant::coarse(const Solution& s, double step) {
   Variant v;
   v.space_ = std::make_unique<TractionSpace>(coarse_space(s.prepared->frame));
   v.take_problem(s);
@@ -154,9 +155,9 @@ Variant Variant::coarse(const SolverState& s, double step) {
   return v;
 }
 
-bool Variant::solve(const SolverState& s, bool given_load) {
+bool Variant::solve(const Solution& s, bool given_load) {
   given_ = s.given;
-  given_.share = {};
+  given_.utilisation.clear();
   given_.value = s.iterate.motion;
   given_.by_force = {};
   given_.by_force[approach] = given_load;

@@ -9,19 +9,19 @@
 
 namespace rollcon {
 
-struct SolverState;
+struct Solution;
 
 class Variant {
  public:
   /// The solution's nodes in contact alone, tangential rows by the characteristic scheme. tangential: false leaves
   /// these out.
-  static Variant same_nodes(const SolverState& state, bool tangential, double step);
+  static Variant same_nodes(const Solution& state, bool tangential, double step);
   /// About a quarter of the nodes. Throws Error where the coarse triangles are no valid frame.
-  static Variant coarse(const SolverState& state, double step);
+  static Variant coarse(const Solution& state, double step);
 
   /// Solves with the motions of the solution; with its normal load instead of the approach if given_load. False:
   /// nothing useful was found.
-  bool solve(const SolverState& state, bool given_load);
+  bool solve(const Solution& state, bool given_load);
   /// Tractions at the nodes of the solution's frame.
   const std::vector<double> (&tractions() const)[3] { return traction_; }
   /// Of a solved variant: rate of these pressures with the approach, tangential tractions held.
@@ -30,10 +30,10 @@ class Variant {
   const Iterate& iterate() const { return iterate_; }
 
  private:
-  void take_step(const SolverState& state);
-  void take_problem(const SolverState& state);
-  void assemble(const SolverState& state, bool tangential);
-  void move_given_slip(const SolverState& state);
+  void take_step(const Solution& state);
+  void take_problem(const Solution& state);
+  void assemble(const Solution& state, bool tangential);
+  void move_given_slip(const Solution& state);
 
   std::unique_ptr<TractionSpace> space_;  // in one place: the compliance refers to it
   std::unique_ptr<Compliance> compliance_;

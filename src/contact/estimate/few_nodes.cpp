@@ -13,7 +13,7 @@ namespace {
 // five on nine of ten friction forces are within 17 %.
 constexpr std::int64_t least_inside = 1, least_inside_with_friction = 5;
 
-std::int64_t least(const SolverState& s) {
+std::int64_t least(const Solution& s) {
   return s.frictionless ? least_inside : least_inside_with_friction;
 }
 
@@ -65,21 +65,21 @@ std::int64_t nodes_inside(const SurfaceMesh& mesh, const std::vector<double>& no
   return inside;
 }
 
-std::int64_t nodes_inside(const SolverState& s) {
+std::int64_t nodes_inside(const Solution& s) {
   // Beyond the last nodes that may touch there is an edge that is known.
   const Frame& frame = s.prepared->frame;
-  return nodes_inside(frame.mesh, s.iterate.lambda[2], s.edge_of_contact,
-                      s.prepared->ends_at_edge ? frame.used.data() : nullptr);
+  thread_local std::vector<std::uint8_t> node;  // solves allocate nothing
+  return nodes_inside(frame.mesh, s.iterate.lambda[2], node, s.prepared->ends_at_edge ? frame.used.data() : nullptr);
 }
 
-bool too_few_nodes(const SolverState& s) {
+bool too_few_nodes(const Solution& s) {
   return nodes_inside(s) < least(s);
 }
 
 namespace {
 
 // Tells of few nodes, or corners of quad8, whose weights are negative, that carry more than friction can.
-Line beyond_friction(const SolverState& s) {
+Line beyond_friction(const Solution& s) {
   Vec3 force{}, moment{};
   sum_tractions(s.prepared->problem, s.iterate.lambda, force, moment);
   const std::vector<double>& mu = s.prepared->problem.mu;
@@ -93,7 +93,7 @@ Line beyond_friction(const SolverState& s) {
 
 }  // namespace
 
-Line describe_few_nodes(const SolverState& s) {
+Line describe_few_nodes(const Solution& s) {
   const std::vector<double>& normal = s.iterate.lambda[2];
   return line_of(
       "too few nodes in contact to trust: %lld touch, %lld of them with all their neighbours "

@@ -9,20 +9,20 @@
 
 namespace rollcon {
 
-struct SolverState;
+struct Solution;
 
 /// Nodes in contact without an open node in any of their elements: the contact's extent is known to one element, so
 /// that all others are its edge.
-std::int64_t nodes_inside(const SolverState& state);
+std::int64_t nodes_inside(const Solution& state);
 /// Likewise, of a mesh's nodes those whose normal traction is negative; `node` is workspace. inner: 0 for nodes on an
 /// outline that is the contact's; null: the contact ends where nodes are open.
 std::int64_t nodes_inside(const SurfaceMesh& mesh, const std::vector<double>& normal, std::vector<std::uint8_t>& node,
                           const std::uint8_t* inner = nullptr);
 
 /// The contact has no inside, or with friction not enough of it.
-bool too_few_nodes(const SolverState& state);
+bool too_few_nodes(const Solution& state);
 
 /// How many touch, what that means and what to do about it.
-Line describe_few_nodes(const SolverState& state);
+Line describe_few_nodes(const Solution& state);
 
 }  // namespace rollcon

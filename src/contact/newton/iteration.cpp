@@ -263,10 +263,10 @@ const std::vector<double> (&NewtonIteration::best_tractions() const)[3] {
   return std::isfinite(best_.worst) ? best_.lambda : iterate_->lambda;
 }
 
-ReducedSystem& NewtonIteration::linearise(const Problem& problem, const Prescribed& given, Iterate& iterate,
+ReducedSystem& NewtonIteration::linearise(const Problem& problem, const Prescribed& given, const Iterate& iterate,
                                           Part part) {
   problem_ = &problem;
-  iterate_ = &iterate;
+  iterate_ = const_cast<Iterate*>(&iterate);  // which changes in runs alone
   given_ = &given;
   reserve(at(problem.nodes));
   evaluate(part, given);

@@ -62,7 +62,7 @@ class NewtonIteration {
   const std::vector<double> (&best_tractions() const)[3];
   /// The system of a part linearised at a solution, for its rates. The laws' own[i][2] is mu e_i at sliding nodes even
   /// where pressures are given.
-  ReducedSystem& linearise(const Problem& problem, const Prescribed& given, Iterate& iterate, Part part);
+  ReducedSystem& linearise(const Problem& problem, const Prescribed& given, const Iterate& iterate, Part part);
   /// Scaled rows are others than at the last step.
   void rows_changed() {
     rows_changed_ = true;

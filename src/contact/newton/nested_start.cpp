@@ -70,7 +70,8 @@ Problem coarser_problem(const Problem& p, const Prescribed& given, const Lattice
   };
   sample(p.gap, q.gap);
   sample(p.mu, q.mu);
-  for (std::size_t k = 0; k < q.mu.size() && !given.share.empty(); ++k) q.mu[k] *= given.share[at(c.fine[k])];
+  for (std::size_t k = 0; k < q.mu.size() && !given.utilisation.empty(); ++k)
+    q.mu[k] *= given.utilisation[at(c.fine[k])];
   sample(p.slip1, q.slip1);
   sample(p.slip2, q.slip2);
   q.motion_scale = p.motion_scale;
@@ -122,7 +123,7 @@ bool take_from_coarser(const Problem& problem, const Prescribed& given, const La
   if (!coarser.lattice.has_inner_node()) return false;
   const Problem p = coarser_problem(problem, given, scene, coarser);
   Prescribed there = given;
-  there.share = {};
+  there.utilisation.clear();
   Iterate start;
   start.resize(p.nodes);
   start.motion = iterate.motion;

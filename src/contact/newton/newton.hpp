@@ -20,7 +20,7 @@ class Newton {
                      double tolerance, std::int64_t max_iterations, Monitor& monitor);
   /// The part whose convergence ends a solve: all unknowns at once unless the normal problem stands alone.
   static Part goal(const Problem& problem, const Prescribed& given, bool frictionless);
-  ReducedSystem& linearise(const Problem& problem, const Prescribed& given, Iterate& iterate, Part part) {
+  ReducedSystem& linearise(const Problem& problem, const Prescribed& given, const Iterate& iterate, Part part) {
     return iteration_.linearise(problem, given, iterate, part);
   }
   LinearSolver& linear() { return iteration_.linear; }

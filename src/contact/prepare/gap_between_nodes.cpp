@@ -114,7 +114,7 @@ class Middle {
 };
 
 // Without the tangential components, whose integrals cost as much again.
-std::vector<double> normal_displacements(const SolverState& s, const std::vector<double>& x,
+std::vector<double> normal_displacements(const Solution& s, const std::vector<double>& x,
                                          const std::vector<double>& y) {
   constexpr std::size_t chunk = 64;
   const std::size_t n = at(s.prepared->problem.nodes);
@@ -138,7 +138,7 @@ std::vector<double> normal_displacements(const SolverState& s, const std::vector
 
 }  // namespace
 
-double gap_force(const SolverState& s, const std::vector<double>& rate) {
+double gap_force(const Solution& s, const std::vector<double>& rate) {
   const Problem& p = s.prepared->problem;
   const Frame& frame = s.prepared->frame;
   std::vector<double> rigid(at(p.nodes)), x, y, gap, factor;

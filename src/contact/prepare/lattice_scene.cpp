@@ -20,88 +20,89 @@ namespace {
 constexpr std::int64_t fft_from = 400;
 
 // Why a table of one node's influence does not tell those of all; null: it does.
-const char* obstacle_to_table(const SolverState& s) {
-  if (!s.prepared->compliance->translation()) return "not both bodies respond alike everywhere, as half-spaces do";
-  if (!s.prepared->lattice) return s.prepared->no_lattice.c_str();
-  if (!s.prepared->lattice->has_inner_node()) return "the grid has no inner node";
+const char* obstacle_to_table(const Prepared& on) {
+  if (!on.compliance->translation()) return "not both bodies respond alike everywhere, as half-spaces do";
+  if (!on.lattice) return on.no_lattice.c_str();
+  if (!on.lattice->has_inner_node()) return "the grid has no inner node";
   return nullptr;
 }
 
 // Why operators cannot be applied by FFT; null: they can.
-const char* obstacle_to_fft(const SolverState& s) {
+const char* obstacle_to_fft(const Preparation& preparation) {
+  const Procedure& procedure = preparation.procedure;
   if (!has_fft()) return "this build is without FFTW (ROLLCON_WITH_FFTW=OFF)";
-  if (const char* reason = obstacle_to_table(s)) return reason;
-  if (s.procedure.monolithic) return "system is monolithic";
-  if (!s.procedure.standard()) return "jacobian is not 'exact'";
-  if (s.procedure.linear == LinearMethod::lu) return "linear_solver is 'lu'";
+  if (const char* reason = obstacle_to_table(*preparation.made)) return reason;
+  if (procedure.monolithic) return "system is monolithic";
+  if (!procedure.standard()) return "jacobian is not 'exact'";
+  if (procedure.linear == LinearMethod::lu) return "linear_solver is 'lu'";
   return nullptr;
 }
 
-std::shared_ptr<const Operators> make_operators(const SolverState& s, const Lattice& lattice,
+std::shared_ptr<const Operators> make_operators(const Prepared& on, bool frictionless, const Lattice& lattice,
                                                 const Convection& convection) {
   const double delta = convection.ahead.empty() ? 0 : characteristic_step * lattice.spacing_along_flow();
-  auto op = std::make_shared<LatticeOperator>(lattice, s.prepared->compliance->translation(), delta, convection.rows,
-                                              s.prepared->scheme == Scheme::time_step);
-  op->tangential = !s.frictionless;
+  auto op = std::make_shared<LatticeOperator>(lattice, on.compliance->translation(), delta, convection.rows,
+                                              on.scheme == Scheme::time_step);
+  op->tangential = !frictionless;
   return op;
 }
 
 // Rows of another kind are of no use any more.
-void forget_rows(SolverState& s) {
-  forget_operators(*s.preparation);
-  s.newton.operators_changed();
-  s.published.reset();
+void forget_rows(Preparation& preparation) {
+  forget_operators(preparation);
+  preparation.changes.operators = preparation.changes.system = true;
 }
 
-void choose_table(SolverState& s, bool wanted) {
-  if (s.prepared->table == wanted) return;
-  s.preparation->made->table = wanted;
-  if (s.preparation->dense && s.preparation->dense->normal) forget_rows(s);
+void choose_table(Preparation& preparation, bool wanted) {
+  if (preparation.made->table == wanted) return;
+  preparation.made->table = wanted;
+  if (preparation.dense && preparation.dense->normal) forget_rows(preparation);
 }
 
-LatticeScene scene_of(const SolverState& s, const Scheme& scheme, std::function<bool()> cancelled) {
+LatticeScene scene_of(const Solution& s, const Scheme& scheme, std::function<bool()> cancelled) {
   const auto make = [&s, scheme](const Frame& frame, const Lattice& lattice, Problem& p) {
     p.convection = make_convection(frame, scheme, s.prepared->ends_at_edge);
-    p.op = make_operators(s, lattice, p.convection);
+    p.op = make_operators(*s.prepared, s.frictionless, lattice, p.convection);
   };
   return {s.prepared->frame, *s.prepared->lattice, make, std::move(cancelled)};
 }
 
 }  // namespace
 
-void build_lattice_operators(SolverState& s, const Options& options) {
-  Prepared& on = *s.preparation->made;
-  if (s.preparation->lattice.enter(s.preparation->frame.version())) {
+void build_lattice_operators(Preparation& preparation, const Options& options) {
+  Prepared& on = *preparation.made;
+  if (preparation.lattice.enter(preparation.frame.version())) {
     on.lattice = find_lattice(on.frame, &on.no_lattice);
     on.no_lattice.insert(0, "the frame is not a regular grid of quad4 elements: ");
   }
-  const char *no_fft = obstacle_to_fft(s), *no_table = obstacle_to_table(s);
+  const char *no_fft = obstacle_to_fft(preparation), *no_table = obstacle_to_table(on);
   const bool any = options.operators == "auto";
   const bool ask_fft = options.operators == "fft", ask_table = options.operators == "table";
   if (const char* reason = ask_fft ? no_fft : ask_table ? no_table : nullptr)
     fail(Status::err_unsupported, "option operators is '%s' but %s", options.operators.c_str(), reason);
-  const bool fft = !no_fft && (ask_fft || (any && s.prepared->frame.nodes() >= fft_from));
-  choose_table(s, !fft && !no_table && (any || ask_table));
-  const bool formed = s.preparation->dense != nullptr;
-  if (!fft && !formed) return forget_rows(s);
-  if (!fft || (!formed && (on.problem.op->tangential || s.frictionless))) return;
-  const Stopwatch watch(s.timings.compliance);
-  forget_rows(s);
-  on.problem.op = make_operators(s, *on.lattice, on.problem.convection);
-  s.preparation->dense.reset();
-  s.iterate.invalidate();
-  ++s.preparation->rows;
+  const bool fft = !no_fft && (ask_fft || (any && on.frame.nodes() >= fft_from));
+  choose_table(preparation, !fft && !no_table && (any || ask_table));
+  const bool formed = preparation.dense != nullptr;
+  if (!fft && !formed) return forget_rows(preparation);
+  if (!fft || (!formed && (on.problem.op->tangential || on.frictionless))) return;
+  const Stopwatch watch(preparation.timings.compliance);
+  forget_rows(preparation);
+  on.problem.op = make_operators(on, on.frictionless, *on.lattice, on.problem.convection);
+  preparation.dense.reset();
+  preparation.changes.images = true;
+  ++preparation.rows;
 }
 
-bool fill_from_table(SolverState& s) {
-  if (!s.prepared->table) return false;
-  DenseOperators& op = *s.preparation->dense;
-  fill_lattice_operators(*s.prepared->lattice, *s.prepared->compliance->translation(), s.prepared->problem.convection,
-                         !s.frictionless || op.tangential, op);
+bool fill_from_table(Preparation& preparation) {
+  const Prepared& on = *preparation.made;
+  if (!on.table) return false;
+  DenseOperators& op = *preparation.dense;
+  fill_lattice_operators(*on.lattice, *on.compliance->translation(), on.problem.convection,
+                         !on.frictionless || op.tangential, op);
   return true;
 }
 
-void start_on_lattice(SolverState& s, const Monitor& monitor) {
+void start_on_lattice(Solution& s, const Monitor& monitor) {
   if (!s.prepared->problem.op->influence()) return;
   const std::vector<double>& pressure = s.iterate.lambda[2];
   if (std::any_of(pressure.begin(), pressure.end(), [](double l) { return l != 0; })) return;
@@ -111,7 +112,7 @@ void start_on_lattice(SolverState& s, const Monitor& monitor) {
   start_from_coarser(s.prepared->problem, s.given, scene, s.frictionless, start_tolerance, s.iterate);
 }
 
-bool solve_on_coarser_lattice(const SolverState& s, double tolerance, int halvings, Iterate& iterate) {
+bool solve_on_coarser_lattice(const Solution& s, double tolerance, int halvings, Iterate& iterate) {
   Prescribed given = s.given;
   given.by_force = {};
   given.value = s.iterate.motion;
@@ -121,7 +122,7 @@ bool solve_on_coarser_lattice(const SolverState& s, double tolerance, int halvin
                           s.frictionless, tolerance, halvings, iterate);
 }
 
-bool displacements_on_lattice(const SolverState& s, const Compliance& body, double* u) {
+bool displacements_on_lattice(const Solution& s, const Compliance& body, double* u) {
   const auto kernel = body.translation();
   if (!kernel || !s.prepared->lattice->loose.empty()) return false;
   const std::size_t n = s.prepared->frame.x.size();
@@ -141,11 +142,11 @@ bool displacements_on_lattice(const SolverState& s, const Compliance& body, doub
 namespace {
 
 // What makes the grid differ from a full one with all nodes on their places.
-std::string describe_flaws(const SolverState& s) {
-  const Lattice& l = *s.prepared->lattice;
+std::string describe_flaws(const Prepared& on) {
+  const Lattice& l = *on.lattice;
   char text[120];
   std::string all;
-  const auto missing = (l.nx - 1) * (l.ny - 1) - s.prepared->frame.elements();
+  const auto missing = (l.nx - 1) * (l.ny - 1) - on.frame.elements();
   if (missing > 0) {
     std::snprintf(text, sizeof text, "; %lld cell(s) of the grid missing", static_cast<long long>(missing));
     all += text;
@@ -159,22 +160,22 @@ std::string describe_flaws(const SolverState& s) {
 
 }  // namespace
 
-std::string describe_lattice(const SolverState& s) {
-  if (s.prepared->table)
+std::string describe_lattice(const Prepared& on) {
+  if (on.table)
     return "operators: rows of a regular grid, copied from a table of one node's influence: no "
            "integrals" +
-           describe_flaws(s);
-  const Operators& op = *s.prepared->problem.op;
-  if (op.dense() && s.prepared->compliance->translation() && !s.prepared->lattice)
-    return "operators: dense, by integrals; " + s.prepared->no_lattice;
+           describe_flaws(on);
+  const Operators& op = *on.problem.op;
+  if (op.dense() && on.compliance->translation() && !on.lattice)
+    return "operators: dense, by integrals; " + on.no_lattice;
   if (op.dense()) return {};
   char text[200];
   std::snprintf(text, sizeof text,
                 "operators: regular %lld x %lld grid, applied by FFT: no integrals, no "
                 "matrices; %.1f MB, applied %lld time(s)",
-                static_cast<long long>(s.prepared->lattice->nx), static_cast<long long>(s.prepared->lattice->ny),
+                static_cast<long long>(on.lattice->nx), static_cast<long long>(on.lattice->ny),
                 static_cast<double>(op.bytes()) / 1e6, static_cast<long long>(op.applications()));
-  return text + describe_flaws(s);
+  return text + describe_flaws(on);
 }
 
 }  // namespace rollcon

@@ -9,11 +9,13 @@
 #include <utility>
 #include <vector>
 
+#include "contact/effort.hpp"
 #include "contact/operators/dense_operators.hpp"
 #include "contact/prepare/carried_rows.hpp"
 #include "contact/prepare/operator_family.hpp"
 #include "contact/prepare/placed_frame.hpp"
-#include "contact/solution.hpp"
+#include "contact/prepare/prepared.hpp"
+#include "contact/scene/procedure.hpp"
 
 namespace rollcon {
 
@@ -39,9 +41,20 @@ class Stage {
   std::int64_t version_ = 0;
 };
 
+/// What preparing changed that solutions and solvers have to follow.
+struct Changes {
+  bool nodes = false;      ///< there is another number of them
+  bool operators = false;  ///< rows or scales were made anew
+  bool images = false;     ///< so were the rows that tractions were applied to
+  bool system = false;     ///< systems of published procedures do not fit any more
+  double datum = 0;        ///< by so much more do approaches count from
+};
+
 struct Preparation {
   using Revision = std::int64_t;
   using Poses = std::array<Revision, 2>;
+
+  Preparation() { made->problem.op = dense; }
 
   std::shared_ptr<Prepared> made = std::make_shared<Prepared>();
   /// The operators of `made` where their rows are formed: more can be added. Else null.
@@ -72,25 +85,41 @@ struct Preparation {
   OperatorFamily family;                     ///< likewise
   CarriedRows carried;                       ///< of time steps
   int threads = 1;
+  Procedure procedure;
+  Builds builds;
+  Timings timings;                  ///< of the compliance and the stencils; begun anew by the caller
+  Changes changes;                  ///< taken by the caller
   SparseRows field_rows;            ///< carries a creep field to where the characteristic scheme takes slip
   std::vector<double> field_given;  ///< workspace for that
   /// Where velocities are compared, in the axes: over their origin, and over the points at which slip is taken; empty:
   /// there, and at the origin.
   Vec3 origin_between{0, 0, 0};
   std::vector<Vec3> point_between;
-  MotionValues creepage{};  ///< by Motion, from velocities
+  MotionValues creepage{};                         ///< by Motion, from velocities
+  std::vector<double> rigid[2];                    ///< of a time step: slip that neither motions nor tractions change
+  std::unique_ptr<Compliance> body_compliance[2];  ///< of one body, made when it is asked for
 };
 
-/// What there is so far; empty at first.
-Prepared& begin_preparation(SolverState& state);
+/// Prepares the bodies, as the first solve with them does. Throws Error naming the body.
+void prepare_bodies(Preparation& preparation, Body& body1, Body& body2);
+/// Brings everything that depends on the scene up to date; only what changed is done again. Throws Error; what was half
+/// made is then useless.
+void prepare(Preparation& preparation, const Scene& scene, Body& body1, Body& body2, int threads);
+/// What the scene prescribes, once it is prepared.
+Prescribed prescribed_by(const Scene& scene, const Preparation& preparation);
+/// The dense operators, which the monolithic form leaves out: for what needs them after a solve.
+void require_operators(Preparation& preparation);
+
+// Parts of prepare().
+
 /// No rows are there from then on.
 void forget_operators(Preparation& preparation);
 /// The dense operators that the scene needs and that are not there yet.
-void assemble_missing(SolverState& state);
-void choose_scales(SolverState& state);
+void assemble_missing(Preparation& preparation);
+void choose_scales(Preparation& preparation);
 /// What the bodies' own loads add to gaps and slip, where they have some.
-void find_offset(SolverState& state);
-void read_gap(SolverState& state, const Scene& scene);
+void find_offset(Preparation& preparation);
+void read_gap(Preparation& preparation, const Scene& scene);
 /// Revisions of the poses of bodies with a surface; -1 of others.
 Preparation::Poses poses_of_surfaces(const Scene& scene, const PairOfBodies& pair);
 

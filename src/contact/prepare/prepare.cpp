@@ -70,9 +70,9 @@ FrameSource present_source(const Scene& scene, const PairOfBodies& pair) {
 
 // Where memory does not hold one block of the operators, nobody waits for the checks of a frame of so many nodes. Grids
 // may do without.
-void refuse_too_many_nodes(const SolverState& state, const SurfaceMesh& mesh) {
+void refuse_too_many_nodes(const Preparation& preparation, const SurfaceMesh& mesh) {
   constexpr std::int64_t few = 10'000;
-  if (mesh.nodes() <= few || state.procedure.monolithic || may_be_lattice(mesh)) return;
+  if (mesh.nodes() <= few || preparation.procedure.monolithic || may_be_lattice(mesh)) return;
   DenseOperators op;
   op.nodes = mesh.nodes();
   op.require_memory_for({{false, false, false}, {false, false, false}, {false, false, true}});
@@ -82,15 +82,14 @@ bool follows_its_place(const Scene& scene, const PairOfBodies& pair) {
   return !pair.meshed() && !is_conformal(scene, pair);
 }
 
-void put_in_place(SolverState& state, const Scene& scene) {
-  Preparation& preparation = *state.preparation;
+void put_in_place(Preparation& preparation, const Scene& scene) {
   Prepared& on = *preparation.made;
   on.place = scene.place();
   preparation.unit.put_frame(on.place, scene.mesh().node, on.frame);
   preparation.unit.put_problem(on.place, on.problem);
   if (!on.compliance) return;
-  for (auto& own : state.body_compliance) own.reset();
-  state.published.reset();
+  for (auto& own : preparation.body_compliance) own.reset();
+  preparation.changes.system = true;
   if (!on.compliance->follow_frame()) return preparation.compliance.forget();
   if (on.scheme == Scheme::characteristic)
     preparation.unit.put_convection(on.place, on.frame, on.problem.convection);
@@ -112,8 +111,7 @@ void take_unit_frame(Preparation& preparation, const Scene& scene) {
   preparation.unit.put_problem(on.place, on.problem);
 }
 
-void build_frame_part(SolverState& state, const Scene& scene) {
-  Preparation& preparation = *state.preparation;
+void build_frame_part(Preparation& preparation, const Scene& scene) {
   Prepared& on = *preparation.made;
   const bool conformal = is_conformal(scene, on.pair);
   const auto placed = follows_its_place(scene, on.pair) ? 0 : scene.revision.place;
@@ -122,8 +120,8 @@ void build_frame_part(SolverState& state, const Scene& scene) {
   const Poses ends = scene.ends_at_edge() && !scene.placed() && known ? where_gap_ends(scene, on.pair) : Poses{-1, -1};
   if (preparation.frame.enter(scene.revision.mesh, placed, scene.revision.axes, poses_of_frame(scene, on.pair), ends,
                               conformal)) {
-    refuse_too_many_nodes(state, scene.mesh());
-    ++state.work.frames;
+    refuse_too_many_nodes(preparation, scene.mesh());
+    ++preparation.builds.frames;
     Frame frame = build_frame(scene.mesh(), scene.axes());
     on.frame_source = present_source(scene, on.pair);
     on.ends_at_edge = scene.ends_at_edge();
@@ -144,43 +142,38 @@ void build_frame_part(SolverState& state, const Scene& scene) {
     on.placed = scene.placed();
     on.in_steps = scene.placed_in_steps();
     if (on.placed && !on.frame.curved()) take_unit_frame(preparation, scene);
-    if (!same_size) {
-      state.iterate.resize(on.problem.nodes);
-      state.warm_usable = false;
-    }
+    preparation.changes.nodes = preparation.changes.nodes || !same_size;
   }
-  if (preparation.place.enter(preparation.frame.version(), scene.revision.place)) put_in_place(state, scene);
+  if (preparation.place.enter(preparation.frame.version(), scene.revision.place)) put_in_place(preparation, scene);
   const bool moved = preparation.rim.enter(preparation.frame.version(), poses_of_meshes(scene, on.pair),
                                            known ? where_gap_ends(scene, on.pair) : Poses{-1, -1});
   if (moved && !on.ends_at_edge) find_rim(on.frame, on.pair, known_gap(scene, on.pair).get());
 }
 
-void build_compliance(SolverState& state, const Scene& scene, int threads) {
-  Preparation& preparation = *state.preparation;
+void build_compliance(Preparation& preparation, const Scene& scene, int threads) {
   Prepared& on = *preparation.made;
   preparation.threads = threads;
   if (!preparation.compliance.enter(preparation.frame.version(), scene.options.accuracy, scene.layer()))
     return on.compliance->set_threads(threads);
-  const Stopwatch watch(state.timings.compliance);
-  ++state.work.compliances;
+  const Stopwatch watch(preparation.timings.compliance);
+  ++preparation.builds.compliances;
   on.accuracy = scene.options.accuracy;
   on.compliance.reset();
   on.compliance = make_pair_compliance(on.frame, on.pair, on.accuracy, threads);
   on.meshes = {};
   on.compliance->find_meshes(on.meshes);
-  for (auto& own : state.body_compliance) own.reset();
+  for (auto& own : preparation.body_compliance) own.reset();
   on.problem.stiffness = contact_modulus(on.pair);
   forget_operators(preparation);
-  state.published.reset();
+  preparation.changes.system = true;
 }
 
-void build_stencils(SolverState& state, const Scene& scene) {
-  Preparation& preparation = *state.preparation;
+void build_stencils(Preparation& preparation, const Scene& scene) {
   Prepared& on = *preparation.made;
   const bool steady = scene.step_kind() == StepKind::steady;
   const Scheme& scheme = steady ? scheme_of(scene.options.convection) : Scheme::time_step;
   if (!preparation.convection.enter(preparation.compliance.version(), scheme)) return;
-  const Stopwatch watch(state.timings.convection);
+  const Stopwatch watch(preparation.timings.convection);
   if (preparation.dense)
     preparation.dense->release_slip();
   else
@@ -193,25 +186,24 @@ void build_stencils(SolverState& state, const Scene& scene) {
     preparation.unit.take_convection(unit, on.problem.convection);
     preparation.unit.put_convection(on.place, on.frame, on.problem.convection);
   }
-  ++state.work.stencils;
+  ++preparation.builds.stencils;
   on.scheme = scheme;
   preparation.field_rows = {};
-  state.published.reset();
+  preparation.changes.system = true;
 }
 
-void build_operators(SolverState& state, const Scene& scene) {
-  build_lattice_operators(state, scene.options);
-  if (!state.procedure.monolithic) assemble_missing(state);
-  choose_scales(state);
+void build_operators(Preparation& preparation, const Scene& scene) {
+  build_lattice_operators(preparation, scene.options);
+  if (!preparation.procedure.monolithic) assemble_missing(preparation);
+  choose_scales(preparation);
 }
 
 // The coefficients; 0 on the inflow rim.
-void read_friction(SolverState& state, const Scene& scene) {
-  Preparation& preparation = *state.preparation;
+void read_friction(Preparation& preparation, const Scene& scene) {
   if (!preparation.friction.enter(preparation.convection.version(), scene.revision.friction,
                                   scene.friction_varies_across() ? preparation.place.version() : -1))
     return;
-  ++state.work.frictions;
+  ++preparation.builds.frictions;
   Problem& p = preparation.made->problem;
   p.own_law = scene.law();
   p.law = p.own_law ? p.own_law.get() : &coulomb();
@@ -222,46 +214,27 @@ void read_friction(SolverState& state, const Scene& scene) {
     if (p.mu[k] < least_friction) p.mu[k] = 0;
     frictionless = frictionless && !(p.mu[k] > 0);
   }
-  if (frictionless && !state.frictionless) {
-    for (int c = 0; c < 2; ++c) std::fill(state.iterate.lambda[c].begin(), state.iterate.lambda[c].end(), 0.0);
-    state.iterate.invalidate();
-  }
-  state.frictionless = frictionless;
+  preparation.made->frictionless = frictionless;
   const SparseRows& d = p.convection.rows;
   for (std::size_t i = 0; i < p.mu.size(); ++i)
     if (preparation.made->frame.used[i] && d.start[i] == d.start[i + 1]) p.mu[i] = 0;
 }
 
 // Speeds of the law count by the rolling speed.
-void bind_law(SolverState& state, const Scene& scene) {
+void bind_law(Preparation& preparation, const Scene& scene) {
   if (!scene.law()) return;
-  Preparation& preparation = *state.preparation;
   Prepared& on = *preparation.made;
   if (!preparation.law.enter(preparation.friction.version(), on.speed)) return;
   if (auto bound = scene.law()->at_speed(on.speed)) on.problem.own_law = std::move(bound);
   on.problem.law = on.problem.own_law.get();
 }
 
-// What loads and given displacements of the bodies do to gap and slip, whatever the tractions.
-void read_prescribed(SolverState& state, const Scene& scene) {
-  Prescribed& given = state.given;
-  given = {};
-  for (const Direction d : {Direction::longitudinal, Direction::lateral, Direction::normal, Direction::spin,
-                            Direction::tilt1, Direction::tilt2}) {
-    const std::size_t m = motion_of(d);
-    const Load& load = scene.load(d);
-    given.by_force[m] = load.how == How::by_force;
-    given.value[m] = load.how == How::by_velocity ? state.preparation->creepage[m] : load.value;
-  }
-  given.prescribe_normal(given.by_force[approach], given.value[approach], state.prepared->problem.datum);
-}
-
 // Which of the two bodies a message speaks of.
-void prepare_body(Body& body, int which, Work& work) {
+void prepare_body(Body& body, int which, Builds& builds) {
   try {
     const bool before = body.prepared();
     body.prepare();
-    if (!before && body.response() && !body.shared() && !body.loaded()) ++work.bodies;
+    if (!before && body.response() && !body.shared() && !body.loaded()) ++builds.bodies;
   } catch (const Error& error) {
     throw Error(error.status(), "body " + std::to_string(which) + ": " + error.what());
   }
@@ -269,13 +242,17 @@ void prepare_body(Body& body, int which, Work& work) {
 
 }  // namespace
 
-Prepared& begin_preparation(SolverState& state) {
-  if (!state.preparation) {
-    state.preparation = std::make_shared<Preparation>();
-    state.preparation->made->problem.op = state.preparation->dense;
-    state.prepared = state.preparation->made;
+Prescribed prescribed_by(const Scene& scene, const Preparation& preparation) {
+  Prescribed given;
+  for (const Direction d : {Direction::longitudinal, Direction::lateral, Direction::normal, Direction::spin,
+                            Direction::tilt1, Direction::tilt2}) {
+    const std::size_t m = motion_of(d);
+    const Load& load = scene.load(d);
+    given.by_force[m] = load.how == How::by_force;
+    given.value[m] = load.how == How::by_velocity ? preparation.creepage[m] : load.value;
   }
-  return *state.preparation->made;
+  given.prescribe_normal(given.by_force[approach], given.value[approach], preparation.made->problem.datum);
+  return given;
 }
 
 void forget_operators(Preparation& preparation) {
@@ -284,61 +261,37 @@ void forget_operators(Preparation& preparation) {
   preparation.dense->nodes = preparation.made->frame.nodes();
 }
 
-std::size_t SolverState::bytes() const {
-  const Problem& p = prepared->problem;
-  const Compliance* compliance = prepared->compliance.get();
-  const std::size_t system = published ? published->bytes() : 0;
-  const std::size_t family = preparation ? preparation->family.bytes() : 0;
-  const std::size_t past = steps.bytes() + (preparation ? preparation->carried.bytes() : 0);
-  return p.op->bytes() + family + past + newton.bytes() + system + (compliance ? compliance->bytes() : 0) +
-         at(p.nodes) * sizeof(double) * 30 + history.capacity() * sizeof(double);
-}
-
-void forget_solution(SolverState& s) {
-  s.solved = s.derived = s.laws_checked = s.images_known = false;
-  s.sensitivities.forget();
-  s.error_estimate = {};
-  s.extrapolated.reset();
-  s.timings = {};
-  s.history.clear();
-  s.merit.clear();
-}
-
-void prepare_bodies(SolverState& state, Body& body1, Body& body2) {
+void prepare_bodies(Preparation& preparation, Body& body1, Body& body2) {
   if (body1.prepared() && body2.prepared()) return;
-  const Stopwatch watch(state.timings.compliance);
-  prepare_body(body1, 1, state.work);
-  prepare_body(body2, 2, state.work);
+  const Stopwatch watch(preparation.timings.compliance);
+  prepare_body(body1, 1, preparation.builds);
+  prepare_body(body2, 2, preparation.builds);
 }
 
-void prepare(SolverState& state, const Scene& scene, Body& body1, Body& body2, int threads) {
-  state.work_before = state.work;
-  state.assemblies_before = state.assemblies;
-  state.procedure = choose_procedure(scene.options);
+void prepare(Preparation& preparation, const Scene& scene, Body& body1, Body& body2, int threads) {
+  preparation.procedure = choose_procedure(scene.options);
   scene.require_complete(body1.has_surface() || body2.has_surface());
-  if (!state.procedure.standard() && scene.law())
+  if (!preparation.procedure.standard() && scene.law())
     fail(Status::err_unsupported,
          "the published procedures solve Coulomb's law alone; allowed with this law: system = condensed and "
          "jacobian = exact");
-  prepare_bodies(state, body1, body2);
-  Prepared& on = begin_preparation(state);
+  prepare_bodies(preparation, body1, body2);
+  Prepared& on = *preparation.made;
   on.pair = {{&body1, &body2}, {scene.pose(0), scene.pose(1)}, scene.layer()};
   on.heat = scene.heat();
-  build_frame_part(state, scene);
-  build_compliance(state, scene, threads);
-  build_stencils(state, scene);
-  find_offset(state);
-  read_friction(state, scene);
-  read_gap(state, scene);
+  build_frame_part(preparation, scene);
+  build_compliance(preparation, scene, threads);
+  build_stencils(preparation, scene);
+  find_offset(preparation);
+  read_friction(preparation, scene);
+  read_gap(preparation, scene);
   on.bears = std::min(
       {on.meshes[0].glued, on.meshes[1].glued, std::abs(body1.revolved_radius()), std::abs(body2.revolved_radius())});
   if (const auto gap = scene.quadratic_gap())
     on.bears = std::min(on.bears, 0.5 / std::max({(*gap)[0], (*gap)[1], 1e-300}));
-  read_slip(state, scene, poses_of_surfaces(scene, on.pair));
-  bind_law(state, scene);
-  read_prescribed(state, scene);
-  build_operators(state, scene);
-  carry_past(state, scene);
+  read_slip(preparation, scene, poses_of_surfaces(scene, on.pair));
+  bind_law(preparation, scene);
+  build_operators(preparation, scene);
 }
 
 }  // namespace rollcon

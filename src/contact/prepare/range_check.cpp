@@ -14,7 +14,7 @@ namespace {
 constexpr double largest = 1e305;           // sums of some and their hypotenuse stay below 1.8e308
 constexpr double largest_pressure = 1e150;  // the sum of squares of residuals stays below, too
 
-long long named(const SolverState& s, std::size_t k) {
+long long named(const Solution& s, std::size_t k) {
   return static_cast<long long>(k) + s.prepared->frame.mesh.index_base;
 }
 
@@ -22,7 +22,7 @@ long long named(const SolverState& s, std::size_t k) {
 
 // Augmented tractions are tractions less a scale times gap or slip: that product must be a number, and so must the slip
 // velocity, which is a result.
-void refuse_overflow(const SolverState& s) {
+void refuse_overflow(const Solution& s) {
   const Problem& p = s.prepared->problem;
   MotionValues motion{};
   for (std::size_t m = 0; m < motion_count; ++m)

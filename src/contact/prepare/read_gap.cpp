@@ -15,19 +15,17 @@ namespace {
 
 using Poses = Preparation::Poses;
 
-// Whether a frame may be placed anew without being made again: a flat one above bodies that respond alike everywhere.
 // The new gaps count from no approach; warm starts from the datum before.
-void set_datum(SolverState& state) {
+void set_datum(Preparation& preparation) {
   constexpr double steepest = 0.01;  // nodes as steep as that say little about the approach
-  Prepared& on = *state.preparation->made;
+  Prepared& on = *preparation.made;
   Problem& p = on.problem;
   double least = INFINITY;
   for (std::size_t k = 0; k < p.gap.size(); ++k)
     if (on.frame.used[k] && p.closing(k) > steepest) least = std::min(least, p.gap[k] / p.closing(k));
   const double datum = std::isfinite(least) ? least : 0;
   for (std::size_t k = 0; k < p.gap.size(); ++k) p.gap[k] -= p.closing(k) * datum;
-  state.iterate.motion[approach] -= datum - p.datum;
-  state.newton.move_datum(datum - p.datum);
+  preparation.changes.datum += datum - p.datum;
   p.datum = datum;
 }
 
@@ -41,8 +39,7 @@ Poses poses_of_surfaces(const Scene& scene, const PairOfBodies& pair) {
 }
 
 // Profiles change the gap alone.
-void find_offset(SolverState& state) {
-  Preparation& preparation = *state.preparation;
+void find_offset(Preparation& preparation) {
   Prepared& on = *preparation.made;
   if (!preparation.offset.enter(preparation.convection.version())) return;
   if (!on.offset_depth.empty()) ++preparation.offset_change;
@@ -65,14 +62,13 @@ void find_offset(SolverState& state) {
   for (std::size_t k = 0; k < n; ++k) on.offset_depth[k] = u[3 * k + 2];
 }
 
-void read_gap(SolverState& state, const Scene& scene) {
-  Preparation& preparation = *state.preparation;
+void read_gap(Preparation& preparation, const Scene& scene) {
   Prepared& on = *preparation.made;
   const bool measured = !scene.has_gap();
   if (!preparation.gap.enter(preparation.frame.version(), preparation.place.version(), preparation.offset_change,
                              scene.revision.gap, measured ? poses_of_surfaces(scene, on.pair) : Poses{-1, -1}))
     return;
-  ++state.work.gaps;
+  ++preparation.builds.gaps;
   Problem& p = on.problem;
   // Gaps of meshes count along their local normals.
   const bool between_planes = !scene.frame_given() && !(measured && on.pair.meshed());
@@ -87,7 +83,7 @@ void read_gap(SolverState& state, const Scene& scene) {
       p.gap[k] = scene.gap(static_cast<std::int64_t>(k), on.frame.x[k], on.frame.y[k]);
   }
   for (std::size_t k = 0; k < on.offset_depth.size(); ++k) p.gap[k] -= on.offset_depth[k];
-  set_datum(state);
+  set_datum(preparation);
 }
 
 }  // namespace rollcon

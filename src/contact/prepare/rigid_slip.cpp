@@ -122,8 +122,7 @@ void add_offset(Preparation& preparation) {
 
 }  // namespace
 
-void read_slip(SolverState& state, const Scene& scene, const Preparation::Poses& poses) {
-  Preparation& preparation = *state.preparation;
+void read_slip(Preparation& preparation, const Scene& scene, const Preparation::Poses& poses) {
   const bool stepping = scene.step_kind() != StepKind::steady;
   if (scene.step_kind() == StepKind::rolling && scene.velocities_given() && preparation.between.version() == 0)
     find_points_between(preparation);  // for the speed
@@ -136,15 +135,15 @@ void read_slip(SolverState& state, const Scene& scene, const Preparation::Poses&
   if (!preparation.slip.enter(preparation.convection.version(), preparation.between.version(),
                               preparation.points.version(), preparation.offset_change, scene.revision.kinematics))
     return;
-  ++state.work.slips;
+  ++preparation.builds.slips;
   add_creep_field(preparation, scene);
   if (scene.velocities_given()) add_velocities(preparation, scene);
   if (stepping) add_carried_offset(preparation);
   add_offset(preparation);
   Problem& p = preparation.made->problem;
   if (!stepping) return;
-  state.steps.rigid[0] = p.slip1;
-  state.steps.rigid[1] = p.slip2;
+  preparation.rigid[0] = p.slip1;
+  preparation.rigid[1] = p.slip2;
 }
 
 }  // namespace rollcon

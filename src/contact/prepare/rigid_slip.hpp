@@ -7,6 +7,6 @@
 namespace rollcon {
 
 /// poses: of bodies with a surface. Also finds the creepages that follow from velocities.
-void read_slip(SolverState& state, const Scene& scene, const Preparation::Poses& poses);
+void read_slip(Preparation& preparation, const Scene& scene, const Preparation::Poses& poses);
 
 }  // namespace rollcon

@@ -36,14 +36,13 @@ void refuse_held_nodes(const Frame& frame, const Operators& op) {
 }
 
 // Frames that are placed anew from solve to solve keep the operators of their shape.
-bool fill_from_family(SolverState& state, std::int64_t& assemblies) {
-  Preparation& preparation = *state.preparation;
+bool fill_from_family(Preparation& preparation, std::int64_t& assemblies) {
   Prepared& on = *preparation.made;
   const bool step = on.scheme == Scheme::time_step;
   if (!on.placed || on.frame.curved() || (on.scheme != Scheme::characteristic && !step)) return false;
   const auto kernel = on.compliance->translation();
   if (!kernel || !kernel->scales()) return false;
-  const bool tangential = !state.frictionless;
+  const bool tangential = !on.frictionless;
   preparation.family.belong_to(preparation.convection.version(), tangential);
   const auto assemble = [&](const FramePlace& place, DenseOperators& op) {
     Frame frame = on.frame;
@@ -62,53 +61,47 @@ bool fill_from_family(SolverState& state, std::int64_t& assemblies) {
 
 }  // namespace
 
-void assemble_missing(SolverState& state) {
-  Preparation& preparation = *state.preparation;
+void assemble_missing(Preparation& preparation) {
   Prepared& on = *preparation.made;
   if (!preparation.dense) return;  // whole from the start
   DenseOperators& op = *preparation.dense;
-  if (op.normal && (state.frictionless || op.tangential)) return;
-  const Stopwatch watch(state.timings.compliance);
+  if (op.normal && (on.frictionless || op.tangential)) return;
+  const Stopwatch watch(preparation.timings.compliance);
   std::int64_t assemblies = 1;
-  const bool stretched = fill_from_family(state, assemblies);
-  if (!stretched && !fill_from_table(state))
-    assemble_operators(on.frame, *on.compliance, on.problem.convection, !state.frictionless, op);
+  const bool stretched = fill_from_family(preparation, assemblies);
+  if (!stretched && !fill_from_table(preparation))
+    assemble_operators(on.frame, *on.compliance, on.problem.convection, !on.frictionless, op);
   if (!stretched) {  // by bodies without supports
     refuse_held_nodes(on.frame, op);
     op.loosen_held_tangents(on.frame.used, !on.problem.convection.ahead.empty() || on.scheme == Scheme::time_step);
   }
-  state.assemblies += assemblies;
-  state.iterate.invalidate();
+  preparation.builds.operators += assemblies;
   ++preparation.rows;
-  state.newton.operators_changed();
-  if (!state.procedure.monolithic) state.published.reset();
+  preparation.changes.images = preparation.changes.operators = true;
+  if (!preparation.procedure.monolithic) preparation.changes.system = true;
 }
 
-void choose_scales(SolverState& state) {
-  const bool estimate = !state.procedure.standard();
-  Preparation& preparation = *state.preparation;
+void choose_scales(Preparation& preparation) {
+  const bool estimate = !preparation.procedure.standard();
   Problem& problem = preparation.made->problem;
   if (!preparation.scales.enter(preparation.frame.version(), estimate ? preparation.place.version() : preparation.rows,
                                 estimate))
     return;
   estimate ? estimate_scales(problem) : set_scales(problem);
-  ++state.work.scales;
-  state.newton.operators_changed();
-  state.published.reset();
+  ++preparation.builds.scales;
+  preparation.changes.operators = preparation.changes.system = true;
 }
 
-void require_operators(SolverState& state) {
-  if (!state.preparation) fail(Status::err_internal, "operators that are shared cannot be assembled");
+void require_operators(Preparation& preparation) {
   try {
-    assemble_missing(state);
-    choose_scales(state);
+    assemble_missing(preparation);
+    choose_scales(preparation);
   } catch (...) {
     // Not during a solve: nothing else would drop what was half assembled.
-    forget_operators(*state.preparation);
-    state.newton.operators_changed();
+    forget_operators(preparation);
+    preparation.changes.operators = true;
     throw;
   }
-  state.images_known = false;
 }
 
 }  // namespace rollcon

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "contact/prepare/preparation.hpp"
-#include "contact/solution.hpp"
 #include "support/error.hpp"
 #include "support/index.hpp"
 
@@ -17,7 +15,7 @@ void PastStep::take(const Iterate& it) {
 }
 
 std::size_t StepHistory::bytes() const {
-  std::size_t sum = traction.capacity() + displacement.capacity() + rigid[0].capacity() + rigid[1].capacity();
+  std::size_t sum = work.traction.capacity() + work.displacement.capacity();
   for (std::size_t c = 0; c < 3; ++c)
     sum += last.lambda[c].capacity() + before.lambda[c].capacity() + carried[c].capacity();
   return sum * sizeof(double);
@@ -47,7 +45,7 @@ bool lies_on(const PastStep& past, const Prepared& on, const Scene& scene) {
 // Tangential ones at the nodes, or where their particles were a step before.
 enum class Where : std::int8_t { nodes, upstream };
 void tangential_displacements(const Compliance& compliance, const Prepared& on, Where where,
-                              const std::vector<double> (&lambda)[3], StepHistory& work, std::vector<double>* to) {
+                              const std::vector<double> (&lambda)[3], StepWorkspace& work, std::vector<double>* to) {
   const std::size_t n = on.frame.x.size(), sources = lambda[0].size();
   std::vector<double> x = on.frame.x;
   if (where == Where::upstream)
@@ -72,18 +70,17 @@ void carry_between_frames(StepHistory& h, const Prepared& on, int threads) {
         "frame to another; keep the frame, or start from rest (rollcon_contact_reset)");
   FrameOfPast& past = *h.last.on;
   if (!past.compliance) past.compliance = make_pair_compliance(past.frame, on.pair, on.accuracy, threads);
-  tangential_displacements(*past.compliance, on, Where::upstream, h.last.lambda, h, h.carried);
+  tangential_displacements(*past.compliance, on, Where::upstream, h.last.lambda, h.work, h.carried);
 }
 
 // Rows that are not formed: by integrals at every step.
 void carry_by_integrals(StepHistory& h, const Prepared& on) {
-  tangential_displacements(*on.compliance, on, Where::upstream, h.last.lambda, h, h.carried);
+  tangential_displacements(*on.compliance, on, Where::upstream, h.last.lambda, h.work, h.carried);
 }
 
 }  // namespace
 
-void begin_step(SolverState& s, const Scene& scene) {
-  StepHistory& h = s.steps;
+void begin_step(StepHistory& h, const Solution& s, const Scene& scene) {
   if (scene.step_kind() == StepKind::steady || h.of_steps) return;
   if (h.failed)
     fail(Status::err_state,
@@ -100,58 +97,54 @@ void begin_step(SolverState& s, const Scene& scene) {
   h.of_steps = true;
 }
 
-void carry_past(SolverState& s, const Scene& scene) {
+void carry_past(StepHistory& h, Preparation& preparation, const Scene& scene) {
   if (scene.step_kind() == StepKind::steady) return;
-  StepHistory& h = s.steps;
-  Prepared& on = *s.preparation->made;
+  Prepared& on = *preparation.made;
   Problem& p = on.problem;
   const std::size_t n = on.frame.x.size();
-  const bool none = !h.last.loaded || s.frictionless;
+  const bool none = !h.last.loaded || on.frictionless;
   for (auto& v : h.carried) v.resize(n);
   if (!none) {
     if (!lies_on(h.last, on, scene))
-      carry_between_frames(h, on, s.preparation->threads);
+      carry_between_frames(h, on, preparation.threads);
     else if (p.op->tangential || p.op->all_at_once())
-      s.preparation->carried.apply(on, s.preparation->rows, h.last.lambda, h.carried);
+      preparation.carried.apply(on, preparation.rows, h.last.lambda, h.carried);
     else
       carry_by_integrals(h, on);
   }
   for (const auto& [slip, c] : {std::pair{&p.slip1, std::size_t{0}}, std::pair{&p.slip2, std::size_t{1}}}) {
     slip->resize(n);
     for (std::size_t k = 0; k < n; ++k) {
-      const double own = h.rigid[c].empty() ? 0 : h.rigid[c][k];
+      const double own = preparation.rigid[c].empty() ? 0 : preparation.rigid[c][k];
       (*slip)[k] = none ? own : own - h.carried[c][k];
     }
   }
 }
 
-void start_step(SolverState& s) {
-  StepHistory& h = s.steps;
-  if (h.iterate_is_last || h.last.lambda[0].size() != s.iterate.lambda[0].size()) return;
+bool start_step(const StepHistory& h, Solution& s) {
+  if (h.iterate_is_last || h.last.lambda[0].size() != s.iterate.lambda[0].size()) return false;
   s.warm_usable = h.last.loaded;
-  s.newton.forget_prediction();
   s.iterate.clear();
-  if (!h.last.loaded) return;
+  if (!h.last.loaded) return true;
   for (std::size_t c = 0; c < 3; ++c) s.iterate.lambda[c] = h.last.lambda[c];
   s.iterate.motion = h.last.motion;
   s.iterate.invalidate();
+  return true;
 }
 
-void end_step(SolverState& s, const Scene& scene) {
-  StepHistory& h = s.steps;
+void end_step(StepHistory& h, const Solution& s, const Scene& scene) {
   std::swap(h.last, h.before);
   h.last.time = h.before.time + scene.step_time();
   h.last.steps = h.before.steps + 1;
   h.last.take(s.iterate);
-  if (s.outcome == Outcome::no_contact) h.last.loaded = false;
+  if (s.report.outcome == Outcome::no_contact) h.last.loaded = false;
   if (!h.last.on || !same_places(h.last.on->frame, s.prepared->frame)) h.last.on = h.before.on;
   note_frame(h.last, *s.prepared, scene);
   h.can_repeat = true;
   h.iterate_is_last = true;
 }
 
-void repeat_step(SolverState& s) {
-  StepHistory& h = s.steps;
+void repeat_step(StepHistory& h) {
   if (!h.can_repeat)
     fail(Status::err_state,
          "there is no step to repeat: none was made since the contact was, or since rollcon_contact_reset, "
@@ -160,23 +153,23 @@ void repeat_step(SolverState& s) {
   h.can_repeat = h.iterate_is_last = false;
 }
 
-void find_changes_upstream(SolverState& s, std::vector<double> (&change)[2]) {
-  StepHistory& h = s.steps;
+void find_changes_upstream(const Solution& s, Preparation* preparation, std::vector<double> (&change)[2]) {
   const Prepared& on = *s.prepared;
   const Problem& p = on.problem;
   const std::vector<double>(&lambda)[3] = s.iterate.lambda;
   std::vector<double> here[3], ahead[3];
-  if (s.preparation && (p.op->tangential || p.op->all_at_once())) {
+  if (preparation && (p.op->tangential || p.op->all_at_once())) {
     std::vector<std::int32_t> used;
     for (std::size_t k = 0; k < p.used.size(); ++k)
       if (p.used[k]) used.push_back(static_cast<std::int32_t>(k));
     for (auto* field : {&here, &ahead})
       for (auto& v : *field) v.resize(p.used.size());
     p.op->images(slip_components, {}, used, lambda, here);
-    s.preparation->carried.apply(on, s.preparation->rows, lambda, ahead);
+    preparation->carried.apply(on, preparation->rows, lambda, ahead);
   } else {
-    tangential_displacements(*on.compliance, on, Where::nodes, lambda, h, here);
-    tangential_displacements(*on.compliance, on, Where::upstream, lambda, h, ahead);
+    StepWorkspace work;
+    tangential_displacements(*on.compliance, on, Where::nodes, lambda, work, here);
+    tangential_displacements(*on.compliance, on, Where::upstream, lambda, work, ahead);
   }
   for (std::size_t c = 0; c < 2; ++c) {
     change[c].resize(here[c].size());
@@ -184,8 +177,7 @@ void find_changes_upstream(SolverState& s, std::vector<double> (&change)[2]) {
   }
 }
 
-void forget_past(SolverState& s) {
-  StepHistory& h = s.steps;
+void forget_past(StepHistory& h) {
   for (PastStep* past : {&h.last, &h.before}) {
     past->loaded = false;
     past->time = 0;

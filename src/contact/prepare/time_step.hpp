@@ -1,23 +1,26 @@
 #pragma once
 /// Steps in time: what they start from, what of it goes into the problem, what they leave (docs/time.md).
 
+#include "contact/prepare/preparation.hpp"
+#include "contact/problem/past.hpp"
 #include "contact/solution.hpp"
 
 namespace rollcon {
 
-/// Before the scene is prepared. err_state: a steady solve failed just before.
-void begin_step(SolverState& state, const Scene& scene);
-/// After it was prepared: slip that the scene and the step before give, in the problem.
-void carry_past(SolverState& state, const Scene& scene);
-/// The iterate from which a step is solved.
-void start_step(SolverState& state);
+/// Chooses what a step starts from, before the scene is prepared. err_state: a steady solve failed just before.
+void begin_step(StepHistory& steps, const Solution& last, const Scene& scene);
+/// Puts slip that the prepared scene and the step before give into the problem.
+void carry_past(StepHistory& steps, Preparation& preparation, const Scene& scene);
+/// Puts the iterate from which a step is solved into the solution; false: it was there.
+bool start_step(const StepHistory& steps, Solution& solution);
 /// The solution becomes what the next step starts from.
-void end_step(SolverState& state, const Scene& scene);
+void end_step(StepHistory& steps, const Solution& solution, const Scene& scene);
 /// The next step starts from where the last one did. err_state: there is none, or that was done already.
-void repeat_step(SolverState& state);
-/// change[c], c = t1, t2: of the solved step's displacements, from the nodes to the points where their particles were.
-void find_changes_upstream(SolverState& state, std::vector<double> (&change)[2]);
-/// At rest.
-void forget_past(SolverState& state);
+void repeat_step(StepHistory& steps);
+/// Finds what the solved step's displacements change from the nodes to the points where their particles were, along t1
+/// and t2. preparation: may be null.
+void find_changes_upstream(const Solution& solution, Preparation* preparation, std::vector<double> (&change)[2]);
+/// Puts the bodies at rest.
+void forget_past(StepHistory& steps);
 
 }  // namespace rollcon

@@ -32,6 +32,10 @@ struct PastStep {
   void take(const Iterate& iterate);
 };
 
+struct StepWorkspace {
+  std::vector<double> traction, displacement;  ///< three a node
+};
+
 struct StepHistory {
   PastStep last;    ///< what the next step starts from
   PastStep before;  ///< what the last one started from
@@ -39,9 +43,8 @@ struct StepHistory {
   bool of_steps = false;           ///< the last solve was a step: `last` is what it left
   bool failed = false;             ///< the last solve, a steady one, found nothing
   bool iterate_is_last = false;    ///< the iterate is that of `last`
-  std::vector<double> rigid[2];    ///< slip of the scene that neither motions nor tractions change
   std::vector<double> carried[3];  ///< displacements of the step before at the particles that are at the nodes now
-  std::vector<double> traction, displacement;  ///< workspace, three a node
+  StepWorkspace work;
 
   std::size_t bytes() const;
 };

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "contact/scene/enumerators.hpp"
@@ -41,11 +40,11 @@ struct Prescribed {
   double falling = 1;                         ///< factor on the slip speed that friction falls with; 0: as at rest
   double slip_scale = 1;                      ///< factor on the nodes' scales of slip: another path, same solution
   /// Factor on the coefficient of each node, where friction follows the whole solution; empty: 1.
-  std::span<const double> share{};
+  std::vector<double> utilisation{};
 
   /// Of node k, from those that the problem has.
   double coefficient(const std::vector<double>& mu, std::size_t k) const {
-    return friction * mu[k] * (share.empty() ? 1 : share[k]);
+    return friction * mu[k] * (utilisation.empty() ? 1 : utilisation[k]);
   }
 
   bool tangential_load() const { return by_force[xi1] || by_force[xi2] || by_force[spin]; }

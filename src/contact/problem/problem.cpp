@@ -34,7 +34,7 @@ void Iterate::invalidate() {
   std::fill(gap_valid.begin(), gap_valid.end(), std::uint8_t{0});
 }
 
-void Iterate::update(const Problem& problem, Components wanted, std::int64_t i) {
+void Iterate::update(const Problem& problem, Components wanted, std::int64_t i) const {
   const Operators& op = *problem.op;
   const bool all = op.all_at_once();
   if (all && op.coupled && op.tangential) wanted = {};
@@ -50,11 +50,11 @@ void Iterate::update(const Problem& problem, Components wanted, std::int64_t i) 
   if (wanted.normal()) mark(gap_valid);
 }
 
-void Iterate::update_slip(const Problem& problem, std::int64_t i) {
+void Iterate::update_slip(const Problem& problem, std::int64_t i) const {
   if (!slip_valid[at(i)]) update(problem, slip_components, i);
 }
 
-void Iterate::update_gap(const Problem& problem, std::int64_t i) {
+void Iterate::update_gap(const Problem& problem, std::int64_t i) const {
   if (!gap_valid[at(i)]) update(problem, normal_component, i);
 }
 

@@ -96,10 +96,11 @@ void take_frame(Problem& problem, const Frame& frame);
 
 /// An iterate: tractions by component, the operator rows applied to them, and the motions.
 struct Iterate {
-  std::vector<double> lambda[3];         ///< t1, t2, n
-  std::vector<double> image[3];          ///< D (A lambda)_t1, D (A lambda)_t2, (A lambda)_n
-  std::vector<std::uint8_t> slip_valid;  ///< image[0], image[1] up to date at this node
-  std::vector<std::uint8_t> gap_valid;   ///< image[2] up to date at this node
+  std::vector<double> lambda[3];  ///< t1, t2, n
+  // What the tractions determine, found when it is needed.
+  mutable std::vector<double> image[3];          ///< D (A lambda)_t1, D (A lambda)_t2, (A lambda)_n
+  mutable std::vector<std::uint8_t> slip_valid;  ///< image[0], image[1] up to date at this node
+  mutable std::vector<std::uint8_t> gap_valid;   ///< image[2] up to date at this node
   MotionValues motion{};
 
   void resize(std::int64_t n);
@@ -108,11 +109,11 @@ struct Iterate {
   /// Zero tractions, motions kept.
   void clear_tractions();
   /// Computes the wanted image rows of one node from the tractions.
-  void update_slip(const Problem& problem, std::int64_t i);
-  void update_gap(const Problem& problem, std::int64_t i);
+  void update_slip(const Problem& problem, std::int64_t i) const;
+  void update_gap(const Problem& problem, std::int64_t i) const;
 
  private:
-  void update(const Problem& problem, Components wanted, std::int64_t i);
+  void update(const Problem& problem, Components wanted, std::int64_t i) const;
 };
 
 /// The rows of the part's laws.

@@ -7,9 +7,10 @@
 namespace rollcon {
 
 struct SettledFriction {
-  std::vector<double> share;  ///< of each node, over what its law reaches at most; empty: a solve starts from nothing
-  std::int64_t rounds = 0;    ///< solves with given coefficients
-  double change = 0;          ///< of mu p in the last one, over the greatest mu p
+  /// Of each node, over what its law reaches at most; empty: a solve starts from nothing.
+  std::vector<double> utilisation;
+  std::int64_t rounds = 0;  ///< solves with given coefficients
+  double change = 0;        ///< of mu p in the last one, over the greatest mu p
 };
 
 }  // namespace rollcon

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact/linear/free_system.hpp"
+#include "contact/newton/newton.hpp"
 #include "contact/solution.hpp"
 #include "linalg/lapack.hpp"
 
@@ -36,7 +37,7 @@ double estimate_condition(ReducedSystem& system) {
   return info == 0 && reciprocal > 0 ? 1 / reciprocal : INFINITY;
 }
 
-double find_condition(SolverState& s) {
+double find_condition(const Solution& s, Newton& newton) {
   const Operators& op = *s.prepared->problem.op;
   const auto& pressures = s.iterate.lambda[2];
   const bool loaded = std::any_of(pressures.begin(), pressures.end(), [](double l) { return l < 0; });
@@ -44,14 +45,14 @@ double find_condition(SolverState& s) {
   const bool formed = op.normal && (goal == Part::normal || op.tangential);
   if (!op.dense() || !formed || !loaded) return 0;
   const auto of = [&](Part part) {
-    return estimate_condition(s.newton.linearise(s.prepared->problem, s.given, s.iterate, part));
+    return estimate_condition(newton.linearise(s.prepared->problem, s.given, s.iterate, part));
   };
   double worst = 0;
   try {
     if (goal != Part::full) worst = of(Part::normal);
     if (goal != Part::normal) worst = std::max(worst, of(goal));
   } catch (...) {
-    s.newton.operators_changed();  // what was gathered may be half done
+    newton.operators_changed();  // what was gathered may be half done
     throw;
   }
   return worst;

@@ -3,8 +3,9 @@
 
 namespace rollcon {
 
+class Newton;
 class ReducedSystem;
-struct SolverState;
+struct Solution;
 
 /// Estimate, in the maximum norm, of the condition of what is left to solve of a system; its operators must be formed
 /// and its laws be set. Infinite: singular. 0: no unknowns.
@@ -12,6 +13,6 @@ double estimate_condition(ReducedSystem& system);
 
 /// Of the scaled systems of a Newton step at the last iterate, the greater of normal and tangential where these are
 /// apart. 0: no contact, or operators that are not formed.
-double find_condition(SolverState& state);
+double find_condition(const Solution& solution, Newton& newton);
 
 }  // namespace rollcon

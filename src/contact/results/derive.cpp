@@ -3,39 +3,41 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "contact/solution.hpp"
+#include "contact/results/derived.hpp"
 #include "support/index.hpp"
 
 namespace rollcon {
 namespace {
 
 // Displacement difference u1 - u2 at points, straight from the integrals.
-std::vector<double> displacements(SolverState& s, const std::vector<double>& x, const std::vector<double>& y) {
+std::vector<double> displacements(const Solution& s, Derived& d, const std::vector<double>& x,
+                                  const std::vector<double>& y) {
   const std::size_t n = at(s.prepared->problem.nodes);
   std::vector<double> t(3 * n), u(3 * x.size());
   for (std::size_t k = 0; k < n; ++k)
     for (std::size_t c = 0; c < 3; ++c) t[3 * k + c] = s.iterate.lambda[c][k];
-  ++s.work.applications;
+  ++d.computed.applications;
   s.prepared->compliance->apply({x, y}, t.data(), u.data());
   return u;
 }
 
 // D (A lambda)_t per unit speed at every node, from displacements.
-void convect(SolverState& s, const std::vector<double>& u, std::vector<double> (&image)[2]) {
+void convect(const Solution& s, Derived& d, const std::vector<double>& u, std::vector<double> (&image)[2]) {
   const Convection& convection = s.prepared->problem.convection;
   std::vector<double> ahead;
   if (!convection.ahead.empty()) {
     std::vector<double> x = s.prepared->frame.x;
     for (std::size_t k = 0; k < x.size(); ++k) x[k] += convection.ahead[k];
-    ahead = displacements(s, x, s.prepared->frame.y);
+    ahead = displacements(s, d, x, s.prepared->frame.y);
   }
   convect(convection, u.data(), ahead.data(), image);
 }
 
 // Normal displacement and slip per unit speed at every node, not by the rows that the solver used; on large lattices by
 // its convolutions, applied afresh: integrals take a time of n^2 there.
-void recompute(SolverState& s, std::vector<double>& normal, std::vector<double> (&slip)[2]) {
+void recompute(const Solution& s, Derived& d, std::vector<double>& normal, std::vector<double> (&slip)[2]) {
   constexpr std::size_t large = 4096;
   const std::size_t n = at(s.prepared->problem.nodes);
   normal.resize(n);
@@ -47,70 +49,80 @@ void recompute(SolverState& s, std::vector<double>& normal, std::vector<double> 
     slip[0] = std::move(image[0]), slip[1] = std::move(image[1]), normal = std::move(image[2]);
     return;
   }
-  const std::vector<double> u = displacements(s, s.prepared->frame.x, s.prepared->frame.y);
-  convect(s, u, slip);
+  const std::vector<double> u = displacements(s, d, s.prepared->frame.x, s.prepared->frame.y);
+  convect(s, d, u, slip);
   for (std::size_t k = 0; k < n; ++k) normal[k] = u[3 * k + 2];
 }
 
 }  // namespace
 
-void derive_gap(SolverState& s, double* gap) {
+void Derived::forget() {
+  Derived empty;
+  empty.slip[0].swap(slip[0]);
+  empty.slip[1].swap(slip[1]);
+  empty.gap.swap(gap);
+  empty.status.swap(status);
+  empty.computed = computed;
+  *this = std::move(empty);
+}
+
+void derive_gap(const Solution& s, double* gap) {
   const Problem& p = s.prepared->problem;
-  Iterate& it = s.iterate;
+  const Iterate& it = s.iterate;
   for (std::size_t k = 0; k < at(p.nodes); ++k) {
     it.update_gap(p, static_cast<std::int64_t>(k));
     gap[k] = p.rigid_gap(k, it.motion) - it.image[2][k];
   }
 }
 
-void derive_fields(SolverState& s) {
-  if (s.derived) return;
-  ++s.work.fields;
+void derive_fields(const Solution& s, Derived& d) {
+  if (d.fields) return;
+  ++d.computed.fields;
   const Problem& p = s.prepared->problem;
-  Iterate& it = s.iterate;
+  const Iterate& it = s.iterate;
   const std::size_t n = at(p.nodes);
-  s.gap.resize(n);
-  derive_gap(s, s.gap.data());
-  s.status.assign(n, static_cast<std::int32_t>(NodeStatus::open));
+  d.gap.resize(n);
+  derive_gap(s, d.gap.data());
+  d.status.assign(n, static_cast<std::int32_t>(NodeStatus::open));
   std::vector<double> image[2];
   const bool known = p.op->tangential || p.op->all_at_once() || s.images_known;
-  if (!known) convect(s, displacements(s, s.prepared->frame.x, s.prepared->frame.y), image);
-  for (auto& v : s.slip) v.assign(n, 0.0);
+  if (!known) convect(s, d, displacements(s, d, s.prepared->frame.x, s.prepared->frame.y), image);
+  for (auto& v : d.slip) v.assign(n, 0.0);
   for (std::size_t k = 0; k < n; ++k) {
     const auto i = static_cast<std::int64_t>(k);
     if (!p.used[k]) {
-      s.status[k] = static_cast<std::int32_t>(NodeStatus::excluded);
+      d.status[k] = static_cast<std::int32_t>(NodeStatus::excluded);
       continue;
     }
     if (known) it.update_slip(p, i);
     const double w1 = known ? it.image[0][k] : image[0][k];
     const double w2 = known ? it.image[1][k] : image[1][k];
     const double s1 = p.rigid_slip1(i, it.motion) + w1, s2 = p.rigid_slip2(i, it.motion) + w2;
-    s.slip[0][k] = s.prepared->speed * s1;
-    s.slip[1][k] = s.prepared->speed * s2;
+    d.slip[0][k] = s.prepared->speed * s1;
+    d.slip[1][k] = s.prepared->speed * s2;
     if (!(it.lambda[2][k] < 0)) continue;
     const FrictionPoint point{s.given.coefficient(p.mu, k),
-                              -(it.lambda[2][k] + p.rn[k] * s.gap[k]),
+                              -(it.lambda[2][k] + p.rn[k] * d.gap[k]),
                               it.lambda[0][k],
                               it.lambda[1][k],
                               s1,
                               s2,
                               p.rt[k]};
     const bool sliding = s.frictionless || p.law->traction(point).sliding;
-    s.status[k] = static_cast<std::int32_t>(sliding ? NodeStatus::slip : NodeStatus::stick);
+    d.status[k] = static_cast<std::int32_t>(sliding ? NodeStatus::slip : NodeStatus::stick);
   }
-  s.derived = true;
+  d.fields = true;
 }
 
-void check_laws(SolverState& s) {
-  if (s.laws_checked) return;
-  ++s.work.laws;
-  derive_fields(s);
+void check_laws(const Solution& s, Derived& d) {
+  if (d.laws_checked) return;
+  ++d.computed.laws;
+  derive_fields(s, d);
   const Problem& p = s.prepared->problem;
   const Iterate& it = s.iterate;
   const std::size_t n = at(p.nodes);
   std::vector<double> un, w[2];
-  recompute(s, un, w);
+  recompute(s, d, un, w);
 
   double pressure = 0, depth = 0, bound_max = 0, speed_max = 0;
   for (std::size_t k = 0; k < n; ++k) {
@@ -143,7 +155,7 @@ void check_laws(SolverState& s) {
         s.given.coefficient(p.mu, k), std::max(-ln, 0.0), it.lambda[0][k], it.lambda[1][k], s1[k], s2[k]};
     const FrictionTraction t = p.law->traction(point);
     const double tangential = t.length, bound = t.bound;
-    const bool sliding = s.status[k] == static_cast<std::int32_t>(NodeStatus::slip);
+    const bool sliding = d.status[k] == static_cast<std::int32_t>(NodeStatus::slip);
     if (bound_max > 0) {
       // A sliding node is at the bound, no other one is beyond it.
       const double excess = tangential - bound;
@@ -160,8 +172,8 @@ void check_laws(SolverState& s) {
     }
   }
   const double equilibrium = load_error(p, s.given, Part::full, it.lambda);
-  s.laws = {normal, friction, slip, equilibrium};
-  s.laws_checked = true;
+  d.laws = {normal, friction, slip, equilibrium};
+  d.laws_checked = true;
 }
 
 }  // namespace rollcon

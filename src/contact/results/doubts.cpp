@@ -9,7 +9,7 @@ namespace rollcon {
 namespace {
 
 /// Half of the lesser of what touching nodes span along t1 and t2, where the contact ends before the frame does.
-double half_width(const SolverState& s) {
+double half_width(const Solution& s) {
   double width = INFINITY;
   for (const std::vector<double>* along : {&s.prepared->frame.x, &s.prepared->frame.y}) {
     double least = INFINITY, most = -INFINITY;
@@ -21,12 +21,12 @@ double half_width(const SolverState& s) {
   return 0.5 * width;
 }
 
-Line doubt_about(const SolverState& s, int which) {
+Line doubt_about(const Solution& s, int which) {
   // Rings of boundary elements whose axial displacements are within 2 % have 0.016 at most, rings off by 6 to 36 %
   // 0.028 at least.
   constexpr double most_bent = 0.02, little_force = 0.05, shallow = 1.9;
   const MeshOnFrame& mesh = s.prepared->meshes[static_cast<std::size_t>(which)];
-  if (!mesh.response || s.outcome != Outcome::converged) return {};
+  if (!mesh.response || s.report.outcome != Outcome::converged) return {};
   if (const double half = half_width(s); half > 0 && std::isfinite(mesh.element) && mesh.element > half)
     return line_of(
         "body %d: its elements under the frame are too deep for the contact, which is %.3g wide: pressures and "
@@ -57,7 +57,7 @@ Line doubt_about(const SolverState& s, int which) {
 
 }  // namespace
 
-Line describe_too_deep(const SolverState& s) {
+Line describe_too_deep(const Solution& s) {
   const double deep = s.iterate.motion[approach], bears = s.prepared->bears, modulus = s.prepared->problem.stiffness;
   if (deep > 0.5 * bears)
     return line_of(
@@ -73,12 +73,12 @@ Line describe_too_deep(const SolverState& s) {
       largest, modulus);
 }
 
-Line describe_meshes(const SolverState& s) {
+Line describe_meshes(const Solution& s) {
   const Line first = doubt_about(s, 0);
   return *first.text ? first : doubt_about(s, 1);
 }
 
-Status with_doubts(const SolverState& s, Status status) {
+Status with_doubts(const Solution& s, Status status) {
   return status == Status::ok && *describe_meshes(s).text ? Status::inaccurate : status;
 }
 

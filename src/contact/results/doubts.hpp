@@ -8,10 +8,10 @@
 namespace rollcon {
 
 /// Says whether approach or pressure is too much, and by what; empty: neither is.
-Line describe_too_deep(const SolverState& s);
+Line describe_too_deep(const Solution& s);
 /// Says what the meshes of the bodies do not show; empty: nothing.
-Line describe_meshes(const SolverState& s);
+Line describe_meshes(const Solution& s);
 /// Returns the status of a solve on any frame: inaccurate instead of ok if there are doubts about the meshes.
-Status with_doubts(const SolverState& s, Status status);
+Status with_doubts(const Solution& s, Status status);
 
 }  // namespace rollcon

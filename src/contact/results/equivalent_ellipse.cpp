@@ -14,7 +14,7 @@ namespace {
 /// patch leave 0.63 of it; two patches at a distance of their own length, less than a half.
 constexpr double least_filled = 0.5;
 
-void require_comparable(const SolverState& s) {
+void require_comparable(const Solution& s) {
   for (std::size_t i = 0; i < 2; ++i)
     if (s.prepared->pair.body[i]->meshed())
       fail(Status::err_unsupported, "body %zu has a mesh: a Hertzian contact stands for half-spaces and rigid bodies",
@@ -31,7 +31,7 @@ struct Moments {
   double load = 0, x = 0, y = 0, xx = 0, yy = 0;
 };
 
-Moments moments_of(const SolverState& s) {
+Moments moments_of(const Solution& s) {
   const Frame& frame = s.prepared->frame;
   const Problem& p = s.prepared->problem;
   Moments m;
@@ -52,7 +52,7 @@ Moments moments_of(const SolverState& s) {
 
 // Least squares of the rigid slip, weighted by pressure. Slip is taken at points that the scheme of convection chooses,
 // a constant distance from the nodes.
-void add_slip(const SolverState& s, const Moments& m, EquivalentEllipse& to) {
+void add_slip(const Solution& s, const Moments& m, EquivalentEllipse& to) {
   const Problem& p = s.prepared->problem;
   const std::vector<double>&x = p.convection.slip_x, &y = p.convection.slip_y;
   const auto each = [&](auto add) {
@@ -101,7 +101,7 @@ double strain_creepage(double strained, double load, double a, double b) {
   return 0.75 * greatest * b / (a + b) * strained;
 }
 
-EquivalentEllipse equivalent_ellipse(const SolverState& state, double area) {
+EquivalentEllipse equivalent_ellipse(const Solution& state, double area) {
   require_comparable(state);
   const Moments m = moments_of(state);
   EquivalentEllipse e;

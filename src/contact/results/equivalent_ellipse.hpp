@@ -6,7 +6,7 @@
 
 namespace rollcon {
 
-struct SolverState;
+struct Solution;
 
 class Body;
 
@@ -35,6 +35,6 @@ struct EquivalentEllipse {
 /// Of the last solution, which needs no friction. err_state: nothing carries load, pressures lie on patches apart from
 /// each other, or bodies are shifted without rolling; err_unsupported: a body has a mesh, or friction is not the same
 /// in all directions.
-EquivalentEllipse equivalent_ellipse(const SolverState& state, double area);
+EquivalentEllipse equivalent_ellipse(const Solution& state, double area);
 
 }  // namespace rollcon

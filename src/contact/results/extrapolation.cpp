@@ -5,9 +5,6 @@
 #include <numbers>
 #include <utility>
 
-#include "contact/results/sensitivity.hpp"
-#include "contact/results/statistics.hpp"
-#include "contact/solution.hpp"
 #include "support/error.hpp"
 #include "support/index.hpp"
 
@@ -23,7 +20,7 @@ struct Results {
   double friction = 0;  ///< integral of friction's bound
 };
 
-Results results_of(const SolverState& s) {
+Results results_of(const Solution& s) {
   const Problem& p = s.prepared->problem;
   const Iterate& it = s.iterate;
   Results r;
@@ -91,7 +88,8 @@ bool solve3(std::array<Three, 3> a, Three& b) {
 
 // Forces and moment over `length` that change the motions found by `off`; lengths of motions count as those of forces.
 // Nothing: no forces do, or they cannot be told.
-std::optional<Three> forces_of(SolverState& fine, const Three& off, double length) {
+std::optional<Three> forces_of(const Solution& fine, const std::function<const Rates&(Parameter)>& rates_by,
+                               const Three& off, double length) {
   if (!fine.procedure.standard() || fine.prepared->problem.law->of_field()) return std::nullopt;
   std::array<Three, 3> yields{};
   Three forces{};
@@ -104,7 +102,7 @@ std::optional<Three> forces_of(SolverState& fine, const Three& off, double lengt
     }
     forces[j] = off[j];
     try {
-      const Rates& rates = find_rates(fine, parameter[j]);
+      const Rates& rates = rates_by(parameter[j]);
       for (std::size_t i = 0; i < 3; ++i)
         if (fine.given.by_force[at(slips[i])]) yields[i][j] = unit[i] * unit[j] * rates.motion[at(slips[i])];
     } catch (const Error&) {
@@ -119,8 +117,8 @@ std::optional<Three> forces_of(SolverState& fine, const Three& off, double lengt
 
 }  // namespace
 
-Rates beyond(const SolverState& state, const Rates& fine, const Rates& coarse) {
-  const double left_over = state.extrapolated->left_over;
+Rates beyond(const Extrapolated& results, const Rates& fine, const Rates& coarse) {
+  const double left_over = results.left_over;
   Rates r;
   for (std::size_t i = 0; i < 3; ++i) {
     r.force[i] = beyond(fine.force[i], coarse.force[i], left_over);
@@ -130,7 +128,8 @@ Rates beyond(const SolverState& state, const Rates& fine, const Rates& coarse) {
   return r;
 }
 
-void extrapolate(SolverState& fine, const SolverState& coarse, const FrameFamily& family) {
+Extrapolation extrapolate(const Solution& fine, const Solution& coarse, const FrameFamily& family,
+                          const std::function<const Rates&(Parameter)>& rates) {
   const Results f = results_of(fine), c = results_of(coarse);
   // Halving leaves a quarter of errors of second order.
   const double left_over = 1 / (std::exp2(family.order) - 1);
@@ -151,7 +150,6 @@ void extrapolate(SolverState& fine, const SolverState& coarse, const FrameFamily
   for (const auto& [m, result] : {std::pair{xi1, &e.force[0]}, {xi2, &e.force[1]}, {spin, &e.moment[2]}})
     if (!fine.frictionless && fine.given.by_force[static_cast<std::size_t>(m)])
       *result = fine.given.value[static_cast<std::size_t>(m)] / fine.load_factor;
-  fine.extrapolated = e;
 
   // An edge is what the cells of the frame make of it; lengths for moments and spins.
   const double length = std::sqrt(f.area / std::numbers::pi);
@@ -176,7 +174,7 @@ void extrapolate(SolverState& fine, const SolverState& coarse, const FrameFamily
       const double motion = std::hypot(f.motion[xi1], f.motion[xi2], length * f.motion[spin]);
       // Of vanishing forces the error vanishes only up to rounding.
       constexpr double least = 1e-3;
-      if (const auto forces = forces_of(fine, motions_off, length))
+      if (const auto forces = forces_of(fine, rates, motions_off, length))
         estimate.tangential = std::max(
             estimate.tangential, relative(std::max(std::hypot((*forces)[0], (*forces)[1]), std::abs((*forces)[2])),
                                           std::max(f.carried, least * f.friction)));
@@ -188,7 +186,7 @@ void extrapolate(SolverState& fine, const SolverState& coarse, const FrameFamily
   estimate.normal = std::max(estimate.normal, family.least_error);
   if (!fine.frictionless) estimate.tangential = std::max(estimate.tangential, family.least_error);
   estimate.tractions = relative(off(f.friction, c.friction) + off(f.carried, c.carried), f.friction + f.carried);
-  fine.error_estimate = estimate;
+  return {e, estimate};
 }
 
 }  // namespace rollcon

@@ -2,10 +2,11 @@
 /// Results of one contact on two frames of a family, the coarser one with half the intervals of the finer, both fitted
 /// to the contact's edge: what they tend to (docs/theory.md, section 4).
 
-namespace rollcon {
+#include <functional>
 
-struct Rates;
-struct SolverState;
+#include "contact/results/derived.hpp"
+
+namespace rollcon {
 
 /// What is known of frames of one family.
 struct FrameFamily {
@@ -14,10 +15,15 @@ struct FrameFamily {
   double least_error = 0;  ///< where two frames may agree by chance
 };
 
-/// Both are solved and converged. Fills fine.extrapolated and the error estimate: what finer and extrapolated results
-/// differ by.
-void extrapolate(SolverState& fine, const SolverState& coarse, const FrameFamily& family);
-/// Of results of both that depend on a parameter.
-Rates beyond(const SolverState& fine, const Rates& of_fine, const Rates& of_coarse);
+/// What the two frames tend to and what the finer frame's and the extrapolated results differ by. Both solutions
+/// converged. rates: of the finer one.
+struct Extrapolation {
+  Extrapolated results;
+  ErrorEstimate estimate;
+};
+Extrapolation extrapolate(const Solution& fine, const Solution& coarse, const FrameFamily& family,
+                          const std::function<const Rates&(Parameter)>& rates);
+/// What rates of both tend to.
+Rates beyond(const Extrapolated& results, const Rates& of_fine, const Rates& of_coarse);
 
 }  // namespace rollcon

@@ -12,7 +12,7 @@ namespace rollcon {
 namespace {
 
 /// Contact at the rim has three causes that the caller can tell apart only by what is said here.
-const char* cause_of_rim_contact(const SolverState& s) {
+const char* cause_of_rim_contact(const Solution& s) {
   const std::vector<double> gap = s.prepared->problem.undeformed_gaps();
   if (is_turned(gap, s.prepared->frame.rim))
     return "the gap is least at the rim and greatest inside: a gap is positive where the bodies "
@@ -38,7 +38,7 @@ std::string times(double share) {
   return share < 1.00005 ? "all of" : share_text(share) + " times";
 }
 
-Line not_converged(const SolverState& s) {
+Line not_converged(const Solution& s) {
   const NewtonReport& r = s.report;
   const std::vector<double>& mu = s.prepared->problem.mu;
   const bool strong = !mu.empty() && *std::max_element(mu.begin(), mu.end()) >= 1;
@@ -73,8 +73,8 @@ std::string describe_beyond_friction(const FrictionShare& share) {
          share_text(share.moment) + ")";
 }
 
-Line describe_outcome(const SolverState& s) {
-  switch (s.outcome) {
+Line describe_outcome(const Solution& s) {
+  switch (s.report.outcome) {
     case Outcome::not_converged:
       return not_converged(s);
     case Outcome::cancelled:

@@ -9,7 +9,7 @@
 namespace rollcon {
 
 /// "not converged after ...", "contact reaches the rim ...", "converged ...".
-Line describe_outcome(const SolverState& s);
+Line describe_outcome(const Solution& s);
 
 /// Which of the prescribed loads friction cannot carry, and by how much.
 std::string describe_beyond_friction(const FrictionShare& share);

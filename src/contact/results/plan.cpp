@@ -1,4 +1,4 @@
-/// The plan as text: one line for each thing that the scene did not need, and what was used.
+#include "contact/results/plan.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include "contact/results/doubts.hpp"
 #include "contact/results/outcome_text.hpp"
 #include "contact/scene/geometry.hpp"
-#include "contact/solution.hpp"
+#include "contact/solver.hpp"
 #include "linalg/blas_kernels.hpp"
 
 namespace rollcon {
@@ -39,7 +39,7 @@ std::string slow_factors(const Body& body) {
   return slow_factorization(blas_kernels(), body.response()->statistics().unknowns);
 }
 
-void describe_bodies(std::string& text, const SolverState& s, const Body& body1, const Body& body2) {
+void describe_bodies(std::string& text, const Solution& s, const Body& body1, const Body& body2) {
   int number = 1;
   for (const Body* body : {&body1, &body2}) {
     const bool volume = body->traits().volume;
@@ -65,13 +65,13 @@ void describe_bodies(std::string& text, const SolverState& s, const Body& body1,
     line(text, "no finite-element body: no sparse matrix, no call of a sparse factorisation");
   if (!body1.rigid() && !body2.rigid() && s.prepared->compliance->translation())
     line(text, "both %ss: one compliance with summed constants", body1.traits().name);
-  const std::string lattice = describe_lattice(s);
+  const std::string lattice = describe_lattice(*s.prepared);
   if (!lattice.empty()) text += lattice + '\n';
   const std::string compliance = s.prepared->compliance->description();
   if (!compliance.empty()) text += compliance + '\n';
 }
 
-void describe_frame(std::string& text, const SolverState& s, const Scene& scene, bool meshed) {
+void describe_frame(std::string& text, const Solution& s, const Scene& scene, bool meshed) {
   if (s.prepared->frame_source.body >= 0)
     line(text, "frame: the %lld faces of body %d with tag %d", static_cast<long long>(s.prepared->frame.elements()),
          s.prepared->frame_source.body + 1, s.prepared->frame_source.tag);
@@ -94,12 +94,12 @@ void describe_frame(std::string& text, const SolverState& s, const Scene& scene,
     line(text, "loads and given displacements of the bodies: added to gap and slip");
 }
 
-void describe_procedure(std::string& text, const SolverState& s, const Options& o) {
+void describe_procedure(std::string& text, const Solution& s, const Effort& effort, const Options& o) {
   if (s.procedure.monolithic)
     line(text, "system: monolithic, %lld unknowns, %lld nonzeros; nothing condensed",
-         static_cast<long long>(s.system_unknowns), static_cast<long long>(s.system_nonzeros));
+         static_cast<long long>(effort.unknowns), static_cast<long long>(effort.nonzeros));
   else
-    line(text, "system: condensed, %lld unknowns", static_cast<long long>(s.system_unknowns));
+    line(text, "system: condensed, %lld unknowns", static_cast<long long>(effort.unknowns));
   line(text, "iteration: generalised Newton method with line search, jacobian %s, linear solver %s", o.jacobian.c_str(),
        o.linear_solver.c_str());
 }
@@ -113,8 +113,8 @@ const char* branch_of(const NewtonReport& report) {
 }
 
 // How far the solution is that of the bodies: nodes that carry it, and the estimate once known.
-void describe_contact(std::string& text, const SolverState& s) {
-  if (s.outcome != Outcome::converged) return;
+void describe_contact(std::string& text, const Solution& s, const Derived& d) {
+  if (s.report.outcome != Outcome::converged) return;
   if (too_few_nodes(s)) {
     text += describe_few_nodes(s).str() + '\n';
     return;
@@ -124,9 +124,9 @@ void describe_contact(std::string& text, const SolverState& s) {
   line(text, "contact: %lld node(s) touch, %lld of them with all their neighbours", static_cast<long long>(touching),
        static_cast<long long>(nodes_inside(s)));
   if (const Line doubt = describe_meshes(s); *doubt.text) text += doubt.str() + '\n';
-  if (s.extrapolated)
+  if (d.extrapolated)
     text += "results: extrapolated from this frame and one with half its intervals; fields are those of this one\n";
-  const ErrorEstimate& e = s.error_estimate;
+  const ErrorEstimate& e = d.error_estimate;
   const auto& body = s.prepared->pair.body;
   const bool meshed = body[0]->response() || body[1]->response();
   if (e.known)
@@ -137,8 +137,7 @@ void describe_contact(std::string& text, const SolverState& s) {
 }
 
 // What of the last preparation was there already.
-void describe_reuse(std::string& text, const SolverState& s) {
-  const Work &now = s.work, &before = s.work_before;
+void describe_reuse(std::string& text, const Solution& s, const Builds& now, const Builds& before) {
   std::string kept, made;
   const auto tell = [&](bool again, const char* what) {
     std::string& list = again ? made : kept;
@@ -150,7 +149,7 @@ void describe_reuse(std::string& text, const SolverState& s) {
   tell(now.gaps != before.gaps, "gap");
   tell(now.compliances != before.compliances, "compliance");
   tell(now.stencils != before.stencils, "convective stencils");
-  tell(s.assemblies != s.assemblies_before, "operators");
+  tell(now.operators != before.operators, "operators");
   if (made.empty())
     line(text, "nothing is new since the solve before: no assembly, no preparation");
   else if (!kept.empty())
@@ -158,23 +157,28 @@ void describe_reuse(std::string& text, const SolverState& s) {
   if (!made.empty()) line(text, "made for this solve: %s", made.c_str());
 }
 
-void describe_results(std::string& text, const SolverState& s) {
+void describe_results(std::string& text, const Derived& d) {
   std::string missing;
   const auto tell = [&](bool known, const char* what) {
     if (!known) missing += (missing.empty() ? "" : ", ") + std::string(what);
   };
-  tell(s.derived, "gap, slip and state of the nodes");
-  tell(s.laws_checked, "residuals of the laws");
-  tell(s.work.displacements > s.work_before.displacements, "displacements of the bodies");
-  tell(s.error_estimate.known, "error estimate");
-  tell(std::any_of(s.sensitivities.known.begin(), s.sensitivities.known.end(), [](bool known) { return known; }),
+  tell(d.fields, "gap, slip and state of the nodes");
+  tell(d.laws_checked, "residuals of the laws");
+  tell(d.displacements, "displacements of the bodies");
+  tell(d.error_estimate.known, "error estimate");
+  tell(std::any_of(d.sensitivities.known.begin(), d.sensitivities.known.end(), [](bool known) { return known; }),
        "sensitivities");
   if (!missing.empty()) line(text, "not computed, as nobody asked: %s", missing.c_str());
 }
 
 }  // namespace
 
-std::string describe_plan(const SolverState& s, const Scene& scene, const Body& body1, const Body& body2) {
+std::string describe_plan(Solver& solver, const Body& body1, const Body& body2) {
+  const Solution& s = solver.solution();
+  const Scene& scene = solver.scene;
+  const Effort& effort = solver.effort();
+  const StepHistory& steps = solver.steps();
+  const Builds& builds = solver.preparation()->builds;
   std::string text;
   const Operators& op = *s.prepared->problem.op;
   describe_bodies(text, s, body1, body2);
@@ -201,32 +205,33 @@ std::string describe_plan(const SolverState& s, const Scene& scene, const Body& 
     line(text, "%s", law.c_str());
   if (!s.frictionless && s.prepared->problem.law->of_field())
     line(text, "friction follows the whole solution: found by %lld solves with given coefficients, last change %.1e",
-         static_cast<long long>(s.settled_friction.rounds), s.settled_friction.change);
+         static_cast<long long>(s.settled.rounds), s.settled.change);
   if (s.prepared->pair.layer > 0) line(text, "an elastic layer between the bodies: %g", s.prepared->pair.layer);
-  if (!s.frictionless && s.prepared->problem.law->falls() && s.outcome == Outcome::converged)
+  if (!s.frictionless && s.prepared->problem.law->falls() && s.report.outcome == Outcome::converged)
     line(text, "several solutions may exist: this one %s", branch_of(s.report));
   if (op.tangential || s.procedure.monolithic) line(text, "convective scheme: %s", s.prepared->scheme.name);
   if (s.prepared->step != StepKind::steady)
-    line(text, "time: step %lld of %.6g, %s; %s", static_cast<long long>(s.steps.last.steps), 1 / s.prepared->speed,
+    line(text, "time: step %lld of %.6g, %s; %s", static_cast<long long>(steps.last.steps), 1 / s.prepared->speed,
          s.prepared->step == StepKind::shift ? "bodies are shifted" : "material travels",
-         s.steps.before.loaded ? "displacements of the step before were carried along" : "from rest");
+         steps.before.loaded ? "displacements of the step before were carried along" : "from rest");
   for (int m = 0; m < int{motion_count}; ++m)
     if (s.given.by_force[static_cast<std::size_t>(m)]) {
       static constexpr const char* names[] = {"longitudinal creepage", "lateral creepage", "approach", "spin",
                                               "tilt about t1",         "tilt about t2"};
       line(text, "%s: unknown of the Newton system (its load is given)", names[m]);
     }
-  if (!s.procedure.standard()) describe_procedure(text, s, scene.options);
+  if (!s.procedure.standard()) describe_procedure(text, s, effort, scene.options);
   if (op.normal && op.dense())
     line(text, "operators: %lld nodes, %.1f MB, assembled %lld time(s) by this contact",
-         static_cast<long long>(op.nodes), static_cast<double>(op.bytes()) / 1e6, static_cast<long long>(s.assemblies));
-  describe_contact(text, s);
-  describe_reuse(text, s);
+         static_cast<long long>(op.nodes), static_cast<double>(op.bytes()) / 1e6,
+         static_cast<long long>(builds.operators));
+  describe_contact(text, s, solver.derived());
+  describe_reuse(text, s, builds, effort.builds_before);
   line(text, "result: %s", describe_outcome(s).c_str());
   line(text, "last solve: %lld linear system(s), %lld factorisation(s), %lld Krylov iteration(s)",
-       static_cast<long long>(s.right_sides), static_cast<long long>(s.factorizations),
-       static_cast<long long>(s.linear_iterations));
-  describe_results(text, s);
+       static_cast<long long>(effort.right_sides), static_cast<long long>(effort.factorizations),
+       static_cast<long long>(effort.linear_iterations));
+  describe_results(text, solver.derived());
   return text;
 }
 

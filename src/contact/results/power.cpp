@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "contact/prepare/time_step.hpp"
-#include "contact/solution.hpp"
+#include "contact/results/derived.hpp"
 #include "mesh/quadrature.hpp"
 #include "mesh/shape.hpp"
 #include "support/index.hpp"
@@ -37,11 +37,11 @@ double integral_of_slope(const Frame& frame, std::span<const std::int32_t> node,
 // Integral of the normal traction times the slope of the elastic normal displacement along the rolling direction.
 // Along the contact that is the rigid gap; but beside it the gap is not closed, and on coarse elements half of the
 // pressure next to the edge is work on such elements: like bodies would seem to lose or gain power by pressure alone.
-double work_of_pressures(SolverState& s) {
+double work_of_pressures(const Solution& s) {
   constexpr int degree = 4;
   const PlaneRule triangle = triangle_rule(degree), square = square_rule(degree);
   const Problem& p = s.prepared->problem;
-  Iterate& it = s.iterate;
+  const Iterate& it = s.iterate;
   const std::vector<double>& normal = it.lambda[2];
   double sum = 0;
   double f[max_element_nodes], g[max_element_nodes];
@@ -74,7 +74,7 @@ double work_of_motions(const Problem& p, const Iterate& it, std::size_t k) {
 }
 
 // Likewise, with fields of slip, of all nodes.
-double work_of_rigid_slip(const SolverState& s) {
+double work_of_rigid_slip(const Solution& s) {
   const Problem& p = s.prepared->problem;
   const Iterate& it = s.iterate;
   double work = 0;
@@ -87,15 +87,15 @@ double work_of_rigid_slip(const SolverState& s) {
 }
 
 // Sum over the nodes in contact of tangential traction times slip velocity and a weight.
-double work_of_slip(SolverState& s, const std::vector<double>& weight) {
+double work_of_slip(const Solution& s, Derived& d, const std::vector<double>& weight) {
   const Problem& p = s.prepared->problem;
-  Iterate& it = s.iterate;
+  const Iterate& it = s.iterate;
   const bool known = p.op->tangential || s.images_known;
-  if (!known) derive_fields(s);
+  if (!known) derive_fields(s, d);
   double sum = 0;
   for (std::size_t k = 0; k < p.gap.size(); ++k) {
     if (!(it.lambda[2][k] < 0)) continue;
-    std::array<double, 2> slip{known ? 0 : s.slip[0][k], known ? 0 : s.slip[1][k]};
+    std::array<double, 2> slip{known ? 0 : d.slip[0][k], known ? 0 : d.slip[1][k]};
     if (known) {
       const auto i = static_cast<std::int64_t>(k);
       it.update_slip(p, i);
@@ -107,15 +107,18 @@ double work_of_slip(SolverState& s, const std::vector<double>& weight) {
   return sum;
 }
 
+}  // namespace
+
 // What slip takes in a step is a sum over nodes that misses a part on coarse grids; so does, likewise, what tractions
 // do on their own displacements carried along. What that must be is known.
-double power_in_step(SolverState& s) {
+double power_in_step(const Solution& s, Derived& d, Preparation* preparation) {
+  if (s.frictionless) return 0;
   const Prepared& on = *s.prepared;
   const Problem& p = on.problem;
-  double work = work_of_slip(s, p.weight);
+  double work = work_of_slip(s, d, p.weight);
   if (on.distance == 0) return -work;
   std::vector<double> change[2];
-  find_changes_upstream(s, change);
+  find_changes_upstream(s, preparation, change);
   const Iterate& it = s.iterate;
   double missed = on.distance * work_of_pressures(s);
   for (std::size_t k = 0; k < p.gap.size(); ++k) {
@@ -129,23 +132,20 @@ double power_in_step(SolverState& s) {
   return -work - on.speed * missed;
 }
 
-}  // namespace
-
 // Carried along a surface that is the same everywhere, tractions change no elastic energy: what their tangential and
 // normal parts do on the elastic displacements adds up to nothing.
-double power_put_in(SolverState& s) {
+double power_put_in(const Solution& s) {
   if (s.frictionless) return 0;
-  if (s.prepared->step != StepKind::steady) return power_in_step(s);
   return -s.prepared->speed * (work_of_pressures(s) + work_of_rigid_slip(s));
 }
 
-bool power_is_balanced(const SolverState& s) {
+bool power_is_balanced(const Solution& s) {
   const Prepared& on = *s.prepared;
   return on.pair.half_spaces() && !s.frictionless && on.step == StepKind::steady && nodes_at_rim(s) == 0;
 }
 
-double power_at_nodes(SolverState& s) {
-  return s.frictionless ? 0 : -work_of_slip(s, s.prepared->problem.cell_area);
+double power_at_nodes(const Solution& s, Derived& d) {
+  return s.frictionless ? 0 : -work_of_slip(s, d, s.prepared->problem.cell_area);
 }
 
 }  // namespace rollcon

@@ -5,11 +5,11 @@
 
 namespace rollcon {
 
-struct SolverState;
+class Solver;
 
 struct Statistic {
   const char* name;
-  double (*value)(SolverState&);
+  double (*value)(Solver&);
   bool of_cases = false;  ///< told of the cases of a list, too
 };
 

@@ -14,7 +14,7 @@ namespace rollcon {
 
 // Of a frame of strips that ends at the contact's edge: pressures fall there to a half or less over the last two cells
 // of a strip. Where the frame cuts a contact off they rise, or the bodies overlap beside it.
-static std::int64_t nodes_cut_off(const SolverState& s) {
+static std::int64_t nodes_cut_off(const Solution& s) {
   // The ellipse of Hertz is where the contact ends; friction of unlike bodies moves that a little.
   if (s.prepared->placed) return 0;
   // Frames that fit overlap by up to 0.07 on 6 x 4 strips, 0.014 on 12 x 8: hats are 0 on the outline.
@@ -44,7 +44,7 @@ static std::int64_t nodes_cut_off(const SolverState& s) {
   return count;
 }
 
-std::int64_t nodes_at_rim(const SolverState& s) {
+std::int64_t nodes_at_rim(const Solution& s) {
   const std::uint8_t* rim = s.prepared->frame.rim.data();
   const double* normal = s.iterate.lambda[2].data();
   std::int64_t count = 0;
@@ -62,7 +62,7 @@ void refuse_tangential_loads(const Prescribed& given) {
            "at every node: there is no steady solution");
 }
 
-void refuse_load_beside_frame(const SolverState& s) {
+void refuse_load_beside_frame(const Solution& s) {
   const Prescribed& given = s.given;
   const Frame& frame = s.prepared->frame;
   const double load = given.value[approach];
@@ -79,8 +79,8 @@ void refuse_load_beside_frame(const SolverState& s) {
   require_within("y", tilt1, -given.value[tilt1] / load, frame.y);
 }
 
-Status status_of(const SolverState& s) {
-  switch (s.outcome) {
+Status status_of(const Solution& s) {
+  switch (s.report.outcome) {
     case Outcome::no_solution:
       fail(Status::err_load, "%s: there is no %ssolution", describe_beyond_friction(s.report.share).c_str(),
            s.prepared->step == StepKind::steady ? "steady " : "");

@@ -56,8 +56,8 @@ void find_at(const HalfspaceInterior& interior, const std::vector<std::int64_t>&
 
 }  // namespace
 
-void find_stresses(const SolverState& state, std::int32_t body, const PointsInside& points, double accuracy,
-                   int threads, double* stress, double* displacement) {
+void find_stresses(const Solution& state, std::int32_t body, const PointsInside& points, double accuracy, int threads,
+                   double* stress, double* displacement) {
   const Prepared& on = *state.prepared;
   const Body& which = *on.pair.body[at(body - 1)];
   require_halfspace(which, body);

@@ -15,7 +15,7 @@ struct PointsInside {
 
 /// Of body 1 or 2. stress: 11, 22, nn, 12, 1n, 2n; displacement: 1, 2, n; either may be null. err_unsupported: the body
 /// is no half-space; err_argument: a point is outside of it.
-void find_stresses(const SolverState& state, std::int32_t body, const PointsInside& points, double accuracy,
-                   int threads, double* stress, double* displacement);
+void find_stresses(const Solution& state, std::int32_t body, const PointsInside& points, double accuracy, int threads,
+                   double* stress, double* displacement);
 
 }  // namespace rollcon

@@ -76,7 +76,7 @@ struct NodalWear {
   }
 };
 
-NodalWear wear_at_nodes(const SolverState& state, const WearLaw& law) {
+NodalWear wear_at_nodes(const Solution& state, const Derived& derived, const WearLaw& law) {
   const Prepared& on = *state.prepared;
   const std::size_t n = on.problem.weight.size();
   NodalWear found{std::vector<double>(n, 0.0), std::vector<double>(n, 0.0)};
@@ -84,7 +84,7 @@ NodalWear wear_at_nodes(const SolverState& state, const WearLaw& law) {
     const double pressure = -state.iterate.lambda[2][k];
     if (!(pressure > 0)) continue;
     const double t[2] = {state.iterate.lambda[0][k], state.iterate.lambda[1][k]};
-    const double slip[2] = {state.slip[0][k] / on.speed, state.slip[1][k] / on.speed};
+    const double slip[2] = {derived.slip[0][k] / on.speed, derived.slip[1][k] / on.speed};
     found.volume[k] = on.problem.weight[k] * law.rate(pressure, t, slip);
     found.energy[k] = on.problem.weight[k] * std::max(0.0, -(t[0] * slip[0] + t[1] * slip[1]));
     found.all_volume += found.volume[k];
@@ -94,7 +94,7 @@ NodalWear wear_at_nodes(const SolverState& state, const WearLaw& law) {
 }
 
 /// Energy that is missed, as slip against friction at its bound all over a node's area.
-double volume_of_missed(const SolverState& state, const WearLaw& law, std::size_t k, double energy) {
+double volume_of_missed(const Solution& state, const WearLaw& law, std::size_t k, double energy) {
   const double t[2] = {state.iterate.lambda[0][k], state.iterate.lambda[1][k]};
   const double pressure = -state.iterate.lambda[2][k], weight = state.prepared->problem.weight[k];
   const double length = std::hypot(t[0], t[1]),
@@ -107,7 +107,7 @@ double volume_of_missed(const SolverState& state, const WearLaw& law, std::size_
 
 /// Brings the whole to what the balance of work says. Nodes that slide miss the strip before the contact's edge: up to
 /// a half more is theirs. Where little slides, nodes know no more than where rigid slip is at work.
-void meet_balance(SolverState& state, const WearLaw& law, NodalWear& wear) {
+void meet_balance(const Solution& state, const WearLaw& law, NodalWear& wear) {
   constexpr double least = 0.8, theirs = 1.5, noise = 1e-3;
   if (!power_is_balanced(state)) return;
   const Problem& p = state.prepared->problem;
@@ -140,11 +140,12 @@ void meet_balance(SolverState& state, const WearLaw& law, NodalWear& wear) {
 
 }  // namespace
 
-double add_wear(SolverState& state, const WearLaw& law, std::span<const double> y, double share, double* volume) {
-  derive_fields(state);
+double add_wear(const Solution& state, Derived& derived, const WearLaw& law, std::span<const double> y, double share,
+                double* volume) {
+  derive_fields(state, derived);
   const Prepared& on = *state.prepared;
   const std::vector<double> half = half_widths(on.frame);
-  NodalWear wear = wear_at_nodes(state, law);
+  NodalWear wear = wear_at_nodes(state, derived, law);
   meet_balance(state, law, wear);
   double total = 0;
   for (std::size_t k = 0; k < wear.volume.size(); ++k) {
@@ -155,7 +156,7 @@ double add_wear(SolverState& state, const WearLaw& law, std::span<const double> 
   return total;
 }
 
-std::array<double, 2> contact_across(const SolverState& state) {
+std::array<double, 2> contact_across(const Solution& state) {
   std::array<double, 2> range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   const Frame& frame = state.prepared->frame;
   for (std::size_t k = 0; k < frame.y.size(); ++k) {

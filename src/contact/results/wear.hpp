@@ -5,7 +5,7 @@
 #include <span>
 
 #include "contact/laws/wear_law.hpp"
-#include "contact/solution.hpp"
+#include "contact/results/derived.hpp"
 
 namespace rollcon {
 
@@ -14,9 +14,10 @@ namespace rollcon {
 /// what lies beyond the ends is given to them: no volume is lost. Where the balance of work holds (power_is_balanced),
 /// the whole is the law's share of its power: slip at nodes misses much of it on coarse frames. Returns the whole
 /// volume (without the share).
-double add_wear(SolverState& state, const WearLaw& law, std::span<const double> y, double share, double* volume);
+double add_wear(const Solution& solution, Derived& derived, const WearLaw& law, std::span<const double> y, double share,
+                double* volume);
 
 /// Least and greatest t2 of nodes in contact; the first above the second where there is none.
-std::array<double, 2> contact_across(const SolverState& state);
+std::array<double, 2> contact_across(const Solution& state);
 
 }  // namespace rollcon

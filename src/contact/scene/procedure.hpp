@@ -35,7 +35,7 @@ Procedure choose_procedure(const Options& options);
 /// the squared norm of the residual), eta: the last tolerance.
 double adaptive_tolerance(double eta_max, double merit, double last_merit, double eta);
 
-class PublishedSolver;  // contact/solution.hpp
+class PublishedSolver;  // contact/settle/solve_prepared.hpp
 /// Makes what solves by the published procedures (src/procedures/).
 using MakePublished = std::unique_ptr<PublishedSolver> (*)();
 

@@ -5,19 +5,20 @@
 #include <functional>
 #include <span>
 
-#include "contact/solution.hpp"
+#include "contact/results/derived.hpp"
 
 namespace rollcon {
 
-/// solve: with the coefficients of state.given, to a tolerance; its report tells the outcome. Coefficients start from
-/// those of state.settled_friction or, where it has none, from the greatest. The report becomes that of all solves.
-void settle_friction(SolverState& state, double tolerance, const std::function<void(double)>& solve);
+/// solve: with the coefficients of solution.given, to a tolerance; its report tells the outcome. Coefficients start
+/// from those of solution.settled or, where it has none, from the greatest. The report becomes that of all solves.
+void settle_friction(Solution& solution, double tolerance, const std::function<void(double)>& solve);
 
-/// Of the surfaces of both bodies under the last solution, two a node. err_state: what a body does with heat is not
+/// Finds the temperatures of the surfaces of both bodies, two a node. err_state: what a body does with heat is not
 /// known, or it was a step in time.
-void node_temperatures(SolverState& state, const BothHeats& heat, std::span<double> temperature);
-/// Likewise, two a point.
-void temperatures_at(SolverState& state, const BothHeats& heat, std::span<const double> x, std::span<const double> y,
-                     std::span<double> temperature);
+void node_temperatures(const Solution& solution, Derived& derived, const BothHeats& heat,
+                       std::span<double> temperature);
+/// Finds them at points of the frame's plane, two a point.
+void temperatures_at(const Solution& solution, Derived& derived, const BothHeats& heat, std::span<const double> x,
+                     std::span<const double> y, std::span<double> temperature);
 
 }  // namespace rollcon

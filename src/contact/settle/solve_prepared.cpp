@@ -1,47 +1,46 @@
-/// From a scene with its operators to tractions and what the solve took.
+#include "contact/settle/solve_prepared.hpp"
 
 #include "contact/prepare/lattice_scene.hpp"
 #include "contact/settle/settle_friction.hpp"
-#include "contact/solution.hpp"
 
 namespace rollcon {
 namespace {
 
-void run_standard(SolverState& s, const Options& options, Monitor& monitor) {
-  LinearSolver& linear = s.newton.linear();
-  s.newton.use(s.procedure);
-  s.newton.predict = options.warm_start == 2;
+void run_standard(Newton& newton, Solution& s, Effort& effort, const Options& options, Monitor& monitor) {
+  LinearSolver& linear = newton.linear();
+  newton.use(s.procedure);
+  newton.predict = options.warm_start == 2;
   linear.unknowns = 0;  // where nothing needs a system
-  s.linear_iterations = -linear.iterations;
-  s.right_sides = -linear.right_sides;
-  s.factorizations = -linear.factorizations;
-  s.timings.linear = -linear.seconds;
+  effort.linear_iterations = -linear.iterations;
+  effort.right_sides = -linear.right_sides;
+  effort.factorizations = -linear.factorizations;
+  effort.timings.linear = -linear.seconds;
   start_on_lattice(s, monitor);
   const auto solve = [&](double tolerance) {
-    s.report = s.newton.solve(s.prepared->problem, s.given, s.iterate, s.frictionless, tolerance,
-                              options.max_iterations, monitor);
+    s.report = newton.solve(s.prepared->problem, s.given, s.iterate, s.frictionless, tolerance, options.max_iterations,
+                            monitor);
     s.images_known = false;
   };
   if (s.frictionless || !s.prepared->problem.law->of_field())
     solve(options.tolerance);
   else
     settle_friction(s, options.tolerance, solve);
-  s.system_unknowns = linear.unknowns;
-  s.system_nonzeros = linear.unknowns * linear.unknowns;
-  s.linear_iterations += linear.iterations;
-  s.right_sides += linear.right_sides;
-  s.factorizations += linear.factorizations;
-  s.timings.linear += linear.seconds;
+  effort.unknowns = linear.unknowns;
+  effort.nonzeros = linear.unknowns * linear.unknowns;
+  effort.linear_iterations += linear.iterations;
+  effort.right_sides += linear.right_sides;
+  effort.factorizations += linear.factorizations;
+  effort.timings.linear += linear.seconds;
 }
 
 }  // namespace
 
-void solve_prepared(SolverState& s, const Options& options, Monitor& monitor) {
+void solve_prepared(Engine& engine, Solution& s, Effort& effort, const Options& options, Monitor& monitor) {
   if (s.procedure.standard()) {
-    run_standard(s, options, monitor);
+    run_standard(engine.newton, s, effort, options, monitor);
   } else {
-    if (!s.published) s.published = s.make_published();
-    s.published->run(s, options, monitor);
+    if (!engine.published) engine.published = engine.make_published();
+    engine.published->run(s, engine.newton, effort, options, monitor);
   }
   // What nodes_at_rim() looks at.
   const Problem& p = s.prepared->problem;

@@ -4,17 +4,30 @@
 #include <algorithm>
 #include <atomic>
 
-#include "contact/solution.hpp"
+#include "contact/effort.hpp"
+#include "contact/newton/report.hpp"
+#include "contact/scene/enumerators.hpp"
 #include "support/clock.hpp"
 #include "support/context.hpp"
 
 namespace rollcon {
 
+/// Asks alone whether to stop.
+class CancelOnly final : public Monitor {
+ public:
+  explicit CancelOnly(const std::atomic<bool>& cancel) : cancel_(cancel) {}
+  bool step(const StepRecord&) override { return cancel_.load(); }
+  bool cancelled() const override { return cancel_.load(); }
+
+ private:
+  const std::atomic<bool>& cancel_;
+};
+
 class Watch final : public Monitor {
  public:
-  Watch(SolverState& state, const Context& context, ProgressFunction function, void* user, std::atomic<bool>& cancel,
+  Watch(Effort& effort, const Context& context, ProgressFunction function, void* user, std::atomic<bool>& cancel,
         double start)
-      : state_(state), context_(context), function_(function), user_(user), cancel_(cancel), start_(start) {}
+      : effort_(effort), context_(context), function_(function), user_(user), cancel_(cancel), start_(start) {}
 
   bool step(const StepRecord& r) override {
     const double seconds = prepared_ > 0 ? prepared_ : now_seconds() - start_;
@@ -22,8 +35,8 @@ class Watch final : public Monitor {
     for (const double v :
          {static_cast<double>(r.part), static_cast<double>(r.iteration), r.residual_normal, r.residual_tangential,
           r.step, static_cast<double>(r.contact), static_cast<double>(r.sliding), seconds})
-      state_.history.push_back(v);
-    state_.merit.push_back(r.merit);
+      effort_.history.push_back(v);
+    effort_.merit.push_back(r.merit);
     context_.log(LogLevel::debug,
                  "%s iteration %lld: residual normal %.2e, tangential %.2e; step %.3g; %lld nodes "
                  "in contact, %lld sliding",
@@ -53,7 +66,7 @@ class Watch final : public Monitor {
   static const char* name(Part part) {
     return part == Part::normal ? "normal" : part == Part::tangential ? "tangential" : "full";
   }
-  SolverState& state_;
+  Effort& effort_;
   const Context& context_;
   ProgressFunction function_;
   void* user_;
