@@ -1,4 +1,4 @@
-/// Bodies: making, mesh, supports and loads.
+/// Implements the calls that make bodies and give them meshes, supports and loads.
 
 #include "bodies/body.hpp"
 

@@ -1,4 +1,4 @@
-/// Results of bodies.
+/// Implements the calls that return results of bodies.
 
 #include "bodies/body_results.hpp"
 

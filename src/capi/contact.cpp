@@ -1,4 +1,4 @@
-/// Contacts: making, scene.
+/// Implements the calls that make contacts and describe their scenes.
 
 #include "contact/contact.hpp"
 

@@ -1,4 +1,4 @@
-/// Results of contacts.
+/// Implements the calls that return results of contacts.
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-/// Contexts, and handles as integers.
+/// Implements the calls for contexts, and handles as integers.
 
 #include "support/context.hpp"
 

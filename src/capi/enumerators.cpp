@@ -1,4 +1,4 @@
-/// The enumerators inside the library are those of the header; this file only fails to compile.
+/// Asserts that the enumerators inside the library are those of the header; this file can only fail to compile.
 
 #include "bodies/body.hpp"
 #include "contact/contact.hpp"

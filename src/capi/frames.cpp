@@ -1,4 +1,4 @@
-/// Gaps on grids, and frames that the library makes for a caller.
+/// Implements the calls that set gaps on grids and make contact frames for a caller.
 
 #include <cstdint>
 #include <vector>
@@ -29,13 +29,13 @@ void require_length(double value, const char* name) {
   if (!(value > 0)) fail(Status::err_argument, "%s is %g; allowed: > 0", name, value);
 }
 
-/// Of a mesh whose lines of nodes have `along` and `across` of them.
+/// Checks that a mesh with `along` by `across` nodes can be numbered and stored.
 void require_room(std::int64_t along, std::int64_t across) {
   const std::int64_t nodes = along * across;
   if (nodes > INT32_MAX)
     fail(Status::err_argument, "the frame would have %lld nodes; allowed: at most %d", static_cast<long long>(nodes),
          INT32_MAX);
-  // Coordinates and elements, while arrays grow.
+  // Coordinates and elements take about this much while the arrays grow.
   const double bytes = 200.0 * static_cast<double>(nodes);
   require_memory({bytes, bytes}, "ask for fewer elements", "a frame of %lld nodes needs",
                  static_cast<long long>(nodes));

@@ -15,9 +15,9 @@ Status report(const char* function, Context* context, Status status, const char*
   try {
     context->log(LogLevel::error, "%s", last_error());
   } catch (...) {
-    // A log sink that throws: the status has to do.
+    // The log sink threw; the status alone has to report the failure.
   }
-  set_last_error(function, message);  // the sink may have had a failure of its own
+  set_last_error(function, message);  // the sink may have set an error of its own
   return status;
 }
 

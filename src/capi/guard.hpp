@@ -1,6 +1,6 @@
 #pragma once
-/// What every public function does: quiet environment, handle to object, busy flag, exceptions to statuses. Functions
-/// pass their own name: inside a lambda __func__ is not theirs.
+/// Wraps every public function: a quiet floating-point environment, handle to object, busy flag, exceptions to
+/// statuses. Functions pass their own name, because __func__ inside a lambda is the lambda's.
 
 #include <cerrno>
 #include <cstdint>
@@ -14,16 +14,16 @@
 
 namespace rollcon::capi {
 
-/// Makes "function: message" the thread's last error, and tells the context: its log and its latch.
+/// Makes "function: message" the thread's last error, and hands it to the context's log and latch.
 Status report(const char* function, Context* context, Status status, const char* message) noexcept;
 
-/// The handle is null, or not one of a live object of this kind.
+/// Reports a handle that is null or does not belong to a live object of this kind.
 std::int32_t report_handle(const char* function, Kind kind, const void* handle) noexcept;
 
-/// Makes the failure that the context's latch keeps the thread's last error.
+/// Makes the failure that the context's latch holds the thread's last error.
 std::int32_t report_latched(const Context& context) noexcept;
 
-/// Makes the thread's last caveat, and tells the context's latch.
+/// Makes the context's caveat the thread's last caveat, and hands it to the context's latch.
 void report_caveat(const char* function, Context& context, Status status) noexcept;
 
 const char* name(Kind kind) noexcept;
@@ -59,7 +59,8 @@ std::int32_t with_shared(const char* function, Kind kind, const void* handle, F&
   return guarded(function, object->context.get(), [&] { return body(*object); });
 }
 
-/// Keeps other calls off an object while it lives. err_busy: another call has it; `what` names it.
+/// Keeps other calls off an object while it lives. Throws err_busy, naming the object by `what`, if another call has
+/// it.
 class InUse {
  public:
   InUse(const Object& object, const char* what) : busy_(*object.busy) {
@@ -92,7 +93,7 @@ std::int32_t with_contact(const char* function, const rollcon_contact* handle, F
   return with_object(function, Kind::contact, handle, [&](Object& object) { return body(*object.contact); });
 }
 
-/// Of calls that change the contact, whose handle is not const.
+/// Runs the body for a call that changes the contact, whose handle is therefore not const.
 template <class F>
 std::int32_t with_contact(const char* function, rollcon_contact* handle, F&& body) noexcept {
   return with_object(function, Kind::contact, handle, [&](Object& object) {
@@ -117,7 +118,7 @@ std::int32_t with_table(const char* function, const rollcon_table* handle, F&& b
   return with_object(function, Kind::table, handle, [&](Object& object) { return body(*object.table); });
 }
 
-// Of a further argument of a call.
+// Returns the body that a further argument of a call refers to; errors give the argument's name.
 
 std::shared_ptr<Body> body_of(const rollcon_body* handle, const char* name);
 std::shared_ptr<const ForceTable> table_of(const rollcon_table* handle, const char* name);

@@ -1,4 +1,4 @@
-/// Facts about the library.
+/// Implements the calls that tell facts about the library.
 
 #include <cstring>
 

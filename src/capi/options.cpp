@@ -1,4 +1,4 @@
-/// Solver settings by name, and their table.
+/// Implements the calls that set and list solver options by name.
 
 #include "contact/scene/options.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Progress callbacks of the host.
+/// Passes progress events on to the host's callbacks.
 
 #include <cstdint>
 
@@ -7,7 +7,7 @@
 
 namespace rollcon::capi {
 
-/// Calls that of the Object that `user` points to.
+/// Calls the progress callback of the Object that `user` points to.
 std::int32_t call_progress(const Event& event, void* user);
 
 }  // namespace rollcon::capi

@@ -1,5 +1,5 @@
 #pragma once
-/// Copying results out.
+/// Copies results out to the caller's arrays.
 
 #include <cmath>
 #include <cstdint>
@@ -10,7 +10,8 @@
 
 namespace rollcon::capi {
 
-/// Sets `needed`, then says whether to copy: false for capacity 0 (only asking); throws err_capacity when too small.
+/// Sets `needed`, then says whether to copy: returns false for capacity 0, when the caller only asks; throws
+/// err_capacity when the array is too small.
 inline bool wants_copy(std::int64_t count, std::int64_t capacity, const void* to, const char* name,
                        std::int64_t* needed, const char* unit) {
   if (capacity < 0)
@@ -28,13 +29,13 @@ inline bool wants_copy(std::int64_t count, std::int64_t capacity, const void* to
   return true;
 }
 
-/// Checks the fields at n points; either may be null.
+/// Checks that the fields at n points are finite; either may be null.
 inline void require_finite_fields(std::int64_t n, const double* displacement, const double* stress) {
   if (displacement) require_finite_results(n, 3, displacement, "displacement");
   if (stress) require_finite_results(n, 6, stress, "stress");
 }
 
-/// Copies with the terminating NUL, which counts.
+/// Copies the text with its terminating NUL, which counts in capacity and `needed`.
 inline void copy_text(std::string_view from, std::int64_t capacity, char* text, std::int64_t* needed) {
   const auto count = static_cast<std::int64_t>(from.size()) + 1;
   if (!wants_copy(count, capacity, text, "text", needed, "bytes")) return;
@@ -42,14 +43,14 @@ inline void copy_text(std::string_view from, std::int64_t capacity, char* text, 
   text[from.size()] = '\0';
 }
 
-/// doubles: for each of the points in the longest array.
+/// Checks the number of points; `doubles` is how many numbers the longest array holds for each point.
 inline void require_points(std::int64_t n, std::int64_t doubles) {
   require_count(n, "n");
   if (n > PTRDIFF_MAX / (doubles * std::int64_t{sizeof(double)}))
     fail(Status::err_argument, "n is %lld: beyond the address space", static_cast<long long>(n));
 }
 
-/// names: a letter for each coordinate.
+/// Checks that the coordinates of n points are finite; `names` holds one letter for each coordinate.
 inline void require_finite_points(std::int64_t n, const double* x, std::int64_t coordinates, const char* names) {
   for (std::int64_t i = 0; i < coordinates * n; ++i)
     if (!std::isfinite(x[i]))

@@ -1,4 +1,4 @@
-/// Solving, watching, stopping.
+/// Implements the calls that solve, watch and stop a solution.
 
 #include "capi/guard.hpp"
 #include "capi/progress.hpp"
@@ -11,8 +11,8 @@ using namespace rollcon::capi;
 
 namespace {
 
-/// Events that live in callbacks of this thread, the innermost first. An event handle is an address and is compared
-/// with these before use.
+/// Lists the events that live in callbacks of this thread, the innermost first. An event handle is an address and is
+/// compared with these before use.
 struct LiveEvent {
   const Event& event;
   Context* context;

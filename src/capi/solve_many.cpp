@@ -1,4 +1,4 @@
-/// Lists of load cases.
+/// Implements the call that solves lists of load cases.
 
 #include "contact/cases/solve_many.hpp"
 
@@ -17,7 +17,7 @@ using namespace rollcon::capi;
 
 namespace {
 
-/// f(word, length) for each of the words between blanks.
+/// Calls f(word, length) for each of the words between blanks.
 template <class F>
 void each_word(const char* text, F&& f) {
   while (text && *text) {
@@ -95,7 +95,7 @@ rollcon_status rollcon_contact_solve_many(rollcon_contact* contact, const char* 
     if (n_cases > 0 && capacity > PTRDIFF_MAX / n_cases / int64_t{sizeof(double)})
       fail(Status::err_argument, "n_cases = %lld with capacity %lld is beyond the address space",
            static_cast<long long>(n_cases), static_cast<long long>(capacity));
-    // The order in which they are solved, and a status each; results are the caller's.
+    // Each case needs a place in the order of solving and a status; the results are the caller's memory.
     constexpr double bytes_per_case = 32;
     const double bytes = bytes_per_case * static_cast<double>(n_cases);
     require_memory({bytes, bytes}, "solve it in parts", "a list of %lld cases takes", static_cast<long long>(n_cases));

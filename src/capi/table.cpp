@@ -1,4 +1,4 @@
-/// Creep-force tables: making, life, results.
+/// Implements the calls that make, release and evaluate creep-force tables.
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-/// Wear of contacts and of profiles.
+/// Implements the calls for wear of contacts and of profiles.
 
 #include <algorithm>
 #include <cmath>

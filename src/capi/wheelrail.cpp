@@ -1,4 +1,4 @@
-/// Wheels on rails: making, results, contacts of patches.
+/// Implements the calls that make wheels on rails and return their results and the contacts of their patches.
 
 #include <algorithm>
 #include <utility>
@@ -14,8 +14,8 @@ using namespace rollcon::capi;
 
 namespace {
 
-/// One object for each contact, whose handles may be many: its callback belongs to the contact. Those that the wheel
-/// on its rail has replaced and nobody else knows go.
+/// Returns the one object of a contact, which may have many handles, because its callback belongs to the contact.
+/// Objects of contacts that the wheel on its rail has replaced and nobody else knows are dropped.
 std::shared_ptr<Object> object_of(Object& owner, const std::shared_ptr<Contact>& contact) {
   std::erase_if(owner.patches, [](const auto& p) { return p.use_count() == 1 && p->contact.use_count() == 1; });
   const auto known = std::find_if(owner.patches.begin(), owner.patches.end(),

@@ -1,4 +1,4 @@
-/// Wheelsets on rails, both sides together.
+/// Implements the calls for the geometry of wheelsets on rails, both sides together.
 
 #include "capi/guard.hpp"
 #include "support/input_checks.hpp"
@@ -9,7 +9,7 @@ using namespace rollcon::capi;
 
 namespace {
 
-/// f(geometry) with both wheels for itself alone.
+/// Calls f(geometry) while both wheels are held for this call alone.
 template <class F>
 rollcon_status with_wheelset(const char* function, rollcon_wheelrail* left, rollcon_wheelrail* right, F&& f) {
   return with_wheelrail(function, left, [&](WheelRail& one) {
@@ -24,7 +24,7 @@ rollcon_status with_wheelset(const char* function, rollcon_wheelrail* left, roll
   });
 }
 
-/// Those of the caller, one after the other; texts say which one failed.
+/// Calls f for each of the caller's values in turn; error texts say which one failed.
 template <class F>
 void for_each_entry(std::int64_t n, const double* value, const char* name, F&& f) {
   require_count(n, "n");

@@ -1,5 +1,5 @@
 #pragma once
-/// Convex polygons in the plane, cut by lines.
+/// Represents convex polygons in the plane, and cuts them by lines.
 
 #include <vector>
 
@@ -7,20 +7,20 @@
 
 namespace rollcon {
 
-/// Corners counter-clockwise.
+/// The corners run counter-clockwise.
 using Polygon = std::vector<Vec2>;
 
-/// Signed, positive when counter-clockwise; any simple polygon.
+/// Returns the signed area of any simple polygon, positive when its corners run counter-clockwise.
 double area(const Polygon& p);
 
-/// Whether the point is inside or on the edge.
+/// Says whether the point is inside or on the edge.
 bool holds(const Polygon& p, const Vec2& point);
 
-/// Left (and on the line): what lies to the left of the line from a to b; right, if wanted: the rest. Both overwritten,
-/// empty when nothing is left.
+/// Splits the polygon by the line from a to b: `left` receives what lies to the left of it or on it, `right`, unless
+/// null, the rest. Both are overwritten, and empty when nothing is left.
 void cut(const Polygon& p, const Vec2& a, const Vec2& b, Polygon& left, Polygon* right);
 
-/// The part of both; `work` is scratch.
+/// Computes the part that both polygons cover; `work` is scratch.
 void intersect(const Polygon& p, const Polygon& q, Polygon& common, Polygon& work);
 
 /// Removes from `rest` what `q` covers and calls hit(part) for each part removed, all convex.

@@ -14,16 +14,17 @@
 namespace rollcon {
 namespace {
 
-/// How far faces may lie off a layer element, over its diameter: more than the height of an arc of 90 degrees over its
-/// chord.
+/// The distance up to which a face may lie off a layer element, over the element's diameter, exceeds the height of an
+/// arc of 90 degrees over its chord.
 constexpr double reach = 0.25;
-/// Least cosine between a face and the element it lies under: walls at an edge do not count.
+/// The least cosine between a face and the element it lies under keeps walls at an edge from counting.
 constexpr double least_cosine = 0.05;
-/// Over the element's area: pieces below are rounding; what stays uncovered above is looked for.
+/// Pieces below the first fraction of the element's area are rounding; an uncovered area above the second is looked
+/// for.
 constexpr double least_piece = 1e-15, covered = 1e-12;
 constexpr int most_points = 16;
 
-/// Rules with n = 1, 2, ... points each way.
+/// Returns the rule with n = 1, 2, ... points each way.
 const PlaneRule& rule(int n) {
   static const std::vector<PlaneRule> rules = [] {
     std::vector<PlaneRule> r;
@@ -33,7 +34,7 @@ const PlaneRule& rule(int n) {
   return rules[at(std::clamp(n, 1, most_points) - 1)];
 }
 
-/// Total degree of the shape functions.
+/// Returns the total degree of the shape functions.
 int degree(ElementType type) {
   if (corner_count(type) == 3) return is_quadratic(type) ? 2 : 1;
   return type == ElementType::quad4 ? 2 : type == ElementType::quad8 ? 3 : 4;
@@ -52,14 +53,14 @@ struct ElementCoupling::Side {
   Side(const SurfaceMesh& mesh, std::int64_t e, const PlaneChart& on)
       : element(e), type(mesh.type[at(e)]), patch(mesh, e), map(patch, on), chart(on), p(map.middle()) {}
 
-  /// Area of the element over that of its projection.
+  /// Returns the area of the element over that of its projection.
   double slope() const {
     const auto d = patch.at(p.xi, p.eta);
     const Vec3 normal = cross(d.u, d.v);
     return length(normal) / std::max(std::abs(dot(chart.n, normal)), least_cosine * length(normal));
   }
-  /// Points that the map needs on a triangle beyond those for polynomials: its inverse has a root where the Jacobian,
-  /// here linear, vanishes, r = least over largest Jacobian at the corners.
+  /// Returns the least over the largest Jacobian at the corners, r. The inverse of the map has a root where the
+  /// Jacobian, here linear, vanishes; r tells how many points a triangle needs beyond those for polynomials.
   double ratio(const Vec2& a, const Vec2& b, const Vec2& c) {
     if (map.affine()) return 1;
     double least = std::numeric_limits<double>::infinity(), most = 0;
@@ -122,7 +123,8 @@ std::span<const CoupledNode> ElementCoupling::integrate(std::int64_t element) {
       }
   std::vector<Polygon> rest;
   if (!(std::abs(found - size) <= covered * size)) {
-    // Faces that leave a part bare or lie over one another: one after the other, nearest first.
+    // Some faces leave a part bare or lie over one another; they take what they cover one after the other, nearest
+    // first.
     piece.clear();
     std::vector<std::size_t> order(under_.size());
     for (std::size_t u = 0; u < order.size(); ++u) order[u] = u;
@@ -187,8 +189,8 @@ void ElementCoupling::bare(const Polygon& piece, Side& upper) {
   }
 }
 
-// Between a curved side and its two chords, positive where the side bulges out. The neighbour's points are the same
-// with the other sign.
+// Adds the areas between curved sides and their two chords, positive where the side bulges out. The neighbour's points
+// are these with the other sign.
 void ElementCoupling::slivers(const PlaneChart& chart, Side& upper) {
   if (!is_quadratic(upper.type)) return;
   static const LineRule along = gauss_legendre(4), across = gauss_legendre(2);
@@ -197,7 +199,7 @@ void ElementCoupling::slivers(const PlaneChart& chart, Side& upper) {
   for (std::size_t i = 0; i < corners; ++i) {
     const Vec2 p = chart(layer_.node[at(nodes[i])]), q = chart(layer_.node[at(nodes[(i + 1) % corners])]),
                m = chart(layer_.node[at(nodes[corners + i])]);
-    // Parabola p + s (q - p) + 4 s (1 - s) bulge.
+    // The side is the parabola p + s (q - p) + 4 s (1 - s) bulge.
     const Vec2 side = q - p, bulge{m[0] - 0.5 * (p[0] + q[0]), m[1] - 0.5 * (p[1] + q[1])};
     if (std::abs(cross(side, bulge)) <= 1e-12 * (side[0] * side[0] + side[1] * side[1])) continue;
     for (const double half : {0.0, 0.5})
@@ -215,7 +217,7 @@ void ElementCoupling::slivers(const PlaneChart& chart, Side& upper) {
   }
 }
 
-// A point on its own: on the face under it, else on the nearest one.
+// Couples a single point to the face under it, or to the nearest face if none is under it.
 void ElementCoupling::at_point(const Vec2& y, double area, Side& upper) {
   upper.map.invert(y, upper.p);
   area *= upper.slope();
@@ -238,7 +240,7 @@ void ElementCoupling::at_point(const Vec2& y, double area, Side& upper) {
   add(above, point.element, below, area);
 }
 
-// An element too warped for its outline.
+// Couples an element that is too warped for its outline to the nearest faces, point by point.
 void ElementCoupling::to_nearest(std::int64_t element) {
   Shape below;
   integrate_element(layer_, element, [&](const Shape& shape, const Vec3& x, double area) {
@@ -266,8 +268,8 @@ void ElementCoupling::add(const Shape& upper, std::int64_t face, const Shape& lo
   }
 }
 
-// Pieces of curved or distorted elements are not integrated exactly. What is missing of int N_j is shared out like the
-// element's loads under a constant traction, which thus keep their proportions.
+// Corrects the integrals, which are not exact over pieces of curved or distorted elements. What is missing of int N_j
+// is distributed like the element's loads under a constant traction, which thus keep their proportions.
 void ElementCoupling::settle(std::int64_t element) {
   std::array<double, max_element_nodes> missing{};
   integrate_element(layer_, element, [&](const Shape& shape, const Vec3&, double area) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Couples one element of a layer with the faces of a body under it, see surface_coupling.hpp.
+/// Couples one element of a layer with the faces of a body under it; surface_coupling.hpp says how.
 
 #include <array>
 #include <cstdint>
@@ -12,28 +12,28 @@
 
 namespace rollcon {
 
-/// Integrals of N_i N_j for one node i of the body and all nodes j of the layer's element.
+/// Holds the integrals of N_i N_j for one node i of the body and all nodes j of the layer's element.
 struct CoupledNode {
   std::int32_t node;
   std::array<double, max_element_nodes> value;
 };
 
-/// Workspace for the elements of a layer, one after the other.
+/// Couples the elements of a layer, one after the other, in one workspace.
 class ElementCoupling {
  public:
   ElementCoupling(const SurfaceMesh& body, const SurfaceSearch& faces, const SurfaceMesh& layer)
       : body_(body), faces_(faces), layer_(layer), place_(static_cast<std::size_t>(body.nodes()), -1) {}
 
-  /// Faces near the element.
+  /// Returns the faces near the element.
   std::span<const std::int64_t> candidates(std::int64_t element);
-  /// Of the candidates found last.
+  /// Returns the integrals with the candidates found last.
   std::span<const CoupledNode> integrate(std::int64_t element);
 
  private:
   struct Side;  ///< one of the two elements that share a piece
   struct Under {
     std::int64_t face;
-    double height;  ///< of its middle above or below the element's
+    double height;  ///< height of the face's middle above or below the element's
     std::vector<Polygon> part;
   };
 
@@ -53,7 +53,7 @@ class ElementCoupling {
   std::vector<std::int64_t> candidate_;
   std::vector<Under> under_;
   std::vector<CoupledNode> row_;
-  std::vector<std::int32_t> place_;  ///< of each node of the body in row_, -1: none
+  std::vector<std::int32_t> place_;  ///< index in row_ of each node of the body, -1: none
   std::size_t columns_ = 0;
 };
 

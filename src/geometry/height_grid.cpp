@@ -10,12 +10,12 @@
 namespace rollcon {
 namespace {
 
-// Slope at point `at` (from 0) of the polynomial through `count` values at 0, 1, 2, ...
+// Returns the slope at point `at` (from 0) of the polynomial through `count` values at 0, 1, 2, ...
 template <class Value>
 double slope(std::int64_t count, std::int64_t at, const Value& value) {
   double sum = 0;
   for (std::int64_t j = 0; j < count; ++j) {
-    // Of the j-th Lagrange polynomial.
+    // The weight is the slope of the j-th Lagrange polynomial.
     double weight = 0;
     for (std::int64_t m = 0; m < count; ++m) {
       if (m == j) continue;
@@ -29,7 +29,7 @@ double slope(std::int64_t count, std::int64_t at, const Value& value) {
   return sum;
 }
 
-// Slopes along a row of points from the finite values of `of`.
+// Computes slopes along a row of points from the finite values of `of`.
 template <class Of, class To>
 void slopes(std::int64_t points, const Of& of, const To& to) {
   constexpr std::int64_t most = 5;
@@ -49,7 +49,7 @@ void slopes(std::int64_t points, const Of& of, const To& to) {
   }
 }
 
-// Cubic from values f and slopes d at 0 and 1.
+// Evaluates the cubic with values f and slopes d at 0 and 1.
 double cubic(double t, double f0, double d0, double f1, double d1) {
   const double s = 1 - t;
   return s * s * ((1 + 2 * t) * f0 + t * d0) + t * t * ((1 + 2 * s) * f1 - s * d1);
@@ -57,11 +57,11 @@ double cubic(double t, double f0, double d0, double f1, double d1) {
 
 struct Cell {
   std::int64_t first = -1;
-  double part = 0;  ///< 0 to 1
+  double part = 0;  ///< position in the cell, 0 to 1
 };
 
 Cell cell(double x, double least, double spacing, std::int64_t points) {
-  constexpr double rounding = 1e-9;  // of an interval
+  constexpr double rounding = 1e-9;  // fraction of an interval
   const double place = (x - least) / spacing, last = static_cast<double>(points - 1);
   if (!(place >= -rounding && place <= last + rounding)) return {};
   const double first = std::clamp(std::floor(place), 0.0, last - 1);
@@ -88,7 +88,7 @@ HeightGrid::HeightGrid(const GridPlace& place, const double* value) : place_(pla
 double HeightGrid::operator()(double x, double y) const {
   const Cell a = cell(x, place_.x_least, spacing_x(), place_.nx), b = cell(y, place_.y_least, spacing_y(), place_.ny);
   if (a.first < 0 || b.first < 0) return std::numeric_limits<double>::infinity();
-  // Points between two cells belong to both, and the surface may end there.
+  // Points between two cells belong to both; the surface may end there.
   constexpr double rounding = 1e-9;
   const auto cells = [](const Cell& c) {
     std::array<Cell, 2> both{c, c};
@@ -118,7 +118,7 @@ double HeightGrid::in_cell(std::int64_t i, double s, std::int64_t j, double t) c
 }
 
 bool HeightGrid::ends_at(double x, double y) const {
-  constexpr double beside = 1e-6;  // of an interval
+  constexpr double beside = 1e-6;  // fraction of an interval
   const double dx = beside * spacing_x(), dy = beside * spacing_y();
   for (const double sx : {-dx, 0.0, dx})
     for (const double sy : {-dy, 0.0, dy}) {

@@ -21,7 +21,7 @@ Vec3 MeshSurface::smooth_normal(const SurfacePoint& point) const {
   return (1 / length(n)) * n;
 }
 
-/// How far the smooth surface lies beyond the facet in that direction.
+/// Returns how far the smooth surface lies beyond the facet in that direction.
 double MeshSurface::height_over_facet(const SurfacePoint& p, const Vec3& along) const {
   constexpr double steepest = 0.1;
   const std::size_t e = at(p.element), first = at(mesh_.offset[e]);
@@ -63,8 +63,8 @@ std::optional<Vec3> MeshSurface::normal(const Vec3& from, const Vec3& direction,
   const bool at_edge =
       std::any_of(nodes.begin(), nodes.end(), [&](std::int32_t k) { return start[at(k) + 1] - start[at(k)] > 1; });
   if (!at_edge) return n;
-  // The faces around, a little off the line; those at the same edge are no further along it.
-  constexpr double aside = 1e-6, same = 1e-4;  // part of the element's size; 1 - cosine
+  // The faces around are probed a little off the line; a face at the same edge is no further along it.
+  constexpr double aside = 1e-6, same = 1e-4;  // fraction of the element's size; 1 - cosine
   const double off = aside * element_diameter(mesh_, hit->element);
   const Vec3 u = normalized(cross(direction, std::abs(direction[0]) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
   const Vec3 v = cross(direction, u);

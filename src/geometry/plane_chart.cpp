@@ -11,10 +11,10 @@ namespace rollcon {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-/// Sine of the angle that makes a polygon's corner, not rounding of a straight line.
+/// The sine of the angle from which a corner of a polygon counts tells it from rounding of a straight line.
 constexpr double straight = 1e-13;
 
-/// Nodes along the element's edge, and the local number of the one at place i.
+/// Returns the number of nodes along the element's edge.
 int ring_size(ElementType type) {
   return is_quadratic(type) ? 2 * corner_count(type) : corner_count(type);
 }
@@ -22,7 +22,7 @@ int ring(ElementType type, int i) {
   return is_quadratic(type) ? i / 2 + (i % 2) * corner_count(type) : i;
 }
 
-/// Triangles of local nodes that make up the element, for outlines that are not convex.
+/// Returns the triangles of local nodes that make up the element, for outlines that are not convex.
 std::span<const std::array<int, 3>> triangles(ElementType type) {
   static constexpr std::array<int, 3> tri3[] = {{0, 1, 2}}, tri6[] = {{0, 3, 5}, {3, 1, 4}, {4, 2, 5}, {3, 4, 5}},
                                       quad4[] = {{0, 1, 2}, {0, 2, 3}},
@@ -44,7 +44,7 @@ std::span<const std::array<int, 3>> triangles(ElementType type) {
   return {};
 }
 
-/// Leaves out corners on a straight line; false when the polygon is not convex.
+/// Leaves out corners on a straight line; returns false when the polygon is not convex.
 bool make_convex(Polygon& p) {
   Polygon corner;
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -126,7 +126,7 @@ double PlaneMap::invert(const Vec2& y, ReferencePoint& p) const {
         f[k] = c_[0][0][k] + p.xi * u[k] + p.eta * v[k] - y[k];
         continue;
       }
-      double g[3], h[3];  // Horner in eta for each power of xi
+      double g[3], h[3];  // Horner's rule in eta for each power of xi
       for (int i = 0; i < 3; ++i) {
         g[i] = c_[i][0][k] + p.eta * (c_[i][1][k] + p.eta * c_[i][2][k]);
         h[i] = c_[i][1][k] + 2 * p.eta * c_[i][2][k];

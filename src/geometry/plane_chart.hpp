@@ -1,6 +1,6 @@
 #pragma once
-/// Surface elements seen along a direction: their outlines in a plane, and the element's point over a point of the
-/// plane.
+/// Sees surface elements along a direction: gives their outlines in a plane, and the element's point over a point of
+/// the plane.
 
 #include <vector>
 
@@ -9,11 +9,11 @@
 
 namespace rollcon {
 
-/// A plane with unit vectors a, b and the normal n = a x b along which is projected.
+/// Holds a plane with unit vectors a, b and the normal n = a x b along which is projected.
 struct PlaneChart {
   Vec3 origin, a, b, n;
 
-  /// The mean plane of an element, origin at its first node.
+  /// Takes the mean plane of an element, with the origin at its first node.
   PlaneChart(const SurfaceMesh& mesh, std::int64_t element);
   Vec2 operator()(const Vec3& x) const {
     const Vec3 d = x - origin;
@@ -22,25 +22,25 @@ struct PlaneChart {
   double height(const Vec3& x) const { return dot(n, x - origin); }
 };
 
-/// Twice the vector area of the polygon through the element's nodes on its edge.
+/// Returns twice the vector area of the polygon through the element's nodes on its edge.
 Vec3 outline_normal(const SurfaceMesh& mesh, std::int64_t element);
 
-/// The element's outline in the plane, sides of quadratic elements as two chords, as one convex polygon or several that
-/// make it up; parts that look away are left out.
+/// Computes the element's outline in the plane, with sides of quadratic elements as two chords, as one convex polygon
+/// or several that make it up; parts that look away are left out.
 void outline(const SurfaceMesh& mesh, std::int64_t element, const PlaneChart& chart, std::vector<Polygon>& part);
 
-/// The element's coordinates in the plane as polynomials of its reference coordinates.
+/// Represents the element's coordinates in the plane as polynomials of its reference coordinates.
 class PlaneMap {
  public:
   PlaneMap(const SurfacePatch& patch, const PlaneChart& chart);
 
   bool affine() const { return affine_; }
-  /// Whether the element lies in a plane parallel to the chart's.
+  /// Says whether the element lies in a plane parallel to the chart's.
   bool flat() const { return flat_; }
-  /// Newton's method from p: the reference point over y. Stays within a quarter of an element beyond the edge, where
-  /// the map may turn over. Returns the Jacobian there.
+  /// Finds the reference point over y by Newton's method from p. Stays within a quarter of an element beyond the edge,
+  /// where the map may turn over. Returns the Jacobian there.
   double invert(const Vec2& y, ReferencePoint& p) const;
-  /// A start for it.
+  /// Returns a start for invert().
   ReferencePoint middle() const { return triangle_ ? ReferencePoint{1.0 / 3, 1.0 / 3} : ReferencePoint{0, 0}; }
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// Where a body stands: x = rotation * x_body + translation.
+/// Says where a body stands: x = rotation * x_body + translation.
 
 #include "mesh/vec3.hpp"
 
@@ -10,15 +10,15 @@ struct Pose {
   Vec3 translation{0, 0, 0};
 
   bool operator==(const Pose&) const = default;
-  /// Vectors: body axes to space, and back.
+  /// Rotates vectors from body axes to space, and back.
   Vec3 turn(const Vec3& v) const { return {dot(rotation[0], v), dot(rotation[1], v), dot(rotation[2], v)}; }
   Vec3 turn_back(const Vec3& v) const { return v[0] * rotation[0] + v[1] * rotation[1] + v[2] * rotation[2]; }
-  /// Points.
+  /// Moves points from body axes to space, and back.
   Vec3 place(const Vec3& x) const { return turn(x) + translation; }
   Vec3 to_body(const Vec3& x) const { return turn_back(x - translation); }
 };
 
-/// b as seen from a.
+/// Returns the pose of b as seen from a.
 inline Pose relative(const Pose& a, const Pose& b) {
   Pose pose;
   for (std::size_t i = 0; i < 3; ++i) {

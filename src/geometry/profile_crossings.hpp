@@ -1,5 +1,5 @@
 #pragma once
-/// Where a function of y and z vanishes along a profile.
+/// Finds where a function of y and z vanishes along a profile.
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,8 @@
 
 namespace rollcon {
 
-/// Root of a function with values of either sign at both ends: Newton's steps, halved where they leave the bracket or
-/// shrink it too little.
+/// Finds the root of a function whose values at both ends differ in sign, by Newton's steps, halved where they leave
+/// the bracket or shrink it too little.
 template <class Value, class Slope>
 double bracketed_root(double a, double b, double value_a, Value value, Slope slope) {
   const double smallest = 1e-16 * std::max(std::abs(a), std::abs(b));
@@ -30,9 +30,10 @@ double bracketed_root(double a, double b, double value_a, Value value, Slope slo
   return u;
 }
 
-/// f.value(x); f.slope(x, d), its derivative in direction d; f.range(box), bounds of its values; f.inside(x) > 0 where
-/// it is defined. visit(point, piece, parameter) hears of each crossing in the order of arc length, of those on a joint
-/// of two intervals twice perhaps. Two crossings of one interval are found by the extremum between them.
+/// Calls visit(point, piece, parameter) at each crossing in the order of arc length, perhaps twice at those on a joint
+/// of two intervals. Two crossings of one interval are found by the extremum between them. The function has f.value(x),
+/// f.slope(x, d), its derivative in direction d, f.range(box), bounds of its values, and f.inside(x), which is positive
+/// where it is defined.
 template <class Function, class Visit>
 class Crossings {
  public:
@@ -112,7 +113,7 @@ class Crossings {
   const Function& f_;
   Visit& visit_;
   std::size_t piece_ = 0;
-  double before_ = 0;  ///< with the sign of the value at the end of the interval before; 0: unknown
+  double before_ = 0;  ///< value at the end of the interval before, of which the sign counts; 0: unknown
 };
 
 template <class Function, class Visit>

@@ -23,7 +23,7 @@ ProfilePoint point_of(const ProfilePiece& p, double u) {
   return {p.start + chord * (c * p.along + s * side), tangent, p.curvature * Vec2{-tangent[1], tangent[0]}};
 }
 
-/// Length of a cubic up to u, by Gauss's rule with 5 points.
+/// Returns the length of a cubic up to u, by Gauss's rule with 5 points.
 double length_to(const ProfilePiece& p, double u) {
   if (is_arc(p)) return u;
   constexpr std::array<double, 3> x{0, 0.5384693101056831, 0.9061798459386640};
@@ -37,7 +37,7 @@ double length_to(const ProfilePiece& p, double u) {
   return sum * u / 2;
 }
 
-/// Parameter at which a cubic has that length.
+/// Returns the parameter at which a cubic has that length.
 double parameter_at(const ProfilePiece& p, double s) {
   if (is_arc(p)) return s;
   double u = s;
@@ -60,7 +60,7 @@ ProfileBox box_of(std::initializer_list<Vec2> points, double more) {
   return box;
 }
 
-/// By the control points of a cubic; of an arc by its chord and height.
+/// Bounds a cubic by its control points, an arc by its chord and height.
 ProfileBox box_of(const ProfilePiece& p, double from, double to) {
   const ProfilePoint a = point_of(p, from), b = point_of(p, to);
   if (is_arc(p)) {
@@ -71,7 +71,7 @@ ProfileBox box_of(const ProfilePiece& p, double from, double to) {
   return box_of({a.x, b.x, a.x + third * a.d1, b.x - third * b.d1}, 0);
 }
 
-/// Of a line of constant y.
+/// Vanishes on the line of constant y.
 struct UprightLine {
   double y;
   double inside(const Vec2&) const { return 1; }

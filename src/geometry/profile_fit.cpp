@@ -12,7 +12,7 @@ namespace {
 
 struct NamedPoint {
   Vec2 x;
-  std::size_t number;  ///< of the caller's points
+  std::size_t number;  ///< the caller's number of the point
 };
 
 void require_points(const std::vector<Vec2>& point, const PointName& name) {
@@ -27,7 +27,7 @@ void require_points(const std::vector<Vec2>& point, const PointName& name) {
 }
 
 std::vector<NamedPoint> without_close_ones(const std::vector<Vec2>& point) {
-  constexpr double close = 1e-3;  // of the usual distance
+  constexpr double close = 1e-3;  // fraction of the usual distance
   std::vector<double> distance;
   for (std::size_t i = 1; i < point.size(); ++i)
     if (const double d = length(point[i] - point[i - 1]); d > 0) distance.push_back(d);
@@ -39,14 +39,14 @@ std::vector<NamedPoint> without_close_ones(const std::vector<Vec2>& point) {
   std::vector<NamedPoint> kept{{point.front(), 0}};
   for (std::size_t i = 1; i < point.size(); ++i)
     if (length(point[i] - kept.back().x) > least) kept.push_back({point[i], i});
-  // The ends stay where they are.
+  // The end points stay where they are.
   if (kept.size() > 1) kept.back() = {point.back(), point.size() - 1};
   if (kept.size() < 2) kept.push_back({point.back(), point.size() - 1});
   return kept;
 }
 
-/// Forth, back and forth again: measured so, or joined from two measurements. Of many points the outermost may be
-/// wrong.
+/// Replaces by means the points where the path goes forth, back and forth again, because it was measured so or joined
+/// from two measurements. The outermost of many points may be wrong.
 void straighten_zigzags(std::vector<NamedPoint>& point, const PointName& name, std::string& told) {
   constexpr std::size_t enough = 10;
   const auto turns_back = [&](std::size_t i) {
@@ -83,8 +83,8 @@ void straighten_zigzags(std::vector<NamedPoint>& point, const PointName& name, s
   }
 }
 
-/// Means of neighbours over a part of the filter's length: of points closer than their noise, whose path goes to and
-/// fro.
+/// Replaces points by means of neighbours over a fraction of the filter's length, where points are closer than their
+/// noise and the path goes to and fro.
 std::vector<NamedPoint> means_over(const std::vector<NamedPoint>& point, double reach) {
   std::vector<NamedPoint> mean{point.front()};
   for (std::size_t i = 1; i + 1 < point.size();) {
@@ -104,8 +104,8 @@ double path_of(const std::vector<NamedPoint>& point) {
   return path;
 }
 
-/// In the order of the path. Where there is a filter, and noise makes the path longer than that of means, those stand
-/// for the points: the filter would take the way to and fro for length.
+/// Brings points into the order of the path. Where there is a filter, and noise makes the path longer than that of
+/// means, the means stand for the points, because the filter would take the way to and fro for length.
 std::vector<NamedPoint> along_the_path(std::vector<NamedPoint> point, double filter_length, const PointName& name,
                                        std::string& told) {
   constexpr double part = 1.0 / 24, longer = 1.01;
@@ -121,7 +121,7 @@ double turn(const Vec2& before, const Vec2& x, const Vec2& after) {
   return std::abs(std::atan2(cross(x - before, after - x), dot(x - before, after - x)));
 }
 
-/// Direction of the line that fits some points best; it goes from the first to the last.
+/// Returns the direction of the line that fits some points best; it goes from the first to the last.
 Vec2 direction_of(const Vec2* first, std::ptrdiff_t n) {
   Vec2 mean{0, 0};
   for (std::ptrdiff_t i = 0; i < n; ++i) mean = mean + (1.0 / static_cast<double>(n)) * first[i];
@@ -137,8 +137,8 @@ Vec2 direction_of(const Vec2* first, std::ptrdiff_t n) {
   return dot(along, first[n - 1] - first[0]) < 0 ? -1.0 * along : along;
 }
 
-/// Whether the curve turns at a point by so much as lines say that fit what is within reach on both sides: noise does
-/// not. Fewer than four points tell nothing.
+/// Says whether the curve turns at a point by as much as lines say that fit what is within reach on both sides; noise
+/// does not make it turn so. Fewer than four points tell nothing.
 bool turns_by(const std::vector<Vec2>& x, std::size_t k, double reach, double least) {
   constexpr std::ptrdiff_t few = 4;
   const auto n = static_cast<std::ptrdiff_t>(x.size()), at = static_cast<std::ptrdiff_t>(k);
@@ -151,8 +151,8 @@ bool turns_by(const std::vector<Vec2>& x, std::size_t k, double reach, double le
   return std::abs(std::atan2(cross(before, after), dot(before, after))) >= least;
 }
 
-/// Points at which the curve turns by far more than beside them, in points to be filtered over what a fourth of that
-/// length says, too.
+/// Returns the points at which the curve turns by far more than beside them, in points to be filtered also by what
+/// lines over a fourth of that length say.
 std::vector<std::size_t> kinks_of(const std::vector<Vec2>& x, double filter_length) {
   constexpr double least = std::numbers::pi / 6, others = 1.0 / 3, part = 0.25, nearly = 0.8;
   std::vector<double> angle(x.size(), 0);
@@ -165,8 +165,8 @@ std::vector<std::size_t> kinks_of(const std::vector<Vec2>& x, double filter_leng
   return found;
 }
 
-/// Second derivatives at the knots of the spline with these first ones at its ends, null: one that has a third one
-/// continuous at the last knot but one, too.
+/// Returns the second derivatives at the knots of the spline that has the given first derivatives at its ends; null
+/// stands for a third derivative continuous at the last knot but one.
 std::vector<double> second_derivatives(const std::vector<double>& h, const std::vector<double>& y, const double* begin,
                                        const double* end) {
   const std::size_t n = y.size();
@@ -232,13 +232,13 @@ void smooth_points(std::vector<Vec2>& point, double filter_length) {
     weight[i - 1] += h / 2;
     weight[i] += h / 2;
   }
-  // Lengths count in those of the filter: numbers stay moderate.
+  // Lengths are scaled by the filter's, which keeps the numbers moderate.
   const double unit = filter_length / (2 * std::numbers::pi);
   for (std::size_t i = 0; i < n; ++i) {
     s[i] /= unit;
     weight[i] /= unit;
   }
-  // Third derivatives from four points each: 6 times divided differences.
+  // Third derivatives are 6 times the divided differences of four points each.
   const std::size_t rows = n - 3;
   std::vector<Band> third(rows);
   for (std::size_t i = 0; i < rows; ++i)
@@ -248,7 +248,8 @@ void smooth_points(std::vector<Vec2>& point, double filter_length) {
         if (j != k) product *= s[i + k] - s[i + j];
       third[i][k] = 6 / product;
     }
-  // (D W^-1 D' + G^-1) v = D x, then x - W^-1 D' v; G: length of curve for which a third derivative stands.
+  // The system is (D W^-1 D' + G^-1) v = D x, then x - W^-1 D' v; G holds the length of curve for which a third
+  // derivative stands.
   std::vector<Band> matrix(rows, Band{});
   std::vector<Vec2> v(rows, Vec2{0, 0});
   for (std::size_t i = 0; i < rows; ++i) {
@@ -267,7 +268,7 @@ std::vector<ProfilePiece> spline_through(const std::vector<Vec2>& x, const Vec2*
   std::vector<double> h(n - 1), y(n);
   for (std::size_t i = 0; i + 1 < n; ++i) h[i] = length(x[i + 1] - x[i]);
   std::vector<ProfilePiece> piece(n - 1);
-  // With the lengths of the pieces from the round before; four are as good as any number of them.
+  // Each round takes the lengths of the pieces from the round before; four are as good as any number of them.
   for (int round = 0; round < 5; ++round) {
     for (std::size_t c = 0; c < 2; ++c) {
       for (std::size_t i = 0; i < n; ++i) y[i] = x[i][c];
@@ -290,8 +291,8 @@ std::vector<ProfilePiece> spline_through(const std::vector<Vec2>& x, const Vec2*
 
 namespace {
 
-/// A spline through each run of points whose distances do not jump. The coarser of two runs that meet takes the finer
-/// one's direction there: curvature, continuous elsewhere, would carry a long chord far away.
+/// Lays a spline through each run of points whose distances do not jump. The coarser of two runs that meet takes the
+/// finer one's direction there: a continuous curvature would carry a long chord far away.
 std::vector<ProfilePiece> splines_of_runs(const std::vector<Vec2>& x, int& jumps) {
   constexpr double jump = 5;
   const auto chord = [&](std::size_t i) { return length(x[i + 1] - x[i]); };
@@ -302,7 +303,7 @@ std::vector<ProfilePiece> splines_of_runs(const std::vector<Vec2>& x, int& jumps
   joint.push_back(x.size() - 1);
   const std::size_t runs = joint.size() - 1;
   std::vector<std::vector<ProfilePiece>> run(runs);
-  // A finer neighbour takes nothing from a coarser one: what waits for none on its right comes first, from the left.
+  // A finer run takes nothing from a coarser one: runs that wait for none on their right come first, from the left.
   for (const bool waits : {false, true})
     for (std::size_t k = 0; k < runs; ++k) {
       const std::size_t r = waits ? runs - 1 - k : k, from = joint[r], to = joint[r + 1];
@@ -320,7 +321,7 @@ std::vector<ProfilePiece> splines_of_runs(const std::vector<Vec2>& x, int& jumps
   return all;
 }
 
-/// How far pieces leave their chords.
+/// Returns how far pieces leave their chords.
 double farthest(const ProfileCurve& curve) {
   double far = 0;
   for (std::size_t i = 0; i < curve.pieces().size(); ++i) {
@@ -356,7 +357,8 @@ ProfileCurve profile_through(const std::vector<Vec2>& point, double filter_lengt
     std::vector<Vec2> part(x.begin() + static_cast<std::ptrdiff_t>(from),
                            x.begin() + static_cast<std::ptrdiff_t>(to) + 1);
     smooth_points(part, filter_length);
-    // Smoothing moves the two curves that meet in a kink by different amounts: they go on from where the first ends.
+    // Smoothing moves the two curves that meet in a kink by different amounts, so the second goes on from where the
+    // first ends.
     if (from > 0) part.front() = joint;
     joint = part.back();
     const std::vector<ProfilePiece> more = splines_of_runs(part, jumps);

@@ -72,7 +72,8 @@ Pieces chain(Parameters p) {
   return all;
 }
 
-/// Of the circle about `centre`, on the side of greater z (side 1) or less (-1), between two values of y.
+/// Returns an arc of the circle about `centre`, on the side of greater z (side 1) or less (-1), between two values of
+/// y.
 ProfilePiece arc_between(double from, double to, const Vec2& centre, double radius, double side) {
   const double first = std::asin((from - centre[0]) / radius), last = std::asin((to - centre[0]) / radius);
   const Vec2 start{from, centre[1] + side * radius * std::cos(first)};
@@ -85,7 +86,7 @@ double polynomial(std::span<const double> c, double y) {
   return sum;
 }
 
-/// A spline so fine that it is the polynomial within 1e-10 mm, as arc length has no closed form.
+/// Adds a spline so fine that it is the polynomial within 1e-10 mm, because its arc length has no closed form.
 void add_polynomial(Pieces& all, std::span<const double> coefficient, double from, double to, double step) {
   const std::int64_t parts = to_index(std::ceil((to - from) / step));
   std::vector<Vec2> point;
@@ -97,7 +98,7 @@ void add_polynomial(Pieces& all, std::span<const double> coefficient, double fro
   all.insert(all.end(), fit.begin(), fit.end());
 }
 
-/// EN 13715, in mm.
+/// Builds the wheel of EN 13715, in mm.
 Pieces s1002() {
   constexpr double slope = -0.066666667, rise = 1.364323640;
   constexpr double tread[] = {0,
@@ -124,7 +125,7 @@ Pieces s1002() {
   return all;
 }
 
-/// EN 13674-1 to the digits of the Manchester benchmark's rail, in mm.
+/// Builds the rail of EN 13674-1 to the digits of the Manchester benchmark's rail, in mm.
 Pieces e60() {
   constexpr Vec2 shoulder{7.7, 80.134785}, corner{23.016218, 14.908963};
   constexpr double middle_end = 10.5, lowest = 35;
@@ -161,7 +162,7 @@ Pieces scaled(Pieces all, double unit) {
 
 struct Shape {
   const char* name;
-  std::size_t parameters;  ///< of chains: those of one arc
+  std::size_t parameters;  ///< number of parameters, for chains of arcs that of one arc
   const char* meaning;
   Pieces (*make)(Parameters);
 };

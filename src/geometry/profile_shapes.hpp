@@ -1,5 +1,5 @@
 #pragma once
-/// Profiles in closed form.
+/// Makes profiles in closed form.
 
 #include <span>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace rollcon {
 
-/// By name and parameters (lengths and their inverses):
+/// Makes a profile by name and parameters (lengths and their inverses):
 /// - "line" half_width, slope: z = slope y; a cylinder or a cone when turned;
 /// - "arc" radius, half_width: circle through (0, 0) whose middle is at z = -radius; up to a half of it;
 /// - "arcs" y, z, angle of the start, then length and curvature of each arc (0: a line), each going on in the direction

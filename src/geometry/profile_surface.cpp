@@ -9,7 +9,7 @@
 namespace rollcon {
 namespace {
 
-/// Distance of a point of the profile's plane from a straight line there, times the direction's length.
+/// Measures the distance of a point of the profile's plane from a straight line there, times the direction's length.
 struct StraightLine {
   Vec2 from, direction;
 
@@ -23,20 +23,20 @@ struct StraightLine {
   }
 };
 
-/// A line in space, by y = y0 + t y1 along an axis and the squared distance t_axis from it, square + slant (t -
+/// Describes a line in space by y = y0 + t y1 along an axis and its squared distance from it, square + slant (t -
 /// t_least)^2. In the plane of y and radius it is a hyperbola.
 struct LineAboutAxis {
   double y0, y1, slant, t_least, square;
-  double radius;  ///< of z = 0
-  bool one_half;  ///< points count on this side of the axis alone
+  double radius;  ///< radius at z = 0
+  bool one_half;  ///< true if only points on this side of the axis count
 
   double y(double t) const { return y0 + t * y1; }
   bool steep() const { return slant >= y1 * y1; }
   bool counts(double sign) const { return !one_half || (sign < 0) == (t_least > 0); }
 };
 
-/// r: from a point of the axis to one of the line. Normals of a contact look along `facing`: beyond the axis they meet
-/// the far side of a body, however near to its end.
+/// Takes r from a point of the axis to one of the line. Normals of a contact look along `facing`: beyond the axis they
+/// would meet the far side of a body, however near to its end.
 LineAboutAxis about_axis(const Vec3& r, const Vec3& direction, const Vec3& facing, const Vec3& axis, double radius) {
   constexpr double parallel = 1 - 1e-9;
   LineAboutAxis line{};
@@ -52,14 +52,14 @@ LineAboutAxis about_axis(const Vec3& r, const Vec3& direction, const Vec3& facin
   return line;
 }
 
-/// Of the half of the hyperbola that goes out from its point nearest to the axis, forwards or backwards: y less that of
-/// the line where it is as far from the axis. For lines steep to the axis.
+/// Measures y less that of the line where it is as far from the axis, over the half of the hyperbola that goes out from
+/// its point nearest to the axis, forwards or backwards. It serves lines steep to the axis.
 struct SteepHalf {
   LineAboutAxis line;
   double sign;
 
   double t(double r) const { return line.t_least + sign * std::sqrt(std::max(r * r - line.square, 0.0) / line.slant); }
-  /// Not nearer to the axis than the line is anywhere.
+  /// Is positive where x is not nearer to the axis than the line is anywhere.
   double inside(const Vec2& x) const {
     constexpr double rounding = 1e-14;
     const double r = line.radius + x[1];
@@ -68,7 +68,7 @@ struct SteepHalf {
   double value(const Vec2& x) const { return x[0] - line.y(t(line.radius + x[1])); }
   double slope(const Vec2& x, const Vec2& d) const {
     const double r = line.radius + x[1], out = r * r - line.square;
-    constexpr double steepest = 1e-24;  // where the halves meet the slope is without bound
+    constexpr double steepest = 1e-24;  // bound of the slope, which is infinite where the halves meet
     const double rate = sign * r / std::sqrt(std::max(out, steepest * r * r) * line.slant);
     return d[0] - line.y1 * rate * d[1];
   }
@@ -78,7 +78,7 @@ struct SteepHalf {
   }
 };
 
-/// Radius less that of the line at the same y. For lines nearly along the axis.
+/// Measures the radius less that of the line at the same y. It serves lines nearly along the axis.
 struct FlatLine {
   LineAboutAxis line;
 
@@ -100,8 +100,8 @@ struct FlatLine {
   }
 };
 
-/// Root of the function next to a hint by Newton's method; none where its steps do not shrink to half, or leave the
-/// piece.
+/// Finds the root of the function next to a hint by Newton's method; finds none where the steps do not shrink to half
+/// or leave the piece.
 template <class Function>
 std::optional<ProfilePoint> crossing_near(const ProfileCurve& curve, const Function& f, SurfaceHint& hint) {
   const double length = curve.pieces()[hint.piece].length;

@@ -1,6 +1,6 @@
 #pragma once
-/// Profiles as surfaces of bodies: moved along a straight line, or turned about an axis. They have no inside: their
-/// normals look where those of the contact do, and of the points on a line the nearest one counts.
+/// Makes surfaces of bodies from profiles: moved along a straight line, or turned about an axis. They have no inside:
+/// their normals look where those of the contact do, and the nearest point on a line counts.
 
 #include <memory>
 
@@ -9,10 +9,10 @@
 
 namespace rollcon {
 
-/// origin + y e_y + z e_z + any multiple of `along`, with along, e_y, e_z right-handed.
+/// Holds the points origin + y e_y + z e_z + any multiple of `along`, with along, e_y, e_z right-handed.
 class ExtrudedProfile final : public Surface {
  public:
-  /// Unit vectors at right angles.
+  /// Takes unit vectors at right angles.
   ExtrudedProfile(std::shared_ptr<const ProfileCurve> curve, const Vec3& origin, const Vec3& along, const Vec3& e_z)
       : curve_(std::move(curve)), origin_(origin), along_(along), y_(cross(e_z, along)), z_(e_z) {}
 
@@ -36,10 +36,11 @@ class ExtrudedProfile final : public Surface {
   Vec3 origin_, along_, y_, z_;
 };
 
-/// Points at y along the axis from the origin and radius + z away from it. The profile stays on one side of the axis.
+/// Holds the points at y along the axis from the origin and radius + z away from it. The profile stays on one side of
+/// the axis.
 class RevolvedProfile final : public Surface {
  public:
-  /// axis: a unit vector.
+  /// Takes a unit vector as axis.
   RevolvedProfile(std::shared_ptr<const ProfileCurve> curve, const Vec3& origin, const Vec3& axis, double radius)
       : curve_(std::move(curve)), origin_(origin), axis_(axis), radius_(radius) {}
 
@@ -57,7 +58,7 @@ class RevolvedProfile final : public Surface {
     SurfaceHint at;
   };
   std::optional<Hit> meet(const Vec3& from, const Vec3& direction, const Vec3& facing) const;
-  /// Unit vector away from the axis.
+  /// Returns the unit vector away from the axis.
   Vec3 outward(const Vec3& point) const;
 
   std::shared_ptr<const ProfileCurve> curve_;

@@ -28,7 +28,7 @@ void smooth_keeping_volume(std::span<const double> s, double length, std::vector
   if (n < 2 || !(length > 0)) return;
   const double reach = length / (2 * std::numbers::pi);
   const std::vector<double> mass = shares_of_length(s);
-  // Tridiagonal, by elimination from the first on.
+  // The matrix is tridiagonal and solved by elimination from the first row on.
   std::vector<double> diagonal = mass, beside(n, 0.0);
   for (std::size_t j = 0; j < n; ++j) value[j] *= mass[j];
   for (std::size_t j = 0; j + 1 < n; ++j) {
@@ -53,7 +53,7 @@ WornProfile wear_profile(std::span<const Vec2> point, std::vector<double> rate, 
   worn.taken = fastest * distance > most_depth ? most_depth / fastest : distance;
   for (std::size_t j = 0; j < point.size(); ++j) {
     const Vec2 along = point[std::min(j + 1, point.size() - 1)] - point[j > 0 ? j - 1 : 0];
-    // Towards greater z, whichever way the points go.
+    // The normal points towards greater z, whichever way the points go.
     const double turn = (along[0] < 0 ? -1 : 1) * side / length(along);
     worn.point.push_back(point[j] + (worn.taken * rate[j] * turn) * Vec2{-along[1], along[0]});
   }

@@ -1,5 +1,5 @@
 #pragma once
-/// A part of a plane, its sides along the axes there.
+/// Represents a part of a plane with its sides along the axes there.
 
 namespace rollcon {
 

@@ -1,5 +1,6 @@
 #pragma once
-/// Surfaces that a line can hit: where bodies are before they deform. A kind of surface is one file of this folder.
+/// Defines surfaces that a line can hit: where bodies are before they deform. A kind of surface is one file of this
+/// folder.
 
 #include <array>
 #include <cstddef>
@@ -10,33 +11,33 @@
 
 namespace rollcon {
 
-/// Where a line met a surface, for lines near by; each kind of surface reads its own.
+/// Says where a line met a surface, for lines near by; each kind of surface reads its own.
 struct SurfaceHint {
-  int branch = -1;  ///< -1: nothing is known
+  int branch = -1;  ///< -1 if nothing is known
   std::size_t piece = 0;
   double parameter = 0;
 };
 
-/// Lines are from + t * direction (unit). They meet the surface where |t| is least, among the parts that look towards
-/// `facing`; the zero vector: all parts. Where `facing` is along the line, as in contacts, nothing counts beyond the
+/// Meets lines from + t * direction (unit) where |t| is least, among the parts that look towards `facing`; the zero
+/// vector stands for all parts. Where `facing` is along the line, which it is in contacts, nothing counts beyond the
 /// axis of a surface that goes round one.
 class Surface {
  public:
   virtual ~Surface() = default;
-  /// t there; none if the line misses the surface.
+  /// Returns t where the line meets the surface; none if it misses.
   virtual std::optional<double> distance(const Vec3& from, const Vec3& direction, const Vec3& facing) const = 0;
-  /// The same, found from where a line near by met the surface; where that leads nowhere, as if there was no hint.
+  /// Returns distance(), found from where a line near by met the surface; a hint that leads nowhere has no effect.
   virtual std::optional<double> distance_near(const Vec3& from, const Vec3& direction, const Vec3& facing,
                                               SurfaceHint&) const {
     return distance(from, direction, facing);
   }
-  /// Outward unit normal there.
+  /// Returns the outward unit normal where the line meets the surface.
   virtual std::optional<Vec3> normal(const Vec3& from, const Vec3& direction, const Vec3& facing) const = 0;
   virtual Vec3 nearest(const Vec3& point) const = 0;
-  /// Least and greatest coordinate along a unit vector, infinite where the surface has no end. Not less than what is
-  /// there.
+  /// Returns the least and greatest coordinate along a unit vector, infinite where the surface has no end. The interval
+  /// may be wider than the surface, never narrower.
   virtual std::array<double, 2> extent(const Vec3& direction) const;
-  /// Direction in which the surface is the same without end, if there is one.
+  /// Returns the direction along which the surface repeats itself without end, if there is one.
   virtual std::optional<Vec3> endless() const { return std::nullopt; }
 };
 

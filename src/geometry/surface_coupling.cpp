@@ -20,7 +20,7 @@ struct Entry {
   double value;
 };
 
-/// Sums entries of the same place.
+/// Sums entries with one row and column.
 SurfaceCoupling compress(std::vector<Entry>& entry, std::int64_t nodes) {
   std::stable_sort(entry.begin(), entry.end(),
                    [](const Entry& p, const Entry& q) { return p.row != q.row ? p.row < q.row : p.column < q.column; });
@@ -41,7 +41,7 @@ SurfaceCoupling compress(std::vector<Entry>& entry, std::int64_t nodes) {
   return m;
 }
 
-/// Values of int N_i N_j of one element.
+/// Holds the values of int N_i N_j of one element.
 using ElementMatrix = std::array<std::array<double, max_element_nodes>, max_element_nodes>;
 
 ElementMatrix own_matrix(const SurfaceMesh& mesh, std::int64_t element) {
@@ -54,11 +54,11 @@ ElementMatrix own_matrix(const SurfaceMesh& mesh, std::int64_t element) {
   return m;
 }
 
-/// Of int N_i L_j, L_j the linear function of corner j.
+/// Integrates N_i L_j, with L_j the linear function of corner j.
 ElementMatrix corner_matrix(const SurfaceMesh& mesh, std::int64_t element) {
   const ElementType type = mesh.type[at(element)];
   const auto corners = static_cast<std::size_t>(corner_count(type));
-  // By the corner functions themselves: they are linear in the quadratic ones.
+  // The corner functions themselves give the integrals, because they are linear in the quadratic ones.
   const auto points = reference_nodes(type);
   std::array<Shape, max_element_nodes> linear;
   for (std::size_t k = 0; k < points.size(); ++k)
@@ -71,8 +71,8 @@ ElementMatrix corner_matrix(const SurfaceMesh& mesh, std::int64_t element) {
   return m;
 }
 
-/// The face that a layer element is, or whose corners a linear one has, with its local nodes in the layer's order; -1:
-/// none.
+/// Returns the face that a layer element is, or whose corners a linear one has, with the face's local nodes in the
+/// layer's order; -1: none.
 std::int64_t same_face(const SurfaceMesh& body, std::span<const std::int64_t> candidates, const SurfaceMesh& layer,
                        std::int64_t element, std::array<std::size_t, max_element_nodes>& local) {
   const auto nodes = layer.element(element);
@@ -94,8 +94,8 @@ std::int64_t same_face(const SurfaceMesh& body, std::span<const std::int64_t> ca
   return -1;
 }
 
-/// Slivers that rounding makes where a layer ends at a face's edge would count as loads on the next face. What is
-/// dropped is less than all digits of the sums show.
+/// Drops the slivers that rounding makes where a layer ends at a face's edge, which would count as loads on the next
+/// face. What is dropped is less than the digits of the sums show.
 void drop_slivers(std::vector<Entry>& entry, std::int64_t nodes) {
   constexpr double least = 1e-10;
   std::vector<double> size(at(nodes), 0.0);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// Coefficients of 1, t, t^2 from values at -1, 0, 1.
+/// Turns values at -1, 0, 1 into coefficients of 1, t, t^2.
 void power_form(Vec3& low, Vec3& middle, Vec3& high) {
   const Vec3 slope = 0.5 * (high - low), bend = 0.5 * (high + low) - middle;
   low = middle;
@@ -17,7 +17,7 @@ void power_form(Vec3& low, Vec3& middle, Vec3& high) {
   high = bend;
 }
 
-/// Bezier point of a parabola from its ends and middle.
+/// Returns the Bezier point of a parabola from its ends and middle.
 Vec3 control(const Vec3& low, const Vec3& middle, const Vec3& high) {
   return 2.0 * middle - 0.5 * (low + high);
 }
@@ -57,7 +57,7 @@ SurfacePatch::SurfacePatch(const SurfaceMesh& mesh, std::int64_t element) {
       p[8] = 0.5 * (p[4] + p[5] + p[6] + p[7]) - 0.25 * (p[0] + p[1] + p[2] + p[3]);
       [[fallthrough]];
     case ElementType::quad9: {
-      const int lattice[3][3] = {{0, 7, 3}, {4, 8, 6}, {1, 5, 2}};  // xi, eta
+      const int lattice[3][3] = {{0, 7, 3}, {4, 8, 6}, {1, 5, 2}};  // lattice of nodes by xi and eta
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) c_[i][j] = p[static_cast<std::size_t>(lattice[i][j])];
       for (auto& line : c_) power_form(line[0], line[1], line[2]);
@@ -68,7 +68,7 @@ SurfacePatch::SurfacePatch(const SurfaceMesh& mesh, std::int64_t element) {
 }
 
 SurfacePatch::Derivatives SurfacePatch::at(double xi, double eta) const {
-  // Horner in eta for each power of xi.
+  // The sums follow Horner's rule in eta for each power of xi.
   Vec3 f[3], g[3];
   Derivatives d{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -147,7 +147,7 @@ std::optional<ReferencePoint> SurfacePatch::newton(ReferencePoint p, const Vec3&
     if (step > 1) du /= step, dv /= step;
     p = {p.xi + du, p.eta + dv};
     if (std::abs(p.xi) > 4 || std::abs(p.eta) > 4) return std::nullopt;
-    // Near a simple root the next step is the square of this one, hence below rounding; where the line touches the
+    // The next step near a simple root is the square of this one, hence below rounding; where the line touches the
     // surface, steps halve.
     last = step < 1e-8;
   }
@@ -168,8 +168,8 @@ bool SurfacePatch::turns_over(const PatchPart& part, const Vec3& direction) cons
 
 void SurfacePatch::meet(const PatchPart& part, const Vec3& from, const Vec3& a, const Vec3& b, double beyond,
                         std::vector<ReferencePoint>& found) const {
-  // A plane has one root, which any start finds. Otherwise: a part that looks to one side of the line only has one root
-  // at most; where it turns over there may be one on each side.
+  // A plane has one root, which any start finds. A part of another surface that looks to one side of the line only has
+  // one root at most; where it turns over there may be one on each side.
   int tries = 1;
   bool several = false;
   if (quadratic_ || !triangle_) tries = 9, several = turns_over(part, cross(a, b));
@@ -198,7 +198,7 @@ ReferencePoint SurfacePatch::descend(ReferencePoint p, const Vec3& point) const 
     const double gu = dot(r, d.u), gv = dot(r, d.v);
     double huu = dot(d.u, d.u) + dot(r, d.uu), huv = dot(d.u, d.v) + dot(r, d.uv), hvv = dot(d.v, d.v) + dot(r, d.vv);
     const double guu = dot(d.u, d.u), guv = dot(d.u, d.v), gvv = dot(d.v, d.v);
-    // Far from a minimum the second derivatives may point uphill: Gauss-Newton instead.
+    // The second derivatives may point uphill far from a minimum; Gauss-Newton's replace them there.
     if (huu <= 0 || huu * hvv - huv * huv <= 1e-3 * (guu * gvv - guv * guv)) huu = guu, huv = guv, hvv = gvv;
     const double det = huu * hvv - huv * huv;
     if (det <= 0) return p;

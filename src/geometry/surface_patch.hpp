@@ -1,5 +1,6 @@
 #pragma once
-/// One element as a polynomial of its reference coordinates: where a line meets it, and which of its points is nearest.
+/// Represents one element as a polynomial of its reference coordinates: where a line meets it, and which of its points
+/// is nearest.
 
 #include <array>
 #include <optional>
@@ -10,8 +11,8 @@
 
 namespace rollcon {
 
-/// Part of the reference element, with its own triangle or square at `corner` and sides of (signed) length h. Linear
-/// elements are one part, quadratic ones four: a start for Newton's method each.
+/// Holds a part of the reference element, with its own triangle or square at `corner` and sides of (signed) length h.
+/// Linear elements are one part, quadratic ones four; each is a start for Newton's method.
 struct PatchPart {
   ReferencePoint corner;
   double h;
@@ -21,30 +22,30 @@ class SurfacePatch {
  public:
   SurfacePatch(const SurfaceMesh& mesh, std::int64_t element);
 
-  /// Point relative to origin(), and its derivatives.
+  /// Holds a point relative to origin(), and its derivatives.
   struct Derivatives {
     Vec3 x, u, v, uu, uv, vv;
   };
   Derivatives at(double xi, double eta) const;
   const Vec3& origin() const { return origin_; }
-  /// Of xi^i eta^j, i and j up to 2, relative to origin().
+  /// Returns the coefficient of xi^i eta^j, i and j up to 2, relative to origin().
   const Vec3& coefficient(int i, int j) const { return c_[i][j]; }
   double size() const { return size_; }  ///< longest distance of a node from the first
   bool triangle() const { return triangle_; }
   int parts() const { return quadratic_ ? 4 : 1; }
   PatchPart part(int i) const;
-  /// Corners of a box, relative to origin(), that holds the part.
+  /// Returns the corners of a box, relative to origin(), that holds the part.
   std::array<Vec3, 2> box(const PatchPart& part) const;
-  /// The point of the reference element nearest to (xi, eta).
+  /// Returns the point of the reference element nearest to (xi, eta).
   ReferencePoint clamp(ReferencePoint p) const;
 
-  /// Line through `from` (relative to origin()) normal to the unit vectors a and b: its intersections near the part
-  /// (all of those in it, maybe others), each within `beyond` of the element and moved onto it.
+  /// Intersects the line through `from` (relative to origin()), normal to the unit vectors a and b, near the part:
+  /// finds all points in it, maybe others, each within `beyond` of the element and moved onto it.
   void meet(const PatchPart& part, const Vec3& from, const Vec3& a, const Vec3& b, double beyond,
             std::vector<ReferencePoint>& found) const;
 
-  /// The point nearest to `point` (relative to origin()) of those that descents reach from the part and from its share
-  /// of the element's edges.
+  /// Returns the point nearest to `point` (relative to origin()) of those that descents reach from the part and from
+  /// its portion of the element's edges.
   ReferencePoint nearest(const PatchPart& part, const Vec3& point) const;
 
  private:
@@ -60,14 +61,14 @@ class SurfacePatch {
     const double s = triangle_ ? 1.0 / 3 : 0.5;
     return inside(part, s, s);
   }
-  /// Whether the normal's component along the direction changes sign on a lattice over the part.
+  /// Says whether the normal's component along the direction changes sign on a lattice over the part.
   bool turns_over(const PatchPart& part, const Vec3& direction) const;
   bool holds(const PatchPart& part, const ReferencePoint& p) const;
 
   Vec3 origin_;
   double size_ = 0;
   bool triangle_, quadratic_;
-  Vec3 c_[3][3]{};  ///< of xi^i eta^j
+  Vec3 c_[3][3]{};  ///< coefficients of xi^i eta^j
 };
 
 }  // namespace rollcon

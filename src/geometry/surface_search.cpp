@@ -15,10 +15,10 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-/// Over an element's size: how far beyond its edge it is still hit, and how far apart along the line two hits count as
-/// one.
+/// Both bounds are over an element's size: how far beyond its edge it is still hit, and how far apart along the line
+/// two hits count as one.
 constexpr double beyond_edge = 1e-9;
-/// Least cosine between the normal and `facing`: walls along it do not count by rounding.
+/// The least cosine between the normal and `facing` keeps walls along it from counting by rounding.
 constexpr double least_cosine = 1e-9;
 
 double distance(const Box& box, const Vec3& x) {
@@ -28,7 +28,7 @@ double distance(const Box& box, const Vec3& x) {
 }
 
 struct Line {
-  Vec3 from, direction, a, b;  ///< a, b: unit vectors normal to the direction and to one another
+  Vec3 from, direction, a, b;  ///< two unit vectors a, b normal to the direction and to one another
 
   Line(const Vec3& from_, const Vec3& direction_) : from(from_), direction(direction_) {
     std::size_t least = 0;
@@ -41,9 +41,9 @@ struct Line {
   }
 
   struct Stretch {
-    double first, last;  ///< first > last: none
+    double first, last;  ///< no stretch if first > last
   };
-  /// Where the line may be within the box.
+  /// Returns where the line may be within the box.
   Stretch within(const Box& box) const {
     double first = -infinity, last = infinity;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -59,7 +59,7 @@ struct Line {
     const double slack = 8 * epsilon * std::max(std::abs(first), std::abs(last));
     return {first - slack, last + slack};
   }
-  /// Least |t| of the line within the box.
+  /// Returns the least |t| of the line within the box.
   double reach(const Box& box) const {
     const auto [first, last] = within(box);
     if (first > last) return BoxTree::missed;
@@ -69,7 +69,7 @@ struct Line {
 
 }  // namespace
 
-/// Boxes around parts of elements.
+/// Holds boxes around parts of elements in a tree.
 struct SurfaceSearch::Tree {
   struct Cell {
     std::int64_t element;
@@ -134,7 +134,7 @@ std::optional<SurfacePoint> SurfaceSearch::along(const Vec3& from, const Vec3& d
   auto better = [&](const SurfacePoint& hit) {
     if (!best) return true;
     if (std::abs(hit.distance - best->distance) > tie) return std::abs(hit.distance) < std::abs(best->distance);
-    // At an edge: the element that looks best towards `facing`, else the first.
+    // The element at an edge that looks best towards `facing` wins, else the first.
     const double gain = dot(hit.normal, side) - dot(best->normal, side);
     if (std::abs(gain) > 1e-6) return gain > 0;
     return hit.element < best->element;

@@ -1,5 +1,5 @@
 #pragma once
-/// Vectors in a plane.
+/// Defines vectors in a plane.
 
 #include <array>
 #include <cmath>
@@ -20,7 +20,7 @@ inline Vec2 operator*(double s, const Vec2& a) {
 inline double dot(const Vec2& a, const Vec2& b) {
   return a[0] * b[0] + a[1] * b[1];
 }
-/// Of a, turned by a right angle from the first axis to the second, with b.
+/// Returns the product with b of a turned by a right angle from the first axis to the second.
 inline double cross(const Vec2& a, const Vec2& b) {
   return a[0] * b[1] - a[1] * b[0];
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// How a rigid body moves.
+/// Describes how a rigid body moves.
 
 #include "mesh/vec3.hpp"
 

@@ -25,7 +25,7 @@ std::string in_upper_case(std::string_view text) {
   return s;
 }
 
-/// What stands between commas, without blanks around it; nothing behind a last comma.
+/// Splits a line into what stands between commas, without blanks around it; nothing follows a last comma.
 void split(std::string_view line, Words& words) {
   words.clear();
   while (true) {
@@ -51,7 +51,7 @@ std::int32_t sides_of(std::int32_t type) {
 
 struct Keyword {
   std::string name;                         ///< in upper case, without blanks
-  std::map<std::string, std::string> with;  ///< parameters, in upper case; values as they stand
+  std::map<std::string, std::string> with;  ///< parameters, in upper case; values unchanged
 
   std::string value(const char* parameter) const {
     const auto found = with.find(parameter);
@@ -60,11 +60,11 @@ struct Keyword {
   bool has(const char* parameter) const { return with.contains(parameter); }
 };
 
-/// Members of a set or a surface, until all nodes and elements are known.
+/// Holds members of a set or a surface, until all nodes and elements are known.
 struct Mention {
   enum Kind { node, element, face, set, faces_of_set, nodes_of_set } kind;
   std::size_t group;
-  std::int64_t first, last = 0, step = 1;  ///< numbers in the file; of a set: its group
+  std::int64_t first, last = 0, step = 1;  ///< numbers in the file; for a set, its group
   std::int32_t side = -1;
   std::int64_t line = 0;
 };
@@ -100,7 +100,7 @@ class AbaqusReader {
   }
 
  private:
-  /// A keyword, whose line goes on in the next one where it ends in a comma.
+  /// Begins a keyword, whose line goes on in the next one where it ends in a comma.
   void begin(std::string_view line) {
     end_block();
     std::string whole(line);
@@ -171,7 +171,7 @@ class AbaqusReader {
         lines_.fail_here("*NSET with both GENERATE and ELSET");
       group_ = mesh_.group(needed(name.c_str()));
       take_line_ = now_.has("GENERATE") ? &AbaqusReader::take_range : &AbaqusReader::take_members;
-      if (name == "NSET" && now_.has("ELSET")) {  // the nodes of its elements
+      if (name == "NSET" && now_.has("ELSET")) {  // the nodes of the set's elements
         add_mention(Mention::nodes_of_set, known_set(now_.value("ELSET")), 0, 1);
       }
     } else if (name == "SURFACE") {
@@ -221,17 +221,17 @@ class AbaqusReader {
     if (grouped_) add_mention(Mention::node, id);
   }
 
-  /// What makes or names mesh and is not read: told by kind and number.
+  /// Counts, by kind, keywords that make or name mesh and are not read.
   void pass(const std::string& kind) { ++passed_[kind]; }
 
-  /// One of a kind that rollcon does not have.
+  /// Counts an element of a kind that rollcon does not have.
   void pass_element() {
     if (goes_on_) return;
     pass("elements of type " + in_upper_case(now_.value("TYPE")));
     if (const auto id = integer(words_[0])) passed_element_.insert(*id);
   }
 
-  /// An element may go on over several lines.
+  /// Takes an element, which may go on over several lines.
   void take_element() {
     if (number_.empty()) element_line_ = lines_.number();
     for (const std::string_view word : words_) number_.push_back(number(word));
@@ -246,7 +246,7 @@ class AbaqusReader {
   void add_mention(Mention::Kind kind, std::int64_t first, std::int64_t last, std::int64_t step) {
     mention_.push_back({kind, group_, first, last, step, -1, lines_.number()});
   }
-  /// Numbers that follow each other are one mention.
+  /// Adds a member; numbers that follow each other are one mention.
   void add_mention(Mention::Kind kind, std::int64_t id) {
     if (!mention_.empty()) {
       Mention& last = mention_.back();
@@ -278,7 +278,7 @@ class AbaqusReader {
     }
   }
 
-  /// Surfaces of nodes may have an area behind each.
+  /// Says whether a word is the area that surfaces of nodes may have behind each node.
   bool is_weight(std::string_view word) const { return now_.name == "SURFACE" && word.find('.') != word.npos; }
 
   std::int64_t known_set(std::string_view name) {
@@ -291,7 +291,7 @@ class AbaqusReader {
 
   void take_face() {
     const std::string side = words_.size() > 1 ? in_upper_case(words_[1]) : "";
-    std::int32_t s = -1;  // the elements themselves, of surfaces
+    std::int32_t s = -1;  // the elements themselves, for surface elements
     if (side.size() == 2 && side[0] == 'S' && side[1] >= '1' && side[1] <= '6')
       s = side[1] - '1';
     else if (side == "EDGE" || side.starts_with("END") || (side.size() == 2 && side[0] == 'E'))
@@ -359,10 +359,10 @@ class AbaqusReader {
   const ForeignType* type_ = nullptr;
   bool grouped_ = false;
   std::size_t group_ = 0;
-  std::vector<std::int64_t> number_;  ///< of an element that is being read
+  std::vector<std::int64_t> number_;  ///< numbers of the element that is being read
   std::int64_t element_line_ = 0;
   std::vector<Mention> mention_;
-  bool goes_on_ = false;  ///< the line before ends in a comma
+  bool goes_on_ = false;  ///< true if the line before ends in a comma
   std::map<std::string, int> passed_;
   std::unordered_set<std::int64_t> passed_element_;
 };

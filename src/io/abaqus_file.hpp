@@ -1,5 +1,5 @@
 #pragma once
-/// Input files of Abaqus and CalculiX.
+/// Reads input files of Abaqus and CalculiX.
 
 #include <string>
 
@@ -7,8 +7,8 @@
 
 namespace rollcon {
 
-/// Nodes, elements, sets of both and surfaces; all other keywords are passed over, save those that make or move nodes.
-/// err_io.
+/// Reads nodes, elements, sets of both and surfaces; passes over all other keywords, except those that make or move
+/// nodes, which fail. Throws err_io.
 MeshFile read_abaqus_file(const std::string& path);
 
 }  // namespace rollcon

@@ -15,8 +15,8 @@ namespace rollcon {
 namespace {
 
 constexpr std::array<const char*, 4> dimension_names{"point", "curve", "surface", "volume"};
-constexpr int most_given = 27;              ///< nodes of an element
-constexpr std::int32_t any_dimension = -1;  ///< of a name: Gmsh 2.0 writes none
+constexpr int most_given = 27;              ///< most nodes of an element
+constexpr std::int32_t any_dimension = -1;  ///< dimension of a name in Gmsh 2.0, which writes none
 
 class GmshReader {
  public:
@@ -76,7 +76,7 @@ class GmshReader {
     if (!ours) in_.skip_section(name);
   }
 
-  /// Text in files of both kinds.
+  /// Reads names, which are text in files of both kinds.
   void read_names() {
     const std::int64_t n = text_integer(in_.word());
     for (std::int64_t i = 0; i < n; ++i) {
@@ -119,7 +119,7 @@ class GmshReader {
 
   // ------------------------------------------------------------------------------- version 2
 
-  /// Text in files of both kinds.
+  /// Reads the number of entries, which is text in files of both kinds.
   std::int64_t count_of_section() {
     const std::int64_t n = text_integer(in_.word());
     if (in_.binary()) in_.end_line();
@@ -163,7 +163,7 @@ class GmshReader {
     }
   }
 
-  /// Negative ones turn an element of lower dimension over.
+  /// Returns the number without its sign, which would turn an element of lower dimension over.
   static std::int32_t magnitude(std::int32_t physical) { return physical == INT32_MIN ? 0 : std::abs(physical); }
 
   static std::int32_t dimension_of(std::int32_t type) {
@@ -261,7 +261,8 @@ class GmshReader {
   bool fourth_ = false, seen_nodes_ = false;
   std::map<std::pair<std::int32_t, std::int64_t>, std::string> names_;
   std::map<std::pair<std::int32_t, std::int64_t>, std::size_t> groups_;
-  std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::int32_t>> physicals_;  ///< of an entity
+  std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::int32_t>> physicals_;  ///< physical groups of an
+                                                                                          ///< entity
   std::vector<Member> member_;
   std::vector<std::int64_t> number_;  ///< workspace
 };

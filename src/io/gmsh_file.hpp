@@ -1,5 +1,5 @@
 #pragma once
-/// Gmsh's format .msh.
+/// Reads Gmsh's format .msh.
 
 #include <string>
 
@@ -7,7 +7,7 @@
 
 namespace rollcon {
 
-/// Versions 2 to 2.2 and 4.1, text or binary. err_io.
+/// Reads versions 2 to 2.2 and 4.1, text or binary. Throws err_io.
 MeshFile read_gmsh_file(const std::string& path);
 
 }  // namespace rollcon

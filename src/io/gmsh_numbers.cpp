@@ -103,7 +103,7 @@ std::int64_t GmshNumbers::count(std::int64_t n, std::int64_t numbers, const char
 
 void GmshNumbers::fail_at(std::int64_t at, const std::string& what) const {
   const std::size_t to = std::min(static_cast<std::size_t>(std::max<std::int64_t>(at, 0)), text_.size());
-  // Behind a word is still its line.
+  // The place behind a word is still on its line.
   const auto line = 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(to), '\n');
   fail(Status::err_io, "%s, %s %lld: %s", path_.c_str(), binary_ ? "byte" : "line",
        binary_ ? static_cast<long long>(at) : static_cast<long long>(line), what.c_str());

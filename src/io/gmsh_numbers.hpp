@@ -1,5 +1,5 @@
 #pragma once
-/// The numbers of a Gmsh file, written as text or in binary, one after the other.
+/// Reads the numbers of a Gmsh file, written as text or in binary, one after the other.
 
 #include <cstdint>
 #include <string>
@@ -16,21 +16,22 @@ class GmshNumbers {
   std::int64_t at() const { return static_cast<std::int64_t>(position_); }
   std::int64_t bytes() const { return static_cast<std::int64_t>(text_.size()); }
 
-  /// The next word; of a text file, whatever the mode. Empty at the end.
+  /// Returns the next word, in text whatever the mode; it is empty at the end.
   std::string_view word();
   std::string_view rest_of_line();
   /// Skips the end of a line before binary numbers.
   void end_line();
-  /// Behind the line "$End" + name; fails if there is none.
+  /// Moves behind the line "$End" + name; fails if there is none.
   void skip_section(std::string_view name);
 
-  std::int32_t int4();   ///< an int of the format
-  std::int64_t size8();  ///< a size_t of the format
+  std::int32_t int4();   ///< Gmsh's int
+  std::int64_t size8();  ///< Gmsh's size_t
   double real();
-  /// A number of things of which each takes this many numbers at least: no more than the file can hold.
+  /// Returns n, the number of things of which each takes at least this many numbers; fails if the file cannot hold
+  /// them.
   std::int64_t count(std::int64_t n, std::int64_t numbers, const char* what) const;
 
-  /// err_io: "PATH, line N: ..." or "PATH, byte N: ...".
+  /// Throws err_io: "PATH, line N: ..." or "PATH, byte N: ...".
   [[noreturn]] void fail_at(std::int64_t at, const std::string& what) const;
   [[noreturn]] void fail_here(const std::string& what) const { fail_at(at(), what); }
 

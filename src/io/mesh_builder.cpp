@@ -31,7 +31,8 @@ std::int64_t Numbering::sort() {
 
 std::int64_t Numbering::find(std::int64_t number) const {
   if (sorted_.empty() || number < sorted_.front().first || number > sorted_.back().first) return -1;
-  // Most files number without gaps. Unsigned: the difference of any two numbers fits.
+  // Most files number without gaps, so the place is guessed first. Unsigned arithmetic holds the difference of any two
+  // numbers.
   const auto guess = static_cast<std::uint64_t>(number) - static_cast<std::uint64_t>(sorted_.front().first);
   if (guess < sorted_.size() && sorted_[guess].first == number) return sorted_[guess].second;
   const auto found = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair{number, std::int64_t{-1}});

@@ -24,7 +24,7 @@ const MeshGroup& group_named(const MeshFile& file, const std::string& path, cons
        path.c_str(), names_of(file.group).c_str());
 }
 
-/// Elements in the part, of the dimension that is wanted.
+/// Chooses the elements of the part that have the wanted dimension.
 Choice chosen_elements(const MeshFile& file, const std::string& path, const std::string& part, bool volume) {
   Choice chosen(file.type.size(), part.empty() ? 1 : 0);
   if (!part.empty())
@@ -40,13 +40,13 @@ Choice chosen_elements(const MeshFile& file, const std::string& path, const std:
   return chosen;
 }
 
-/// Nodes of an element that we take: the boundary of volumes has no QUAD9.
+/// Returns the number of nodes taken from an element: the boundary of volumes has no QUAD9.
 std::int64_t taken_nodes(const MeshFile& file, std::int64_t e, bool volume) {
   const std::int64_t n = file.offset[at(e) + 1] - file.offset[at(e)];
   return volume && file.type[at(e)] == static_cast<std::int32_t>(ElementType::quad9) ? n - 1 : n;
 }
 
-/// Surface elements all of whose nodes volumes have, and that a name or a tag was given to: the others say nothing.
+/// Adds surface elements that volumes have all nodes of, if a name or a tag was given to them; others say nothing.
 void add_naming_surfaces(const MeshFile& file, const Choice& node, Choice& chosen) {
   Choice named(file.type.size(), 0);
   for (const MeshGroup& g : file.group)

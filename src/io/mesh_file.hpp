@@ -1,6 +1,6 @@
 #pragma once
-/// Meshes in files of mesh generators: Gmsh's .msh, versions 2 to 2.2 and 4.1, text or binary, and the .inp of Abaqus
-/// and CalculiX.
+/// Reads meshes from files of mesh generators: Gmsh's .msh, versions 2 to 2.2 and 4.1, text or binary, and the .inp of
+/// Abaqus and CalculiX.
 
 #include <cstdint>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace rollcon {
 
-/// All that a file calls by one name: elements, nodes, faces of volume elements. Lists are ascending.
+/// Holds all that a file calls by one name: elements, nodes, faces of volume elements. Lists are ascending.
 struct MeshGroup {
   struct Face {
     std::int32_t element = 0, side = 0;
@@ -25,30 +25,32 @@ struct MeshGroup {
   std::vector<Face> face{};
 };
 
-/// Nodes and elements count from 0 in the order of the file, whatever their numbers are there.
+/// Holds a file's mesh, its nodes and elements counted from 0 in the order of the file, whatever their numbers there.
 struct MeshFile {
   std::vector<Vec3> node;
-  std::vector<std::int32_t> type;       ///< of each element: a number of VolumeType or ElementType; 0: a point or line
-  std::vector<std::int32_t> tag;        ///< of each element: Gmsh's physical group, else 0
-  std::vector<std::int64_t> offset{0};  ///< elements + 1, into connectivity
+  std::vector<std::int32_t> type;       ///< type of each element: a number of VolumeType or ElementType; 0: a point or
+                                        ///< line
+  std::vector<std::int32_t> tag;        ///< tag of each element: Gmsh's physical group, else 0
+  std::vector<std::int64_t> offset{0};  ///< elements + 1 offsets into connectivity
   std::vector<std::int32_t> connectivity;
   std::vector<MeshGroup> group;
-  std::string told;  ///< what the file has and was passed over, by kind and number; empty: nothing
+  std::string told;  ///< kinds and numbers of what was passed over in the file; empty: nothing
 
   std::int64_t elements() const { return static_cast<std::int64_t>(type.size()); }
   std::int64_t nodes() const { return static_cast<std::int64_t>(node.size()); }
 };
 
-/// By the end of its name: .msh, .inp. err_io naming the file and the line (in binary files: the byte).
+/// Reads the file in the format that the end of its name tells: .msh, .inp. Throws err_io naming the file and the line
+/// (in binary files the byte).
 MeshFile read_mesh_file(const std::string& path);
 
-/// What a body or a frame takes of it: the elements of the group `part` (empty: all), of which only those of volumes
-/// with the surfaces that name faces of theirs, or (volume false) only those of surfaces. Volumes come first; nodes
-/// without an element are left out; groups keep what is left of them, and the nodes of elements that are gone.
-/// err_argument: no such group; err_mesh: no such elements in it.
+/// Returns what a body or a frame takes of the file: the elements of the group `part` (empty: all), only volumes with
+/// the surfaces that name faces of theirs, or, if `volume` is false, only surfaces. Volumes come first; nodes without
+/// an element are left out; groups keep what is left of them, and the nodes of elements that are gone. Throws
+/// err_argument if there is no such group, err_mesh if it has no such elements.
 MeshFile part_of(const MeshFile& file, const std::string& path, const std::string& part, bool volume);
 
-/// f(type, n, connectivity, tag) for each run of elements of one type and tag.
+/// Calls f(type, n, connectivity, tag) for each run of elements of one type and tag.
 template <class F>
 void each_run(const MeshFile& file, F&& f) {
   for (std::size_t from = 0, to = 0; from < file.type.size(); from = to) {
@@ -58,9 +60,9 @@ void each_run(const MeshFile& file, F&& f) {
   }
 }
 
-/// Names are the same whatever the case of their letters is.
+/// Compares names whatever the case of their letters is.
 bool same_name(const std::string& a, const std::string& b);
-/// "top, bottom, ...", for messages; "none".
+/// Lists names for messages: "top, bottom, ..."; "none" if there are none.
 template <class Group>
 std::string names_of(const std::vector<Group>& group) {
   constexpr std::size_t most_named = 16;

@@ -38,14 +38,14 @@ constexpr Gmsh gmsh[] = {
     {10, {9, number(ElementType::quad9), 9}},
     {11, {10, number(VolumeType::tet10), 10, tet10}},
     {12, {27, number(VolumeType::hex20), 20, hex20}},      // without the middles of faces and the centre
-    {13, {18, number(VolumeType::wedge15), 15, wedge15}},  // likewise
+    {13, {18, number(VolumeType::wedge15), 15, wedge15}},  // without the middles of faces
     {15, {1, 0, 1}},
     {16, {8, number(ElementType::quad8), 8}},
     {17, {20, number(VolumeType::hex20), 20, hex20}},
     {18, {15, number(VolumeType::wedge15), 15, wedge15}},
 };
 
-// By their nodes. Abaqus numbers nodes as we do.
+// The volume elements are told by their number of nodes. Abaqus numbers nodes the way rollcon does.
 constexpr ForeignType volumes[] = {
     {4, number(VolumeType::tet4), 4},      {10, number(VolumeType::tet10), 10}, {6, number(VolumeType::wedge6), 6},
     {15, number(VolumeType::wedge15), 15}, {8, number(VolumeType::hex8), 8},    {20, number(VolumeType::hex20), 20},
@@ -55,7 +55,7 @@ constexpr ForeignType surfaces[] = {
     {3, number(ElementType::tri3), 3},  {6, number(ElementType::tri6), 6},  {4, number(ElementType::quad4), 4},
     {8, number(ElementType::quad8), 8}, {9, number(ElementType::quad9), 9},
 };
-/// Of membranes, shells, rigid surfaces and plane elements, each followed by the number of nodes.
+/// The families of membranes, shells, rigid surfaces and plane elements are each followed by the number of nodes.
 constexpr std::string_view surface_families[] = {"S",   "M3D", "SFM3D", "R3D", "DS",   "STRI",
                                                  "CPS", "CPE", "CAX",   "F3D", "DC2D", "AC2D"};
 
@@ -66,7 +66,7 @@ const ForeignType* with_nodes(const ForeignType (&list)[n], int nodes) {
   return found == std::end(list) ? nullptr : found;
 }
 
-/// The number that follows a family, or -1 when something else does.
+/// Returns the number that follows a family, or -1 when something else does.
 int nodes_after(std::string_view name, std::string_view family) {
   if (!name.starts_with(family)) return -1;
   int nodes = 0;

@@ -1,5 +1,5 @@
 #pragma once
-/// Element types of mesh generators and their orders of nodes.
+/// Knows the element types of mesh generators and their orders of nodes.
 
 #include <cstdint>
 #include <string_view>
@@ -7,17 +7,17 @@
 namespace rollcon {
 
 struct ForeignType {
-  int given = 0;               ///< nodes that the file has for it
-  std::int32_t type = 0;       ///< ours: a number of VolumeType or ElementType; 0: a point or a line
-  int kept = 0;                ///< nodes that we take, no more than given
-  const int* order = nullptr;  ///< which of the file's is our node i; null: as they come
+  int given = 0;               ///< nodes that the file has for the element
+  std::int32_t type = 0;       ///< number of VolumeType or ElementType; 0: a point or line
+  int kept = 0;                ///< nodes that are taken, no more than given
+  const int* order = nullptr;  ///< place in the file of each of rollcon's nodes; null: in the same order
 };
 
-/// By Gmsh's number; null if we have none like it.
+/// Returns the type with Gmsh's number; null if rollcon has none like it.
 const ForeignType* gmsh_type(std::int64_t number);
 
-/// By Abaqus's name, in upper case. Null: an element of no surface and no volume (a spring, a beam, a mass).
-/// unsupported: a volume that we do not have.
+/// Returns the type with Abaqus's name, in upper case. Null stands for an element of no surface and no volume (a
+/// spring, a beam, a mass), or, with `unsupported` set, for a volume that rollcon does not have.
 const ForeignType* abaqus_type(std::string_view name, bool& unsupported);
 
 }  // namespace rollcon

@@ -13,7 +13,7 @@
 namespace rollcon {
 namespace {
 
-// Where a path leads by symbolic links, also where nothing is there yet: the links stay.
+// Returns where a path leads by symbolic links, also where nothing is there yet, so that the links stay.
 std::string behind_links(const std::string& path) {
   constexpr int most_links = 40;
   std::filesystem::path place = path;
@@ -37,7 +37,7 @@ int open_part(std::string& path, std::string& part) {
   if (there && !S_ISREG(old.st_mode))
     fail(Status::err_io, "cannot write '%s': there is something that is no regular file", path.c_str());
   static std::atomic<unsigned> count{0};
-  // Names left by a process of the same number that was killed are passed over.
+  // Names that a killed process of the same number left are passed over.
   constexpr int most_names = 1000;
   int file = -1;
   for (int attempt = 0; attempt < most_names; ++attempt) {
@@ -45,7 +45,7 @@ int open_part(std::string& path, std::string& part) {
     file = open(part.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, there ? 0600 : 0666);
     if (file >= 0 || errno != EEXIST) break;
   }
-  // Who may read and write the file that is replaced, and nobody else.
+  // Only those who may read and write the file that is replaced may do so with the new one.
   constexpr mode_t permissions = S_IRWXU | S_IRWXG | S_IRWXO;
   if (file >= 0 && there && fchmod(file, old.st_mode & permissions) != 0) {
     const int error = errno;

@@ -1,5 +1,5 @@
 #pragma once
-/// Files are written beside what they become and renamed when they are whole.
+/// Writes files beside what they become and renames them when they are whole.
 
 #include <string>
 

@@ -39,7 +39,7 @@ void require_two_points(const ProfileFile& file, const TextLines& lines) {
 
 // ------------------------------------------------------------------------------------ Simpack
 
-/// What is done to the points, in this order.
+/// Applies what the file says is to be done to the points, in this order.
 void change_points(ProfileFile& file, std::map<std::string, double>& given, const TextLines& lines) {
   const auto value = [&](const char* key, double standard) {
     const auto found = given.find(key);
@@ -84,7 +84,7 @@ ProfileFile read_simpack(TextLines lines) {
                                      "inversion",      "units.len.f", "units.ang.f"};
   ProfileFile file;
   std::map<std::string, double> given;
-  std::vector<std::string> open;  // sections, the innermost last
+  std::vector<std::string> open;  // open sections, the innermost last
   bool points_seen = false;
   for (std::string_view line; lines.next(line);) {
     line = without_comment(line, "!%");
@@ -121,7 +121,7 @@ ProfileFile read_simpack(TextLines lines) {
 
 // --------------------------------------------------------------------- columns, Miniprof, VAMPIRE
 
-/// Rows of numbers below headings of any kind.
+/// Reads rows of numbers below headings of any kind.
 class RowReader {
  public:
   RowReader(const std::string& path, bool miniprof) : lines_(path), miniprof_(miniprof) {}
@@ -160,7 +160,7 @@ class RowReader {
       lines_.fail_here("'" + printable(line) + "' among the points");
   }
 
-  /// What begins like a number, however spoilt, is no heading.
+  /// Says whether a line begins like a number, however spoilt, and is therefore no heading.
   static bool may_be_number(std::string_view line) {
     const std::string word = in_lower_case(line.substr(0, line.find_first_of(" \t,;")));
     const std::size_t first = std::min(word.find_first_not_of("+-."), word.size());
@@ -169,7 +169,7 @@ class RowReader {
            word.substr(first) == "inf";
   }
 
-  /// Old files of Miniprof have numbers in their headings, which a blank line ends.
+  /// Takes a heading; in old files of Miniprof headings have numbers, and a blank line ends them.
   void take_heading(std::string_view line) {
     const std::string word = in_lower_case(line);
     vampire_ = vampire_ || word.starts_with("railprofile") || word.starts_with("wheelprofile");
@@ -251,7 +251,7 @@ class RowReader {
 
 // ------------------------------------------------------------------------------------ writing
 
-/// All digits, with a point in every locale.
+/// Writes all digits, with a point in every locale.
 std::string digits(double value) {
   char text[40];
   const auto end = std::to_chars(text, text + sizeof text, value).ptr;

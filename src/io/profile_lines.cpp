@@ -16,7 +16,8 @@ char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// Something else is between the numbers then, there is no point, and each comma has digits on both sides.
+/// Says whether commas are decimal: something else is between the numbers then, there is no point, and each comma has
+/// digits on both sides.
 bool has_decimal_commas(std::string_view line) {
   const auto digit = [&](std::size_t i) { return i < line.size() && line[i] >= '0' && line[i] <= '9'; };
   std::size_t comma = line.find(',');
@@ -48,7 +49,7 @@ std::string in_lower_case(std::string_view text) {
 }
 
 TextLines::TextLines(const std::string& path, std::uintmax_t most) : path_(path), text_(whole_file(path, most)) {
-  if (text_.starts_with("\xEF\xBB\xBF")) position_ = 3;  // the mark of UTF-8
+  if (text_.starts_with("\xEF\xBB\xBF")) position_ = 3;  // byte-order mark of UTF-8
 }
 
 bool TextLines::next(std::string_view& line) {

@@ -27,7 +27,7 @@ std::uint64_t checksum_of(const SectionHeader& header) {
   return sum.value();
 }
 
-/// One after the other, without a gap, to the end of the file.
+/// Says whether the sections follow one another without a gap, to the end of the file.
 bool contiguous(const SectionHeader& header) {
   std::uint64_t position = sizeof header;
   if (header.sections > std::size(header.section)) return false;
@@ -52,7 +52,7 @@ SectionReader::SectionReader(const std::string& path, const FileKind& kind) : pa
     fail(status, "cannot read '%s': %s", path_.c_str(), why.c_str());
   };
   buffer_.resize(buffer_bytes);
-  // Not waiting for the other end of a pipe.
+  // The call does not wait for the other end of a pipe.
   file_ = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   struct stat about {};
   if (file_ < 0 || fstat(file_, &about) != 0) refuse(Status::err_io, std::generic_category().message(errno));
@@ -76,7 +76,7 @@ SectionReader::SectionReader(const std::string& path, const FileKind& kind) : pa
   if (header_.byte_order == swapped_order)
     refuse(Status::err_unsupported, "it was written on a machine of the other byte order");
   const bool whole_header = checksum_of(header_) == header_.checksum;
-  // A damaged header says anything; one that is whole and of another version says so.
+  // A damaged header says anything; one that is whole and has another version says so.
   if (!whole_header && header_.format == kind.format)
     refuse(Status::err_io, "it was changed or damaged: the checksum of its header is wrong");
   const std::string writer = text_of(header_.library, sizeof header_.library);
@@ -128,7 +128,7 @@ void SectionReader::begin(const SectionEntry& section) {
   if (lseek(file_, static_cast<off_t>(position_), SEEK_SET) < 0) fail_here(std::generic_category().message(errno));
 }
 
-// Straight from the file, or through the buffer what is small.
+// Reads straight from the file, or through the buffer if it is little.
 void SectionReader::fill(void* data, std::size_t bytes) {
   auto* to = static_cast<unsigned char*>(data);
   const auto from_file = [&](unsigned char* target, std::size_t least, std::size_t most) {

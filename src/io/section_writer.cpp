@@ -43,7 +43,7 @@ SectionWriter::SectionWriter(const std::string& path, const FileKind& kind) : pa
     part_.clear();
     fail_here(error);
   }
-  put(&header_, sizeof header_);  // room for it; goes to the buffer only
+  put(&header_, sizeof header_);  // reserves its room, in the buffer only
 }
 
 SectionWriter::~SectionWriter() {
@@ -106,7 +106,7 @@ void SectionWriter::commit() {
   if (lseek(file_, 0, SEEK_SET) != 0) fail_here(errno);
   put(&header_, sizeof header_);
   flush();
-  // Otherwise the new name may reach the disk before what it names.
+  // The new name might reach the disk before what it names, without this.
   if (fsync(file_) != 0) fail_here(errno);
   const int file = file_;
   file_ = -1;

@@ -17,7 +17,7 @@
 namespace rollcon {
 namespace {
 
-/// VTK's cell types; its node order is that of ElementType.
+/// Returns VTK's cell type, whose node order is that of ElementType.
 int vtk_type(ElementType type) {
   if (type == ElementType::quad9) return 28;
   const bool triangle = corner_count(type) == 3;
@@ -47,7 +47,7 @@ class Text {
     text_.append(digits, end);
     text_ += separator;
   }
-  /// An attribute's value with the characters that XML reserves replaced.
+  /// Writes an attribute's value with the characters that XML reserves replaced.
   Text& quoted(const std::string& value) {
     text_ += '"';
     for (char c : value) {
@@ -116,7 +116,7 @@ void write_cells(Text& out, const Cells& mesh) {
   out << "</DataArray>\n</Cells>\n";
 }
 
-/// cells: the mesh itself, or volume elements with its nodes.
+/// Takes as `cells` the mesh itself, or volume elements with its nodes.
 template <class Cells>
 std::string file_text(const SurfaceMesh& mesh, const Cells& cells, std::span<const PointArray> arrays) {
   Text out;

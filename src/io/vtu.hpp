@@ -1,5 +1,5 @@
 #pragma once
-/// VTK unstructured-grid files (.vtu, ASCII) for viewers. Numbers are written with a decimal point in any locale and
+/// Writes VTK unstructured-grid files (.vtu, ASCII) for viewers. Numbers have a decimal point in any locale and are
 /// read back to the same bits.
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace rollcon {
 
-/// Values at the mesh's nodes, `components` per node, node by node. One of the two pointers is set.
+/// Holds values at the mesh's nodes, `components` per node, node by node. One of the two pointers is set.
 struct PointArray {
   std::string name;
   int components = 1;
@@ -23,7 +23,7 @@ struct PointArray {
 /// beside its place and renamed. Throws Error(err_io) naming the path and the reason, Error(err_nonfinite) naming the
 /// array and the node (in the mesh's index base).
 void write_vtu(const std::string& path, const SurfaceMesh& mesh, std::span<const PointArray> arrays);
-/// The same of volume elements, whose nodes are those of the surface.
+/// Writes volume elements in this way, whose nodes are those of the surface.
 void write_vtu(const std::string& path, const SurfaceMesh& surface, const VolumeElements& volume,
                std::span<const PointArray> arrays);
 

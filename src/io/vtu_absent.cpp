@@ -1,4 +1,4 @@
-/// In place of VTU files, in a build without them.
+/// Stands in for VTU files in a build without them.
 
 #include "io/vtu.hpp"
 #include "support/error.hpp"

@@ -1,13 +1,13 @@
 #pragma once
-/// A file in memory.
+/// Reads a file into memory.
 
 #include <cstdint>
 #include <string>
 
 namespace rollcon {
 
-/// err_io naming the path: there is none, it is no regular file, has more than `most` bytes, or cannot be read. Memory
-/// is asked for by the file's size.
+/// Throws err_io naming the path if there is none, it is no regular file, has more than `most` bytes, or cannot be
+/// read. Memory is asked for by the file's size.
 std::string whole_file(const std::string& path, std::uintmax_t most);
 
 }  // namespace rollcon
