@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-// Weak, so that another BLAS links as well.
+// The symbols are weak, so that another BLAS links as well.
 extern "C" {
 __attribute__((weak)) char* openblas_get_corename(void);
 __attribute__((weak)) char* openblas_get_config(void);
@@ -12,7 +12,7 @@ __attribute__((weak)) char* openblas_get_config(void);
 namespace rollcon {
 namespace {
 
-/// Its first two words: name and version.
+/// Returns the first two words: name and version.
 std::string version_of(const std::string& config) {
   const std::size_t name = config.find(' ');
   return config.substr(0, name == std::string::npos ? name : config.find(' ', name + 1));
@@ -29,8 +29,8 @@ BlasKernels blas_kernels() {
   return kernels;
 }
 
-// OpenBLAS 0.3.21 on Xeons with AVX512_BF16: getrf of 6000 unknowns took 16 s with its kernels for Cooper Lake, 6 s
-// with those for Skylake-X or Haswell; up to 4500 all were alike.
+// Warns of OpenBLAS 0.3.21 on Xeons with AVX512_BF16: getrf of 6000 unknowns took 16 s with its kernels for Cooper
+// Lake, 6 s with those for Skylake-X or Haswell; up to 4500 all were alike.
 std::string slow_factorization(const BlasKernels& kernels, std::int64_t unknowns) {
   constexpr std::int64_t alike = 4500;
   std::string core = kernels.core;

@@ -14,10 +14,10 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-extern "C" void* __libc_stack_end;  // where the stack of the first thread begins
+extern "C" void* __libc_stack_end;  // beginning of the first thread's stack
 #endif
 
-// OpenBLAS's own control; weak, so that another BLAS links as well and keeps its own setting.
+// OpenBLAS's own control is weak, so that another BLAS links as well and keeps its own setting.
 extern "C" {
 __attribute__((weak)) void openblas_set_num_threads(int threads);
 __attribute__((weak)) int openblas_get_num_threads(void);
@@ -28,21 +28,21 @@ __attribute__((weak)) void blas_memory_free(void* buffer);
 namespace rollcon {
 namespace {
 
-// The setting belongs to the process. Callers at the same time share the first one's choice; the last to leave restores
-// the host's setting.
+// The setting belongs to the process. Callers at the same time follow the first one's choice; the last to leave
+// restores the host's setting.
 std::mutex mutex;
 int users = 0;
 int hosts_threads = 0;
 int callers = 0;       ///< threads with a scope
-int buffers = 0;       ///< OpenBLAS's, for callers
-int most_threads = 1;  ///< that OpenBLAS has had, its caller included
+int buffers = 0;       ///< OpenBLAS's buffers for callers
+int most_threads = 1;  ///< most threads that OpenBLAS has had, its caller included
 thread_local int scopes = 0;
 
-// OpenBLAS's getrf keeps 3.2 MB on the stack of the thread that calls it when it uses several.
+// OpenBLAS's getrf keeps 3.2 MB on the stack of the thread that calls it when it uses several threads.
 constexpr std::uintptr_t stack_for_threads = std::uintptr_t{5} << 20U;
 
 #ifdef __GLIBC__
-/// Lowest address of the calling thread's stack; 0: not known.
+/// Returns the lowest address of the calling thread's stack; 0: not known.
 std::uintptr_t stack_bottom() {
   // Asking costs an allocation.
   thread_local std::uintptr_t bottom = 0;
@@ -68,9 +68,10 @@ bool has_stack_for_threads() {
   return bottom != 0 && reinterpret_cast<std::uintptr_t>(&here) - bottom > stack_for_threads;
 }
 
-/// OpenBLAS maps a buffer for every thread that works in it at a time, and asks for ever where it cannot have one.
+/// Says whether OpenBLAS, which maps a buffer for every thread that works in it at a time, would find room for so many;
+/// where it cannot have one, it asks for ever.
 bool has_room_for(int buffers) {
-  const std::size_t bytes = static_cast<std::size_t>(buffers) * (std::size_t{140} << 20U);  // and a stack
+  const std::size_t bytes = static_cast<std::size_t>(buffers) * (std::size_t{140} << 20U);  // buffer and stack
   void* room = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (room == MAP_FAILED) return false;
   munmap(room, bytes);
@@ -86,8 +87,8 @@ bool has_room_for(int) {
 }
 #endif
 
-/// Makes OpenBLAS map so many buffers, which it keeps: later allocations may leave no room for them. Other callers may
-/// be using buffers of theirs.
+/// Makes OpenBLAS map so many buffers, which it keeps, because later allocations may leave no room for them. Other
+/// callers may be using buffers of theirs.
 void require_buffers(int count) {
   if (count <= buffers) return;
   if (!has_room_for(count - buffers + callers))
@@ -99,7 +100,7 @@ void require_buffers(int count) {
   for (void* buffer : held) blas_memory_free(buffer);
 }
 
-/// Each of OpenBLAS's own threads has a buffer from its beginning.
+/// Says whether OpenBLAS can have so many threads. Each of its own threads has a buffer from its beginning.
 bool can_have_threads(int threads) {
   if (!has_stack_for_threads() || (threads > most_threads && !has_room_for(threads - most_threads))) return false;
   most_threads = std::max(most_threads, threads);

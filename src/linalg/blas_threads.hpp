@@ -1,5 +1,5 @@
 #pragma once
-/// Keeps the BLAS within a thread budget for the length of a scope, and puts back what was set before. The BLAS gets
+/// Holds the BLAS within a thread budget for the length of a scope, and puts back what was set before. The BLAS gets
 /// one thread where the caller's stack is too small for OpenBLAS's work on several, or the address space for their
 /// buffers.
 

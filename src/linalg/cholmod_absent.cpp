@@ -1,4 +1,4 @@
-/// In place of CHOLMOD, in a build without it.
+/// Stands in for CHOLMOD in a build without it.
 
 #include "linalg/sparse_factor.hpp"
 #include "support/error.hpp"

@@ -10,7 +10,7 @@
 namespace rollcon {
 namespace {
 
-/// Right sides at a time.
+/// The solution takes so many right sides at a time.
 constexpr std::int64_t block = 512;
 
 class KeptFactor final : public SparseFactor {

@@ -1,6 +1,6 @@
 #pragma once
-/// What is left of a factorisation for its condensed unknowns alone: the end of a Cholesky factor. It can be kept
-/// without the method that made it.
+/// Solves with what is left of a factorisation for its condensed unknowns alone: the end of a Cholesky factor, which
+/// can be stored without the method that made it.
 
 #include <cstdint>
 #include <memory>
@@ -14,8 +14,9 @@ namespace rollcon {
 /// Overwrites `count` right sides b of view.unknowns entries, one after the other.
 void solve_condensed(const CondensedView& view, double* b, std::int64_t count);
 
-/// size: of the whole matrix; unknowns, place and matrix as in CondensedView. It can do no more than solve_condensed().
-/// statistics: what is told of the factorisation, its seconds and bytes aside.
+/// Makes a factor that can do no more than solve_condensed(). `size` is that of the whole matrix; unknowns, place and
+/// matrix have the meaning that CondensedView gives them; statistics are reported of the factorisation, except for its
+/// seconds and bytes.
 std::unique_ptr<SparseFactor> make_condensed_factor(std::int64_t size, std::int64_t unknowns,
                                                     std::vector<std::int64_t> place, std::unique_ptr<double[]> matrix,
                                                     const SparseStatistics& statistics);

@@ -1,5 +1,5 @@
 #pragma once
-/// Dense row-major storage and the products that the contact solver needs.
+/// Provides dense row-major storage and the products that the contact solver needs.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +13,7 @@
 namespace rollcon {
 
 /// Leaves entries that nobody gave a value as the memory has them: the system gives large blocks no memory before they
-/// are written. The error for a block that cannot be had tells its size.
+/// are written. The error for a block that cannot be allocated tells its size.
 template <class T>
 struct UntouchedAllocator : std::allocator<T> {
   T* allocate(std::size_t n) {
@@ -37,17 +37,17 @@ struct UntouchedAllocator : std::allocator<T> {
   }
 };
 
-/// Row-major matrix that keeps its storage when it is resized to something smaller.
+/// Holds a row-major matrix that keeps its storage when it is resized to something smaller.
 template <class T>
 class RowMatrix {
  public:
   void resize(std::int64_t rows, std::int64_t columns) {
     const auto needed = static_cast<std::size_t>(rows * columns);
     if (data_.size() < needed) data_.resize(needed, T{});
-    rows_ = rows;  // not before there is room
+    rows_ = rows;  // only once there is room
     columns_ = columns;
   }
-  /// Of an empty matrix: for one of which only some rows will be written.
+  /// Resizes an empty matrix of which only some rows will be written.
   void resize_untouched(std::int64_t rows, std::int64_t columns) {
     data_.resize(static_cast<std::size_t>(rows * columns));
     rows_ = rows;
@@ -74,17 +74,17 @@ class RowMatrix {
   Data data_;
 };
 
-/// Room for n unknowns and for some more: the systems of a time loop grow and shrink. Small ones get so much that they
-/// hardly ever grow beyond it, large ones are dear.
+/// Returns room for n unknowns and some more, because the systems of a time loop grow and shrink. Small ones get so
+/// much that they hardly ever grow beyond it; large ones are dear.
 template <class Integer>
 constexpr Integer with_room(Integer n) {
   return n < 1000 ? n + n / 3 : n + n / 10;
 }
 
-/// y = beta y + a x for a row-major a (rows by columns).
+/// Computes y = beta y + a x for a row-major a (rows by columns).
 void multiply(const double* a, std::int64_t rows, std::int64_t columns, const double* x, double beta, double* y);
 double dot(const double* x, const double* y, std::int64_t n);
-/// y += alpha x
+/// Computes y += alpha x.
 void axpy(double alpha, const double* x, double* y, std::int64_t n);
 double norm2(const double* x, std::int64_t n);
 

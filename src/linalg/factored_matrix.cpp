@@ -12,9 +12,9 @@
 namespace rollcon {
 namespace {
 
-constexpr int slab = 256;  // right sides between two questions whether to go on
+constexpr int slab = 256;  // right sides between two checks for a stop
 
-// In four sums: in a single one the additions wait for each other.
+// Adds up in four sums, because in a single one each addition would wait for the one before.
 template <class Term>
 double sum(const double* x, std::int64_t n, Term term) {
   double part[4] = {};
@@ -25,8 +25,8 @@ double sum(const double* x, std::int64_t n, Term term) {
   return (part[0] + part[1]) + (part[2] + part[3]);
 }
 
-// Frobenius norm, of a large matrix from every seventh column: reading the whole of it once more would take half a
-// hundredth of its preparation. Squares of entries may overflow.
+// Returns the Frobenius norm, of a large matrix from every seventh column, because reading all of it once more would
+// take half a hundredth of its preparation. Columns are scaled, because squares of entries may overflow.
 double frobenius_norm(const double* a, std::int64_t n) {
   const std::int64_t step = n > 512 ? 7 : 1;
   double norm = 0;
@@ -35,7 +35,7 @@ double frobenius_norm(const double* a, std::int64_t n) {
     const double mean = sum(column, n, [](double v) { return std::abs(v); });
     if (!std::isfinite(mean)) return mean;
     const double scale = 1 / mean;
-    if (!std::isfinite(scale)) continue;  // nothing there
+    if (!std::isfinite(scale)) continue;  // a column of zeros
     const auto square = [scale](double v) { return (v * scale) * (v * scale); };
     norm = std::hypot(norm, mean * std::sqrt(sum(column, n, square)));
   }
@@ -62,11 +62,11 @@ bool FactoredMatrix::factor() {
   return factored_;
 }
 
-// ||A|| ||A^-1|| in Frobenius norms. For x of random signs the mean of |A^-1 x|^2 is ||A^-1||^2
-// (Hutchinson 1989). One such x is enough to see that a matrix is sound; of one that may not be, a step of inverse
-// iteration from A^-1 x finds the direction that hardly resists. gecon's five solutions, each scaled against overflow,
-// take up to a seventh of getrf's time. What is not finite in the factors comes out in the solution, but for an
-// infinite pivot. The right side is scaled by the norm, so that solutions overflow only where the condition does.
+// Estimates ||A|| ||A^-1|| in Frobenius norms. For x of random signs the mean of |A^-1 x|^2 is ||A^-1||^2 (Hutchinson
+// 1989). One such x is enough to see that a matrix is sound; if it may not be, a step of inverse iteration from A^-1 x
+// finds the direction that hardly resists. gecon's five solutions, each scaled against overflow, take up to a seventh
+// of getrf's time. The solution shows what is not finite in the factors, except for an infinite pivot. The right side
+// is scaled by the norm, so that solutions overflow only where the condition does.
 bool FactoredMatrix::estimate_condition(double norm) {
   constexpr double sound = 1e8;
   condition_ = std::numeric_limits<double>::infinity();

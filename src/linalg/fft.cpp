@@ -13,8 +13,8 @@ namespace rollcon {
 
 namespace {
 
-/// Time of a transform of even length n by FFTW's estimated plans and of the work on its results, relative; none (0)
-/// with a prime factor above 7. Factors of 3 are slow, factors of 16 are fast.
+/// Returns the relative time of a transform of even length n by FFTW's estimated plans and of the work on its results;
+/// 0 if n has a prime factor above 7. Factors of 3 are slow, factors of 16 are fast.
 double transform_cost(std::int64_t n) {
   int threes = 0;
   std::int64_t rest = n;
@@ -43,14 +43,14 @@ std::int64_t fft_size(std::int64_t least) {
 #if ROLLCON_BUILD_FFTW
 namespace {
 
-// FFTW's planner works on tables of the whole process. Plans are estimated, not measured: that is done in a
-// millisecond, and measuring takes longer than whole solves.
+// FFTW's planner works on tables of the whole process. Plans are estimated, which takes a millisecond, and not
+// measured, which takes longer than whole solves.
 std::mutex& planner() {
   static std::mutex lock;
   return lock;
 }
 
-/// The same calls in either precision.
+/// Gives FFTW's calls one name for either precision.
 template <class T>
 struct Calls;
 template <>
@@ -103,7 +103,7 @@ void destroy(void* p) {
   Calls<T>::destroy(plan<T>(p));
 }
 
-/// FFTW ends the process where its planner finds no memory: more than it takes is tried before.
+/// FFTW ends the process where its planner finds no memory, so an allocation of more than it takes is tried before.
 void require_room(std::int64_t n) {
   const AlignedArray<char> room((std::int64_t{1} << 19U) + 64 * n);
 }

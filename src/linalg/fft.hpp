@@ -1,5 +1,5 @@
 #pragma once
-/// Discrete Fourier transforms (FFTW). Without FFTW in the build every constructor fails with err_unsupported.
+/// Computes discrete Fourier transforms (FFTW). Without FFTW in the build every constructor fails with err_unsupported.
 /// Transforms may run in several threads at once, on different data; plans are made one at a time, under a lock of the
 /// library's own.
 
@@ -11,18 +11,18 @@
 
 namespace rollcon {
 
-/// False: built without FFTW.
+/// Returns false in a build without FFTW.
 bool has_fft();
 
-/// The fastest length from `least` to a third more: even, a product of powers of 2, 3, 5 and 7.
+/// Returns the fastest length from `least` to a third more: even, a product of powers of 2, 3, 5 and 7.
 std::int64_t fft_size(std::int64_t least);
 
-/// Storage aligned for the transforms. Not initialised.
+/// Provides storage that is aligned for the transforms and not initialised.
 template <class T>
 class AlignedArray {
  public:
   static constexpr std::size_t alignment = 64;
-  /// Entries after which an aligned row may follow another of n.
+  /// Returns the number of entries after which an aligned row may follow another of n.
   static std::int64_t stride(std::int64_t n) {
     constexpr auto step = static_cast<std::int64_t>(alignment / sizeof(T));
     return (n + step - 1) / step * step;
@@ -50,8 +50,8 @@ class AlignedArray {
   T* data_ = nullptr;
 };
 
-/// Transforms of n real numbers to n / 2 + 1 complex ones and back, n even. All arrays aligned as AlignedArray. T:
-/// double or float.
+/// Transforms n real numbers to n / 2 + 1 complex ones and back, n even, with T double or float. All arrays are aligned
+/// like AlignedArray.
 template <class T>
 class RealFft {
  public:
@@ -59,16 +59,16 @@ class RealFft {
   ~RealFft();
   RealFft(const RealFft&) = delete;
   RealFft& operator=(const RealFft&) = delete;
-  /// Keeps `in`.
+  /// Leaves `in` unchanged.
   void forward(const T* in, std::complex<T>* out) const;
-  /// Without the factor 1/n; `in` is overwritten.
+  /// Leaves out the factor 1/n; `in` is overwritten.
   void inverse(std::complex<T>* in, T* out) const;
 
  private:
   void *forward_ = nullptr, *inverse_ = nullptr;
 };
 
-/// Transforms of n complex numbers in place.
+/// Transforms n complex numbers in place.
 template <class T>
 class ComplexFft {
  public:
@@ -77,7 +77,7 @@ class ComplexFft {
   ComplexFft(const ComplexFft&) = delete;
   ComplexFft& operator=(const ComplexFft&) = delete;
   void forward(std::complex<T>* data) const;
-  /// Without the factor 1/n.
+  /// Leaves out the factor 1/n.
   void inverse(std::complex<T>* data) const;
 
  private:

@@ -8,7 +8,7 @@
 namespace rollcon {
 namespace {
 
-constexpr double dependent = 1e-12;  // of a direction's image that is new
+constexpr double dependent = 1e-12;  // fraction of a direction's image that must be new
 
 }  // namespace
 
@@ -28,7 +28,7 @@ std::size_t RecyclingGcr::bytes() const {
   return sizeof(double) * (z_.capacity() + q_.capacity() + r_.capacity() + product_.capacity());
 }
 
-// The best step along a direction: what is left of the residual is orthogonal to its image.
+// Takes the best step along a direction: what is left of the residual is orthogonal to its image.
 void RecyclingGcr::advance(int direction, double* x) {
   const double* q = q_.data() + direction * n_;
   const double step = dot(q, r_.data(), n_);
@@ -41,7 +41,7 @@ bool RecyclingGcr::add_direction(LinearOperator& a, LinearOperator& precondition
   precondition.apply(r_.data(), z);
   a.apply(z, q);
   const double whole = norm2(q, n_);
-  for (int pass = 0; pass < 2; ++pass)  // once more against rounding
+  for (int pass = 0; pass < 2; ++pass)  // twice, against rounding
     for (int k = 0; k < count_; ++k) {
       const double part = dot(q_.data() + k * n_, q, n_);
       axpy(-part, q_.data() + k * n_, q, n_);
@@ -74,7 +74,7 @@ GmresReport RecyclingGcr::solve(std::int64_t n, LinearOperator& a, LinearOperato
       advance(count_ - 1, x);
       ++report.iterations;
     }
-    // The recursive residual can drift from the true one: recompute before trusting it.
+    // The recursive residual can drift from the true one, which is therefore recomputed before it is trusted.
     a.apply(x, product_.data());
     for (std::int64_t i = 0; i < n; ++i) r_[static_cast<std::size_t>(i)] = b[i] - product_[static_cast<std::size_t>(i)];
     report.residual = norm2(r_.data(), n) / norm_b;

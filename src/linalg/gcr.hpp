@@ -1,7 +1,7 @@
 #pragma once
-/// Generalised conjugate residuals with right preconditioning for several right sides of one system, one after the
-/// other: every direction found is used again (Eisenstat, Elman & Schultz 1983). In exact arithmetic the first right
-/// side takes as many iterations as with GMRES.
+/// Solves by generalised conjugate residuals with right preconditioning for several right sides of one system, one
+/// after the other: every direction found is used again (Eisenstat, Elman & Schultz 1983). The first right side takes
+/// as many iterations as with GMRES in exact arithmetic.
 
 #include <cstdint>
 #include <vector>
@@ -12,9 +12,9 @@ namespace rollcon {
 
 class RecyclingGcr {
  public:
-  /// Room for so many directions of a system of n unknowns, all right sides together, and some more.
+  /// Makes room for so many directions of a system of n unknowns, all right sides together, and some more.
   void reserve(std::int64_t n, int directions);
-  /// To be called before the system or the preconditioner is another one.
+  /// Drops all directions; call it before the system or the preconditioner is another one.
   void forget() { count_ = 0; }
   /// Solves a x = b to ||b - a x|| <= tolerance ||b||, with at most max_iterations new directions.
   GmresReport solve(std::int64_t n, LinearOperator& a, LinearOperator& precondition, const double* b, double* x,
@@ -27,7 +27,7 @@ class RecyclingGcr {
 
   std::int64_t n_ = 0;
   int count_ = 0, room_ = 0;
-  std::vector<double> z_, q_;  ///< directions, and the system times them: orthonormal
+  std::vector<double> z_, q_;  ///< directions, and the system times them, which are orthonormal
   std::vector<double> r_, product_;
 };
 

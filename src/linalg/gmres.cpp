@@ -41,7 +41,7 @@ GmresReport Gmres::solve(std::int64_t n, LinearOperator& a, LinearOperator& prec
   while (report.iterations < max_iterations) {
     const GmresReport part = cycle(n, a, precondition, x, target, max_iterations - report.iterations);
     report.iterations += part.iterations;
-    // The recursive residual can drift from the true one: recompute before trusting it.
+    // The recursive residual can drift from the true one, which is therefore recomputed before it is trusted.
     a.apply(x, z_.data());
     for (std::int64_t i = 0; i < n; ++i) r_[static_cast<std::size_t>(i)] = b[i] - z_[static_cast<std::size_t>(i)];
     const double norm_r = norm2(r_.data(), n);

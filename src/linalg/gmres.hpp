@@ -1,6 +1,6 @@
 #pragma once
-/// GMRES with right preconditioning and modified Gram-Schmidt (Saad & Schultz 1986). The workspace is sized once;
-/// solving allocates nothing.
+/// Solves by GMRES with right preconditioning and modified Gram-Schmidt (Saad & Schultz 1986). The workspace is sized
+/// once; solving allocates nothing.
 
 #include <cstdint>
 #include <vector>
@@ -20,9 +20,9 @@ struct GmresReport {
 
 class Gmres {
  public:
-  /// Largest Krylov space; restarts begin afresh from the best iterate.
+  /// Sizes the workspace for the largest Krylov space; restarts begin afresh from the best iterate.
   void reserve(std::int64_t n, int krylov);
-  /// Solves a x = b from x = 0 to ||b - a x|| <= tolerance ||b||. precondition may be the identity.
+  /// Solves a x = b from x = 0 to ||b - a x|| <= tolerance ||b||. The preconditioner may be the identity.
   GmresReport solve(std::int64_t n, LinearOperator& a, LinearOperator& precondition, const double* b, double* x,
                     double tolerance, int max_iterations);
   std::size_t bytes() const;

@@ -1,5 +1,5 @@
 #pragma once
-/// The few BLAS and LAPACK routines that rollcon calls, through their Fortran symbols.
+/// Declares the few BLAS and LAPACK routines that rollcon calls, through their Fortran symbols.
 
 extern "C" {
 void dgetrf_(const int* m, const int* n, double* a, const int* lda, int* ipiv, int* info);

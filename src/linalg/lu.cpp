@@ -13,7 +13,7 @@ void getrf(int n, double* a, int* pivot, int* info) {
 void getrf(int n, float* a, int* pivot, int* info) {
   sgetrf_(&n, &n, a, &n, pivot, info);
 }
-// The row-major matrix is LAPACK's transpose: solve with 'T'.
+// Solves with 'T', because the row-major matrix is LAPACK's transpose.
 void getrs(int n, const double* a, const int* pivot, double* b, int* info) {
   const int one = 1;
   dgetrs_("T", &n, &one, a, &n, pivot, b, &n, info);

@@ -1,5 +1,6 @@
 #pragma once
-/// Dense LU with partial pivoting (LAPACK getrf) of a row-major matrix, in double or single precision.
+/// Computes the dense LU factors with partial pivoting (LAPACK getrf) of a row-major matrix, in double or single
+/// precision.
 
 #include <cstdint>
 #include <vector>
@@ -11,10 +12,10 @@ namespace rollcon {
 template <class T>
 class Lu {
  public:
-  /// Storage for an n by n matrix, to be filled row by row before factor(). Room for `spare` more rows is kept so that
-  /// slightly larger systems need no allocation.
+  /// Returns storage for an n by n matrix, to be filled row by row before factor(). Room for `spare` more rows is
+  /// reserved so that slightly larger systems need no allocation.
   T* prepare(std::int64_t n, std::int64_t spare = 0);
-  /// False when a pivot is exactly zero or the factors are not finite.
+  /// Returns false when a pivot is exactly zero or the factors are not finite.
   bool factor();
   void solve(T* b) const;
   std::int64_t size() const { return matrix_.rows(); }

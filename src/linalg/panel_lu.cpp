@@ -9,7 +9,7 @@
 namespace rollcon {
 namespace {
 
-constexpr double most_operations = 1e11;  // between two questions: a second or two
+constexpr double most_operations = 1e11;  // between two checks for a stop: a second or two
 
 struct Columns {
   int n;
@@ -18,7 +18,7 @@ struct Columns {
 
   double* entry(int i, int j) const { return a + i + static_cast<std::int64_t>(j) * n; }
 
-  /// Exchanges rows in columns first to last as steps `from` to `to` did.
+  /// Repeats in columns first to last the exchanges of rows that steps `from` to `to` made.
   void exchange(int first, int last, int from, int to) const {
     const int columns = last - first, least = from + 1, step = 1;
     dlaswp_(&columns, entry(0, first), &n, &least, &to, pivot, &step);
@@ -39,7 +39,7 @@ struct Columns {
     }
   }
 
-  /// Factorises columns first to last, the rows above which are done: one half after the other.
+  /// Factorises columns first to last, the rows above which are done, one half after the other.
   int factor(int first, int last) const {
     const int rows = n - first, columns = last - first;
     int info = 0;

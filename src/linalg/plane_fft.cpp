@@ -16,7 +16,7 @@ PlaneFft<Real>::PlaneFft(std::int64_t nx, std::int64_t ny, std::int64_t least_x,
       row_(px_),
       half_(half_stride_ * ny) {}
 
-// Columns are transposed in tiles: a column alone would use one number of every cache line.
+// Columns are transposed in tiles, because a column alone would use one number of every cache line.
 template <class Real>
 void PlaneFft<Real>::forward(const Real* data, Complex* spectrum) {
   constexpr std::int64_t tile = 8;

@@ -1,5 +1,5 @@
 #pragma once
-/// Two-dimensional transforms of real data on a part of their period, in single or double precision.
+/// Transforms real data in two dimensions on a part of their period, in single or double precision.
 
 #include <complex>
 #include <cstdint>
@@ -12,20 +12,20 @@ template <class Real>
 class PlaneFft {
  public:
   using Complex = std::complex<Real>;
-  /// Data of nx by ny in periods of at least least_x by least_y; the rest of a period is zero.
+  /// Takes data of nx by ny in periods of at least least_x by least_y; the rest of a period is zero.
   PlaneFft(std::int64_t nx, std::int64_t ny, std::int64_t least_x, std::int64_t least_y);
 
   std::int64_t period_x() const { return px_; }
   std::int64_t period_y() const { return py_; }
-  /// Wave numbers kx are 0 to waves_x() - 1; ky 0 to period_y() - 1, those above the half negative.
+  /// Wave numbers kx run from 0 to waves_x() - 1, ky from 0 to period_y() - 1, those above the half being negative.
   std::int64_t waves_x() const { return px_ / 2 + 1; }
   /// Entry (kx, ky) of a spectrum is at kx * stride() + ky.
   std::int64_t stride() const { return AlignedArray<Complex>::stride(py_); }
   AlignedArray<Complex> make_spectrum() const { return AlignedArray<Complex>(waves_x() * stride()); }
 
-  /// data[j * nx + i]
+  /// Reads data[j * nx + i].
   void forward(const Real* data, Complex* spectrum);
-  /// Without the factor 1 / (period_x period_y); the spectrum is overwritten.
+  /// Leaves out the factor 1 / (period_x period_y); the spectrum is overwritten.
   void backward(Complex* spectrum, Real* data);
   std::size_t bytes() const { return row_.bytes() + half_.bytes(); }
 

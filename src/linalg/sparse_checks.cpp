@@ -14,7 +14,7 @@ namespace {
 
 constexpr char remedy[] = "take a coarser mesh or fewer faces where contact is possible";
 
-// Largest row sum of the scaled matrix.
+// Returns the largest row sum of the scaled matrix.
 double scaled_norm(const SparseMatrix& matrix, const std::vector<double>& scale) {
   std::vector<double> sum(scale.size());
   for (std::int64_t j = 0; j < matrix.columns; ++j) {
@@ -75,7 +75,7 @@ double estimate_condition(const SparseMatrix& matrix, const std::function<void(d
   if (matrix.columns == 0) return 1;
   const std::vector<double> scale = diagonal_scale(matrix);
   std::vector<double> x(at(matrix.columns));
-  // A start without pattern: no mode of a structure is orthogonal to it.
+  // The start has no pattern, so that no mode of a structure is orthogonal to it.
   std::uint64_t state = 1;
   for (double& value : x) {
     state = state * 6364136223846793005U + 1442695040888963407U;

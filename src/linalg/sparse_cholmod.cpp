@@ -1,5 +1,5 @@
-/// Cholesky factorisation with the condensed unknowns last: then the trailing block L_cc of the factor is that of the
-/// condensed matrix, K_cc - K_ci K_ii^-1 K_ic = L_cc L_cc'.
+/// Computes Cholesky factors with the condensed unknowns last: the trailing block L_cc of the factor is then that of
+/// the condensed matrix, K_cc - K_ci K_ii^-1 K_ic = L_cc L_cc'.
 
 #include <algorithm>
 #include <cmath>
@@ -17,10 +17,10 @@
 namespace rollcon {
 namespace {
 
-/// Right sides solved at a time: enough for products of matrices, little workspace.
+/// So many right sides solved at a time are enough for products of matrices, and need little workspace.
 constexpr std::int64_t block = 32;
 
-/// Columns [first, last) of L as a dense panel of `rows` rows from `values`, numbered in `row`.
+/// Holds columns [first, last) of L as a dense panel of `rows` rows from `values`, numbered in `row`.
 struct Supernode {
   std::int64_t first, last, rows;
   const SuiteSparse_long* row;
@@ -107,9 +107,9 @@ class CholmodFactor final : public SparseFactor {
   std::int64_t size_, condensed_;
   CholmodCommon common_;
   std::unique_ptr<cholmod_factor, FreeFactor> factor_{nullptr, FreeFactor{&common_.c}};
-  std::vector<std::int64_t> unknown_;   // at each place of the order
-  std::vector<std::int64_t> place_;     // of the condensed unknowns within the trailing block
-  std::unique_ptr<double[]> trailing_;  // L_cc, column-major; nothing above the diagonal
+  std::vector<std::int64_t> unknown_;   // the unknown at each place of the order
+  std::vector<std::int64_t> place_;     // places of the condensed unknowns within the trailing block
+  std::unique_ptr<double[]> trailing_;  // L_cc, column-major, with nothing above the diagonal
   std::vector<double> work_;
   SparseStatistics statistics_;
 };
@@ -170,7 +170,7 @@ void CholmodFactor::copy_condensed(const SparseMatrix& matrix, std::span<const s
   statistics_.peak_bytes = std::max(statistics_.peak_bytes, common_.c.memory_inuse + own_bytes());
 }
 
-// Cholesky stops at pivots that are not positive only; rounding may leave a small positive one.
+// Judges the factors: Cholesky stops at pivots that are not positive only, and rounding may leave a small positive one.
 void CholmodFactor::judge(const SparseMatrix& matrix) {
   if (size_ == 0) {
     statistics_.condition = 1;

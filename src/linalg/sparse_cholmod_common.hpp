@@ -1,5 +1,5 @@
 #pragma once
-/// CHOLMOD's control block for the length of a scope: silent, and within the caller's threads.
+/// Holds CHOLMOD's control block for the length of a scope, silent and within the caller's threads.
 
 #include <cholmod.h>
 
@@ -23,9 +23,9 @@ struct CholmodCommon {
   CholmodCommon& operator=(const CholmodCommon&) = delete;
 };
 
-/// CHOLMOD's own parallel loops, which only move data, ask for a fixed number of threads whatever the budget: inside
-/// this scope they run on one. The BLAS has threads of its own. Where the setting is the process's, a scope that finds
-/// the zero of another one leaves what that one found.
+/// Runs CHOLMOD's own parallel loops, which only move data and ask for a fixed number of threads whatever the budget,
+/// on one thread inside this scope. The BLAS has threads of its own. Where the setting is the process's, a scope that
+/// finds the zero of another one restores what that one found.
 class [[maybe_unused]] SerialLoops {
  public:
 #ifdef _OPENMP

@@ -9,7 +9,7 @@
 namespace rollcon {
 namespace {
 
-// A bijection of 64 bits that scatters neighbouring numbers (Steele, Lea and Flood, 2014).
+// Scatters neighbouring numbers by a bijection of 64 bits (Steele, Lea and Flood, 2014).
 std::uint64_t scatter(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15U;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;
@@ -17,7 +17,7 @@ std::uint64_t scatter(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-// Sum over the neighbours, the unknown itself included. Equal sums of different sets are next to impossible, and would
+// Sums over the neighbours, the unknown itself included. Equal sums of different sets are next to impossible, and would
 // cost fill only.
 std::vector<std::uint64_t> neighbourhood_keys(const SparseMatrix& matrix, std::span<const std::int64_t> condensed) {
   std::vector<std::uint64_t> key(at(matrix.columns));
@@ -35,7 +35,7 @@ std::vector<std::uint64_t> neighbourhood_keys(const SparseMatrix& matrix, std::s
   return key;
 }
 
-// Groups numbered by their first members, so that the result depends on the matrix alone.
+// Numbers groups by their first members, so that the result depends on the matrix alone.
 std::vector<std::int64_t> group_numbers(const std::vector<std::uint64_t>& key, std::int64_t* count) {
   const auto n = static_cast<std::int64_t>(key.size());
   std::vector<std::int64_t> sorted(key.size()), group(key.size());
@@ -61,7 +61,7 @@ void list_members(const std::vector<std::int64_t>& group, SparseGroups& groups) 
   for (std::size_t i = 0; i < group.size(); ++i) groups.member[at(next[at(group[i])]++)] = static_cast<std::int64_t>(i);
 }
 
-// Calls visit(g, h), g > h, for neighbouring groups: those whose first members are neighbours.
+// Calls visit(g, h), g > h, for neighbouring groups, which are those whose first members are neighbours.
 template <class Visit>
 void for_edges(const SparseMatrix& matrix, const std::vector<std::int64_t>& group, const SparseGroups& groups,
                Visit visit) {
@@ -99,7 +99,7 @@ SparseGroups group_unknowns(const SparseMatrix& matrix, std::span<const std::int
   return groups;
 }
 
-// Liu's algorithm with path compression.
+// Follows Liu's algorithm with path compression.
 std::vector<std::int64_t> elimination_tree(const SparseGroups& groups, std::span<const std::int64_t> order) {
   std::vector<std::int64_t> parent(order.size(), -1), ancestor(order.size(), -1);
   std::vector<std::int64_t> position(order.size());
@@ -126,7 +126,7 @@ void move_condensed_last(const SparseGroups& groups, std::vector<std::int64_t>& 
 void postorder_interior(const SparseGroups& groups, std::vector<std::int64_t>& order) {
   const std::vector<std::int64_t> parent = elimination_tree(groups, order);
   const auto inside = [&](std::int64_t k) { return !groups.condensed[at(order[at(k)])]; };
-  // Children as linked lists, lowest first; roots hang on the extra entry.
+  // Children are linked lists, lowest first; roots hang on the extra entry.
   std::vector<std::int64_t> child(order.size() + 1, -1), sibling(order.size(), -1);
   std::int64_t interior = 0;
   for (std::int64_t k = groups.count - 1; k >= 0; --k) {

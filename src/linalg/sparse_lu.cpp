@@ -36,7 +36,7 @@ struct SparseLu::Factors {
   double control[UMFPACK_CONTROL];
   std::unique_ptr<void, FreeSymbolic> symbolic;
   std::unique_ptr<void, FreeNumeric> numeric;
-  std::vector<Long> start, row;  ///< pattern of the analysis
+  std::vector<Long> start, row;  ///< pattern that was analysed
   std::vector<double> x, work;
   std::vector<Long> rows;
 };
@@ -45,8 +45,8 @@ SparseLu::SparseLu() : factors_(std::make_unique<Factors>()) {
   umfpack_dl_defaults(factors_->control);
   factors_->control[UMFPACK_PRL] = 0;
   factors_->control[UMFPACK_IRSTEP] = 0;
-  // The unknowns of callers are paired with their equations, and the pattern is nearly symmetric. Singletons taken out
-  // first would make what is left unsymmetric: 1.7 times the operations.
+  // Callers pair unknowns with their equations, and the pattern is nearly symmetric. Singletons taken out first would
+  // make what is left unsymmetric, which takes 1.7 times the operations.
   factors_->control[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;
   factors_->control[UMFPACK_SINGLETONS] = 0;
 }
@@ -77,8 +77,8 @@ bool SparseLu::factor(const SparseMatrix& matrix) {
     f.symbolic.reset();
     f.start.assign(matrix.start.begin(), matrix.start.end());
     f.row.assign(matrix.row.begin(), matrix.row.end());
-    // METIS dissects a mesh with a fifth of minimum degree's operations; it has nothing to gain, and takes its time,
-    // where much of the matrix is dense.
+    // METIS dissects a mesh with a fifth of minimum degree's operations; where much of the matrix is dense, it has
+    // nothing to gain and takes its time.
     const bool dense = static_cast<double>(f.row.size()) > 300 * static_cast<double>(matrix.columns);
     f.control[UMFPACK_ORDERING] = dense ? UMFPACK_ORDERING_AMD : UMFPACK_ORDERING_METIS;
     void* symbolic = nullptr;

@@ -1,6 +1,6 @@
 #pragma once
-/// LU factorisation of a sparse matrix with a nearly symmetric pattern by UMFPACK. The symbolic analysis is kept as
-/// long as the pattern stays the same.
+/// Factorises a sparse matrix with a nearly symmetric pattern into LU by UMFPACK. The symbolic analysis is kept as long
+/// as the pattern stays the same.
 
 #include <cstddef>
 #include <cstdint>
@@ -11,13 +11,13 @@
 namespace rollcon {
 
 struct SparseLuStatistics {
-  std::int64_t nonzeros = 0;  ///< of both factors
+  std::int64_t nonzeros = 0;  ///< nonzero entries of both factors
   double flops = 0;
-  std::int64_t analyses = 0, factorizations = 0;  ///< since construction
+  std::int64_t analyses = 0, factorizations = 0;  ///< numbers since construction
   std::size_t bytes = 0, peak_bytes = 0;
 };
 
-/// Not to be used by two threads at a time: solves share workspace.
+/// Solves with the factors. Two threads must not use one object at a time, because solves use one workspace.
 class SparseLu {
  public:
   SparseLu();
@@ -25,14 +25,14 @@ class SparseLu {
   SparseLu(SparseLu&&) noexcept;
   SparseLu& operator=(SparseLu&&) noexcept;
 
-  /// False in a build without UMFPACK, where factor() throws Error(err_unsupported).
+  /// Returns false in a build without UMFPACK, where factor() throws Error(err_unsupported).
   static bool available();
   /// Returns false when the matrix is singular. Throws Error: err_memory with the need, err_nonfinite.
   bool factor(const SparseMatrix& matrix);
   bool factored() const;
-  /// Overwrites a right side, without refinement: callers have the matrix and know what accuracy they need.
+  /// Overwrites a right side, without refinement, because callers have the matrix and know what accuracy they need.
   void solve(double* b);
-  /// Frees the factors, and with `all` the analysis too.
+  /// Frees the factors, and with `all` also the analysis.
   void release(bool all);
   const SparseLuStatistics& statistics() const { return statistics_; }
 

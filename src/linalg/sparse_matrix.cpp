@@ -50,7 +50,7 @@ SparseMatrix transposed(const SparseMatrix& m) {
   });
 }
 
-// Columns in turn: what column c sends to a later one precedes that one's own entries.
+// Takes columns in turn: what column c sends to a later one precedes that one's own entries.
 SparseMatrix both_triangles(const SparseMatrix& lower) {
   return arranged(lower.columns, lower.columns, [&](auto put) {
     for (std::int64_t c = 0; c < lower.columns; ++c)

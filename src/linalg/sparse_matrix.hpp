@@ -1,5 +1,5 @@
 #pragma once
-/// The one sparse matrix: compressed columns.
+/// Defines the library's one sparse matrix, in compressed columns.
 
 #include <cstddef>
 #include <cstdint>
@@ -7,14 +7,14 @@
 
 namespace rollcon {
 
-/// Rows ascending in each column. Of symmetric matrices factorisations take the lower triangle, diagonal included.
+/// Rows ascend in each column. Factorisations of symmetric matrices take the lower triangle, diagonal included.
 struct SparseMatrix {
   std::int64_t rows = 0, columns = 0;
-  std::vector<std::int64_t> start;  ///< columns + 1
+  std::vector<std::int64_t> start;  ///< columns + 1 offsets
   std::vector<std::int64_t> row;
   std::vector<double> value;
 
-  /// Empties it, to be filled column by column.
+  /// Empties the matrix, to be filled column by column.
   void begin(std::int64_t row_count);
   void push(std::int64_t r, double v) {
     row.push_back(r);
@@ -27,10 +27,10 @@ struct SparseMatrix {
 };
 
 SparseMatrix transposed(const SparseMatrix& matrix);
-/// The whole of a symmetric matrix.
+/// Returns the whole of a symmetric matrix.
 SparseMatrix both_triangles(const SparseMatrix& lower);
 
-/// Makes a matrix column by column, of entries in any order, summed where they meet.
+/// Makes a matrix column by column, from entries in any order, summed where they meet.
 class SparseBuilder {
  public:
   explicit SparseBuilder(std::int64_t rows);
@@ -42,7 +42,7 @@ class SparseBuilder {
   SparseMatrix result_;
   std::vector<double> sum_;
   std::vector<std::uint8_t> touched_;
-  std::vector<std::int64_t> row_;  ///< of this column
+  std::vector<std::int64_t> row_;  ///< rows of this column
 };
 
 }  // namespace rollcon

@@ -1,7 +1,8 @@
 #pragma once
-/// METIS draws from the process's random numbers and seeds them: orders would depend on who else runs, and the host's
-/// sequence on us. Within this scope they have a state of their own; one call at a time. METIS also takes SIGABRT and
-/// SIGTERM, and gives them back without the flags and masks that the host had set: they come back whole.
+/// Gives METIS random numbers of its own within this scope, for one call at a time. METIS draws from the process's
+/// random numbers and seeds them, so that orders would depend on who else runs, and the host's sequence on rollcon.
+/// METIS also takes SIGABRT and SIGTERM, and gives them back without the flags and masks that the host had set; this
+/// scope restores them whole.
 
 #include <signal.h>
 

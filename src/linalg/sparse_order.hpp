@@ -1,7 +1,7 @@
 #pragma once
-/// A fill-reducing order of the unknowns with the condensed ones last: METIS's nested dissection of the whole graph,
-/// from which the condensed ones are then moved to the end. Against it, on meshes of hexahedra: dissecting the rest
-/// alone saves at most 5 % of the operations, minimum degree takes three to four times as many.
+/// Finds a fill-reducing order of the unknowns with the condensed ones last: METIS's nested dissection of the whole
+/// graph, from which the condensed ones are then moved to the end. On meshes of hexahedra, dissecting only the rest
+/// saves at most 5 % of the operations, and minimum degree takes three to four times as many.
 
 #include <cstdint>
 #include <span>
@@ -13,25 +13,25 @@
 namespace rollcon {
 
 struct GraphOrder {
-  std::vector<std::int64_t> group;  ///< at each place
+  std::vector<std::int64_t> group;  ///< the group at each place
   std::size_t peak_bytes = 0;
 };
 
-/// METIS through CHOLMOD; minimum degree where it refuses. Throws std::bad_alloc. METIS finds memory or raises a
-/// signal that it catches; then it gives no order, and CHOLMOD does not notice.
+/// Orders by METIS through CHOLMOD; by minimum degree where it refuses. Throws std::bad_alloc. METIS finds memory or
+/// raises a signal that it catches; then it gives no order, and CHOLMOD does not notice.
 GraphOrder dissect(const SparseGroups& groups);
 
-/// Whether each of 0 .. order.size() - 1 comes once.
+/// Says whether each of 0 .. order.size() - 1 comes once.
 bool is_permutation(std::span<const std::int64_t> order);
 
 struct SparseOrder {
-  std::vector<std::int64_t> unknown;  ///< at each place, condensed ones at the end
+  std::vector<std::int64_t> unknown;  ///< the unknown at each place, condensed ones at the end
   std::size_t peak_bytes = 0;
 };
 
 SparseOrder order_unknowns(const SparseMatrix& matrix, std::span<const std::int64_t> condensed);
 
-/// The matrix in that order; rows are not sorted.
+/// Returns the matrix in that order, with rows not sorted.
 SparseMatrix permuted(const SparseMatrix& matrix, std::span<const std::int64_t> unknown);
 
 }  // namespace rollcon

@@ -13,7 +13,7 @@ GraphOrder dissect(const SparseGroups& groups) {
   std::iota(out.group.begin(), out.group.end(), 0);
   if (groups.neighbour.empty()) return out;
 
-  // The library reads the graph only; its lower triangle counts.
+  // The ordering reads the graph only; its lower triangle counts.
   cholmod_sparse graph{};
   graph.nrow = graph.ncol = out.group.size();
   graph.nzmax = groups.neighbour.size();

@@ -1,4 +1,4 @@
-/// In place of UMFPACK, in a build without it.
+/// Stands in for UMFPACK in a build without it.
 
 #include "linalg/sparse_lu.hpp"
 #include "support/error.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-/// A box along the axes around points.
+/// Represents a box along the axes around points.
 
 #include <algorithm>
 #include <limits>
@@ -33,7 +33,7 @@ struct Box {
   double longest() const { return std::max({size()[0], size()[1], size()[2]}); }
 };
 
-/// Around points[k] for all k.
+/// Returns the box around points[k] for all k.
 template <class Points, class Numbers>
 Box box_of(const Points& point, const Numbers& numbers) {
   Box box;

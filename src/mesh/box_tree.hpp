@@ -1,5 +1,5 @@
 #pragma once
-/// A binary tree of boxes, halved at the median of their middles along the longest side.
+/// Holds a binary tree of boxes, halved at the median of their middles along the longest side.
 
 #include <algorithm>
 #include <cstdint>
@@ -13,11 +13,11 @@ namespace rollcon {
 
 class BoxTree {
  public:
-  /// Boxes count from 0 in the order in which they are added. All are added before the tree is built.
+  /// Adds a box; boxes count from 0 in the order in which they are added. All are added before the tree is built.
   void add(const Box& box) { leaf_.push_back({box, static_cast<std::int64_t>(leaf_.size())}); }
   void build() { divide(0, leaf_.size()); }
 
-  /// The reach of a box that is not met: beyond any limit.
+  /// The reach of a box that is not met exceeds any limit.
   static constexpr double missed = std::numeric_limits<double>::quiet_NaN();
   /// Calls visit(number) for the boxes whose reach(box) is at most limit(), nearer parts of the tree first. The reach
   /// of a box is at most that of any box within it.
@@ -33,8 +33,8 @@ class BoxTree {
   };
   struct Part {
     Box box;
-    std::size_t first, last;  ///< leaves
-    std::size_t second = 0;   ///< part of its second half; that of the first half comes next; 0: not halved
+    std::size_t first, last;  ///< range of leaves
+    std::size_t second = 0;   ///< index of the second half; that of the first half comes next; 0: not halved
   };
   static constexpr std::size_t undivided = 8;
 

@@ -1,4 +1,4 @@
-/// Nodes are taken out one by one by moving them onto a neighbour that stays (collapsing the edge between them), which
+/// Takes out nodes one by one by moving them onto a neighbour that stays (collapsing the edge between them), which
 /// leaves a valid triangulation at any time.
 
 #include "mesh/coarsen.hpp"
@@ -31,8 +31,8 @@ std::int32_t middle_node(const Frame& frame) {
   return best;
 }
 
-// The node in the middle, or one beside it that has more neighbours: on triangles that halve a grid's quadrilaterals by
-// turns, nodes of four and of eight neighbours alternate, and those of eight are a coarser grid.
+// Returns the node in the middle, or one beside it that has more neighbours: on triangles that halve a grid's
+// quadrilaterals by turns, nodes of four and of eight neighbours alternate, and those of eight are a coarser grid.
 std::int32_t first_node(const Frame& frame, const Neighbours& next) {
   const std::int32_t middle = middle_node(frame);
   std::int32_t best = middle;
@@ -41,14 +41,15 @@ std::int32_t first_node(const Frame& frame, const Neighbours& next) {
   return best;
 }
 
-// Nodes to stay: no two of them neighbours, every other node next to one. Starting in the middle, the next is always
-// the one with the greatest part of its neighbours out already: on a grid every second one.
+// Chooses the nodes that stay: no two of them are neighbours, and every other node is next to one. Starting in the
+// middle, the next is always the one with the greatest fraction of its neighbours out already, which is every second
+// one on a grid.
 std::vector<std::uint8_t> choose_nodes(const Frame& frame, const Neighbours& next) {
   enum : std::uint8_t { undecided, stays, goes };
   const std::size_t n = at(frame.nodes());
   std::vector<std::uint8_t> fate(n, undecided);
-  std::vector<std::size_t> out(n, 0);               // neighbours that go
-  std::set<std::pair<double, std::int32_t>> queue;  // by falling part, then in the order of nodes
+  std::vector<std::size_t> out(n, 0);               // number of neighbours that go
+  std::set<std::pair<double, std::int32_t>> queue;  // by falling fraction, then in the order of nodes
   const auto key = [&](std::int32_t k) {
     return std::pair(-static_cast<double>(out[at(k)]) / static_cast<double>(next[k].size()), k);
   };
@@ -74,9 +75,10 @@ std::vector<std::uint8_t> choose_nodes(const Frame& frame, const Neighbours& nex
   return fate;
 }
 
-// Lengths around a node as its neighbours show them: a stretched mesh is judged as if it were not.
+// Measures lengths around a node the way its neighbours show them, so that a stretched mesh is judged as if it were
+// not.
 struct Metric {
-  double xx = 0, xy = 0, yy = 0, root = 0;  ///< root: of the determinant
+  double xx = 0, xy = 0, yy = 0, root = 0;  ///< square root of the determinant in `root`
 
   double operator()(double x, double y) const { return xx * x * x + 2 * xy * x * y + yy * y * y; }
 };
@@ -140,7 +142,7 @@ class Triangulation {
     const std::vector<double>&x = frame_.x, &y = frame_.y;
     return (x[b] - x[a]) * (y[c] - y[a]) - (x[c] - x[a]) * (y[b] - y[a]);
   }
-  // 1 for an equilateral triangle, 0 for a flat one, negative for one turned over.
+  // Returns 1 for an equilateral triangle, 0 for a flat one, and a negative value for one turned over.
   double quality(const Triangle& t, const Metric& metric) const {
     double sum = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -167,7 +169,7 @@ class Triangulation {
     return nodes;
   }
 
-  // A node of the rim may move along it only, where it is straight.
+  // Says whether the rim stays: a node of the rim may move along it only, where it is straight.
   bool keeps_rim(std::int32_t k, std::int32_t target) const {
     if (!frame_.rim[at(k)]) return true;
     std::vector<std::int32_t> along;
@@ -180,7 +182,7 @@ class Triangulation {
     return std::abs(twice_area({k, along[0], along[1]})) < straight * distance(k, along[0]) * distance(k, along[1]);
   }
 
-  // Quality of the worst triangle left around k moved onto target; negative: must not be done.
+  // Returns the quality of the worst triangle left around k moved onto target; negative if the move must not be done.
   double outcome(std::int32_t k, std::int32_t target) const {
     if (!keeps_rim(k, target)) return -1;
     const std::vector<std::int32_t> a = ring(k), b = ring(target);
@@ -227,7 +229,7 @@ class Triangulation {
   const Frame& frame_;
   std::vector<std::uint8_t> stays_;
   std::vector<Metric> metric_;
-  std::vector<Triangle> triangle_;  ///< those lost: all corners 0
+  std::vector<Triangle> triangle_;  ///< lost triangles have all corners 0
   std::vector<std::vector<std::int32_t>> around_;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// A coarser triangulation on some of a frame's own nodes.
+/// Makes a coarser triangulation on some of a frame's own nodes.
 
 #include <array>
 #include <cstdint>
@@ -10,13 +10,13 @@
 namespace rollcon {
 
 struct CoarseMesh {
-  std::vector<std::int32_t> node;                   ///< of the frame, for each coarse node
+  std::vector<std::int32_t> node;                   ///< node of the frame of each coarse node
   std::vector<std::array<std::int32_t, 3>> corner;  ///< triangles of coarse nodes
 };
 
-/// Linear triangles on about a quarter of the nodes: on a grid every second node of every second line. They cover the
-/// frame: corners and nodes along a curved rim stay, as does every node that cannot be taken out without turning a
-/// triangle over (in the projection).
+/// Makes linear triangles on about a quarter of the nodes; on a grid on every second node of every second line. They
+/// cover the frame: corners and nodes along a curved rim stay, and so does every node that cannot be taken out without
+/// turning a triangle over (in the projection).
 CoarseMesh coarsen(const Frame& frame);
 
 }  // namespace rollcon

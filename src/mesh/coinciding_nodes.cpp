@@ -10,14 +10,14 @@
 namespace rollcon {
 namespace {
 
-/// Nodes of different elements closer than this part of the distance to their own elements' nodes are one node given
-/// twice.
+/// Nodes of different elements closer than this fraction of the distance to their own elements' nodes are one node
+/// given twice.
 constexpr double coincidence = 1e-6;
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
-/// Nodes are swept along a direction in which no usual mesh has its layers, so that few of them share a strip.
+/// Sweeps nodes along a direction in which no usual mesh has its layers, so that few of them share a strip.
 void check_coinciding_nodes(std::span<const Vec3> node, std::span<const double> nearest, std::int32_t index_base,
                             const char* where) {
   struct Entry {
@@ -39,7 +39,7 @@ void check_coinciding_nodes(std::span<const Vec3> node, std::span<const double> 
     const Entry& a = order[i];
     for (std::size_t j = i + 1; j < order.size(); ++j) {
       const Entry& b = order[j];
-      // The direction is not longer than 1: nodes within the tolerance are within the strip.
+      // The direction is not longer than 1, so nodes within the tolerance are within the strip.
       if (b.position - a.position > a.tolerance) break;
       if (length(node[a.node] - node[b.node]) > std::min(a.tolerance, b.tolerance)) continue;
       together.add("nodes %lld and %lld", static_cast<long long>(std::min(a.node, b.node)) + index_base,

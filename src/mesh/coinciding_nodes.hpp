@@ -1,5 +1,5 @@
 #pragma once
-/// Different nodes of a mesh at one place.
+/// Finds different nodes of a mesh at one place.
 
 #include <cstdint>
 #include <span>
@@ -9,8 +9,8 @@
 namespace rollcon {
 
 /// Fails when two nodes are closer than 1e-6 of the distance to the other nodes of their elements, rounding of the
-/// coordinates allowed for. nearest: that distance by node, infinite for nodes of no element, which are not looked at.
-/// where: as in Tally::fail_if_any.
+/// coordinates allowed for. That distance is given by node in `nearest`, infinite for nodes of no element, which are
+/// not looked at. The text `where` is that of Tally::fail_if_any.
 void check_coinciding_nodes(std::span<const Vec3> node, std::span<const double> nearest, std::int32_t index_base,
                             const char* where);
 

@@ -1,4 +1,4 @@
-/// Local triads, weights and areas of curved frames.
+/// Computes local triads, weights and areas of curved frames.
 
 #include <algorithm>
 #include <cmath>
@@ -12,13 +12,13 @@
 namespace rollcon {
 namespace {
 
-/// cos 60 degrees: slope of the surface against the tangent plane, as for the frame's elements.
+/// The slope of the surface against the tangent plane is at most 60 degrees, also for the frame's elements.
 constexpr double smallest_cosine = 0.5;
 /// Normals closer than this to the axes' make no difference to any result.
 constexpr double flat_enough = 1e-12;
 
-/// Area on the surface of each node's median-dual cell: facets of the linear cells, scaled so that those of an element
-/// add up to its area.
+/// Returns the area on the surface of each node's median-dual cell: facets of the linear cells, scaled so that those of
+/// an element add up to its area.
 std::vector<double> cell_areas(const Frame& frame, const std::vector<double>& element_area) {
   const LinearCells cells = split_elements(frame.mesh);
   const auto point = [&](std::int32_t k) { return frame.mesh.node[static_cast<std::size_t>(k)]; };
@@ -26,7 +26,7 @@ std::vector<double> cell_areas(const Frame& frame, const std::vector<double>& el
   std::size_t f = 0;
   for (std::int64_t c = 0; c < cells.size(); ++c) {
     const auto n = cells[c];
-    // Relative to the first node: frames far from their origin lose no digits.
+    // Coordinates relative to the first node lose no digits in frames far from their origin.
     const Vec3 origin = point(n[0]);
     Vec3 centre{};
     for (const std::int32_t k : n) centre = centre + (1 / static_cast<double>(n.size())) * (point(k) - origin);

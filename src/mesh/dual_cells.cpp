@@ -9,7 +9,7 @@ DualCells build_dual_cells(const LinearCells& cells, std::span<const double> x, 
   for (std::int64_t c = 0; c < cells.size(); ++c) {
     const auto n = cells[c];
     const double count = static_cast<double>(n.size());
-    // Relative to the first node: frames far from their origin lose no digits.
+    // Coordinates relative to the first node lose no digits in frames far from their origin.
     const double x0 = x[static_cast<std::size_t>(n[0])], y0 = y[static_cast<std::size_t>(n[0])];
     double cx = 0, cy = 0;
     for (std::int32_t k : n) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Element types of a contact frame. Numbers are those of rollcon.h and never change.
+/// Lists the element types of a contact frame. Numbers are those of rollcon.h and never change.
 
 #include <cstdint>
 
@@ -13,8 +13,8 @@ enum class ElementType : std::int32_t {
   quad9 = 219,
 };
 
-/// Node numbering: corners counter-clockwise seen from the tip of the normal, then the edge midpoints in the same order
-/// (first between corners 0 and 1), then the centre (quad9).
+/// Returns the number of nodes. They are numbered corners first, counter-clockwise seen from the tip of the normal,
+/// then the edge midpoints in that order (first between corners 0 and 1), then the centre (quad9).
 constexpr int node_count(ElementType type) {
   switch (type) {
     case ElementType::tri3:
@@ -41,7 +41,7 @@ constexpr bool is_quadratic(ElementType type) {
 
 constexpr int max_element_nodes = 9;
 
-/// True when the number is one of the enumerators above.
+/// Returns true when the number is one of the enumerators above.
 constexpr bool is_element_type(std::int32_t type) {
   return node_count(static_cast<ElementType>(type)) > 0;
 }

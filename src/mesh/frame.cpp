@@ -23,7 +23,7 @@ void check_axes(const Axes& axes) {
   if (!orthonormal) fail(Status::err_argument, "the axes (t1, t2, n) are not orthonormal and right-handed");
 }
 
-/// Squares and products of lengths must stay in the range of double precision.
+/// Refuses coordinates whose squares and products would leave the range of double precision.
 void check_range(const SurfaceMesh& mesh, const Axes& axes) {
   double extent = 0;
   for (std::size_t k = 0; k < mesh.node.size(); ++k)
@@ -40,7 +40,7 @@ void check_range(const SurfaceMesh& mesh, const Axes& axes) {
 }
 
 void integrate_weights(Frame& frame) {
-  constexpr int degree = 5;  // N_i times the Jacobian of the projection, of any element
+  constexpr int degree = 5;  // degree of N_i times the Jacobian of the projection, for any element
   frame.weight.assign(static_cast<std::size_t>(frame.nodes()), 0);
   frame.area = 0;
   integrate_projection(frame, degree, [&](auto nodes, const Shape& shape, double, double, double area) {

@@ -1,6 +1,6 @@
 #pragma once
-/// The contact frame: the mesh on which tractions live. Its nodes are given in space; their projection on the tangent
-/// plane of the axes (t1, t2) gives the coordinates x, y of the surface, so a frame may be curved as long as it
+/// Defines the contact frame: the mesh on which tractions live. Its nodes are given in space; their projection on the
+/// tangent plane of the axes (t1, t2) gives the coordinates x, y of the surface, so a frame may be curved as long as it
 /// projects without folding. Half-spaces see the projection alone, or the frame unrolled where it has a section. Bodies
 /// with a mesh give every node a local triad (curve_frame).
 
@@ -14,7 +14,7 @@
 
 namespace rollcon {
 
-/// Origin and right-handed orthonormal triad (t1 rolling direction, t2, n outward normal of body 1).
+/// Holds the origin and the right-handed orthonormal triad (t1 rolling direction, t2, n outward normal of body 1).
 struct Axes {
   Vec3 origin{0, 0, 0};
   Vec3 t1{1, 0, 0};
@@ -22,28 +22,28 @@ struct Axes {
   Vec3 n{0, 0, 1};
 };
 
-/// Local directions at a point of the contact surface, right-handed and orthonormal.
+/// Holds the local directions at a point of the contact surface, right-handed and orthonormal.
 struct Triad {
   Vec3 t1, t2, n;
 };
 
-/// n: the unit normal; t1: the rolling direction of the axes projected on the tangent plane; t2 = n x t1. The normal
-/// must not be parallel to the rolling direction.
+/// Makes a triad of the unit normal n, of t1, the rolling direction of the axes projected on the tangent plane, and t2
+/// = n x t1. The normal must not be parallel to the rolling direction.
 Triad local_triad(const Axes& axes, const Vec3& normal);
 
 struct Frame {
   SurfaceMesh mesh;
   Axes axes;
   std::vector<double> x, y, z;  ///< nodal coordinates in the axes (t1, t2, n)
-  /// Integral of N_i over the projected frame, of a curved one over the surface itself (may be <= 0).
+  /// Holds the integral of N_i over the projected frame, or over the surface itself if curved (may be <= 0).
   std::vector<double> weight;
   std::vector<double> cell_area;   ///< median-dual cell area (curved: on the surface), > 0
   std::vector<std::uint8_t> rim;   ///< 1 for nodes on the frame's boundary
   std::vector<std::uint8_t> used;  ///< 1 for nodes that belong to an element and may carry tractions
-  double area = 0;                 ///< of the projected frame, of a curved one of the surface
-  /// Local triads of a curved frame; empty: flat, the axes' triad everywhere.
+  double area = 0;                 ///< area of the projected frame, of the surface if curved
+  /// Holds the local triads of a curved frame; a flat one leaves them empty and has the axes' triad everywhere.
   std::vector<Vec3> t1, t2, n;
-  /// Of a curved frame under half-spaces: what it was laid on. Null: bodies with a mesh curve it, or it is flat.
+  /// Refers to what a curved frame under half-spaces was laid on; null if bodies with a mesh curve it, or it is flat.
   std::shared_ptr<const SectionLine> section;
 
   std::int64_t nodes() const { return mesh.nodes(); }
@@ -58,15 +58,16 @@ struct Frame {
 /// Projects the mesh, checks it and computes everything above. Throws Error(err_mesh) naming, in the caller's index
 /// base, the first offending element and their count: repeated nodes in an element, the same element twice, more than
 /// two elements on an edge, degenerate (Jacobian not positive at a checked point), flipped (negative seen from the tip
-/// of n), nodes of no element are allowed (they carry no traction).
+/// of n). Nodes of no element are allowed (they carry no traction).
 Frame build_frame(SurfaceMesh mesh, const Axes& axes);
 
-/// Gives every node its local triad, and replaces weights and areas by those of the surface itself. normal: outward
+/// Gives every node its local triad, and replaces weights and areas by those of the surface itself, from the outward
 /// normal of body 1 at every node, of any length. Normals that all agree with the axes' leave the frame flat. Throws
-/// Error(err_mesh) naming the first node, and their count, whose normal is more than 60 degrees off the axes' normal.
+/// Error(err_mesh) naming the first node whose normal is more than 60 degrees off the axes' normal, and the number of
+/// such nodes.
 void curve_frame(Frame& frame, std::span<const Vec3> normal);
 
-/// Area of the median-dual cells in the projection, where convection works.
+/// Returns the area of the median-dual cells in the projection, where convection works.
 std::vector<double> projected_cell_area(const Frame& frame);
 
 }  // namespace rollcon

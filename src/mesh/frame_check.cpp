@@ -15,18 +15,17 @@
 namespace rollcon {
 namespace {
 
-/// Smallest height of an element over its length, and smallest distance of two
-/// nodes likewise.
+/// Both the smallest height of an element and the smallest distance of two nodes, over the element's length, must
+/// exceed this.
 constexpr double smallest_ratio = 1e-10;
-/// cos 60 degrees: the frame's slope against the tangent plane.
+/// The frame's slope against the tangent plane is at most 60 degrees.
 constexpr double smallest_cosine = 0.5;
 
 struct Sign {
   bool positive = false, negative = false, vanishing = false, steep = false;
 };
 
-/// Signs of the Jacobian over the check points, coordinates divided by the
-/// element's size.
+/// Returns the signs of the Jacobian over the check points, with coordinates divided by the element's size.
 Sign jacobian_signs(std::span<const Vec3> point, double size, const std::vector<CheckPoint>& looked_at,
                     double tolerance) {
   Sign sign;
@@ -73,8 +72,7 @@ void check_elements(const SurfaceMesh& mesh, std::span<const double> x, std::spa
     }
     const std::span<const Vec3> point(all.data(), nodes.size());
     const NodeExtent extent = measure_nodes(point);
-    // Coordinates carry the rounding of their magnitude: what is below it
-    // cannot be told from zero.
+    // Coordinates carry the rounding of their magnitude: what is below it cannot be told from zero.
     const double rounding = 16 * std::numeric_limits<double>::epsilon() * extent.magnitude / extent.size;
     const double tolerance = std::max(smallest_ratio, rounding);
     if (!(extent.nearest > tolerance * extent.size)) {
@@ -114,8 +112,7 @@ void check_elements(const SurfaceMesh& mesh, std::span<const double> x, std::spa
 
 namespace {
 
-/// Corner edges must carry the same midside node (or none) in both of their
-/// elements.
+/// Checks that edges between corners carry one midside node (or none) in both of their elements.
 void check_midsides(const Names<SurfaceMesh>& names) {
   if (std::none_of(names.mesh.type.begin(), names.mesh.type.end(), [](ElementType t) { return is_quadratic(t); }))
     return;

@@ -15,7 +15,7 @@ struct Direction {
   double x, y;
 };
 
-/// What a search found, and the sums of least squares on the way.
+/// Holds what a search found, and the sums of least squares on the way.
 class Search {
  public:
   Search(const Frame& frame, Lattice& lattice) : frame_(frame), lattice_(lattice) {}
@@ -48,10 +48,10 @@ class Search {
   const Frame& frame_;
   Lattice& lattice_;
   std::string why_;
-  std::vector<std::int32_t> i_, j_;  ///< of each node that is used
+  std::vector<std::int32_t> i_, j_;  ///< places of each node that is used
 };
 
-/// Sides of the first element as axes of the grid, and their lengths.
+/// Takes the sides of the first element as axes of the grid, and their lengths.
 bool Search::take_cell() {
   const auto corner = frame_.mesh.element(0);
   const auto side = [&](std::size_t from, std::size_t to) {
@@ -64,7 +64,7 @@ bool Search::take_cell() {
   // The longer side tells the direction of both more sharply.
   Direction e{first.x / length[0], first.y / length[0]}, f{-e.y, e.x};
   if (length[1] > length[0]) f = {second.x / length[1], second.y / length[1]}, e = {f.y, -f.x};
-  // Of two axes as close to t1 as each other, the one that leans towards t2.
+  // If two axes are equally close to t1, the one that leans towards t2 is taken.
   const double lean = std::abs(e.x) - std::abs(f.x);
   const bool tie = std::abs(lean) < 1e-6;
   if (tie ? e.x * e.y < 0 : lean < 0) {
@@ -79,7 +79,7 @@ bool Search::take_cell() {
   return true;
 }
 
-/// Whole numbers of cells from the outermost nodes.
+/// Numbers nodes by whole cells from the outermost nodes.
 bool Search::number_nodes() {
   const std::size_t n = frame_.x.size();
   double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
@@ -118,7 +118,7 @@ bool Search::number_nodes() {
   return true;
 }
 
-/// Spacings and origin for the axes as they are.
+/// Fits spacings and origin for the given axes.
 void Search::fit_spacings() {
   long double count = 0, i = 0, j = 0, u = 0, v = 0;
   for (std::size_t k = 0; k < i_.size(); ++k) {
@@ -139,10 +139,10 @@ void Search::fit_spacings() {
   lattice_.y0 = u0 * lattice_.ey + v0 * lattice_.ex;
 }
 
-/// Least squares; to what the nodes' places tell, an aligned grid is an aligned grid.
+/// Fits by least squares; to what the nodes' places tell, an aligned grid stays aligned.
 bool Search::fit() {
   fit_spacings();
-  // The turn that is left, from the products of places and coordinates.
+  // The products of places and coordinates give the turn that is left.
   long double count = 0, i = 0, j = 0, turn = 0, radius = 0;
   for (std::size_t k = 0; k < i_.size(); ++k)
     if (i_[k] >= 0) count += 1, i += i_[k], j += j_[k];
@@ -263,7 +263,7 @@ std::optional<Lattice> find_lattice(const Frame& frame, std::string* why) {
 }
 
 bool may_be_lattice(const SurfaceMesh& mesh) {
-  constexpr double least = 0.9;  // of the sides of a cell: nodes may be a little off their places
+  constexpr double least = 0.9;  // fraction of a cell's sides: nodes may be a little off their places
   double side[2] = {}, first[2] = {};
   for (std::int64_t e = 0; e < mesh.elements(); ++e) {
     if (mesh.type[at(e)] != ElementType::quad4) return false;

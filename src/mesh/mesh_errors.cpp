@@ -45,8 +45,7 @@ void check_connectivity(const Names<Elements>& names, std::int64_t count) {
         repeated.add("element %lld (%s), node %lld", names.element(e), names.type(e), names.node(*k));
         break;
       }
-    // The same corners are the same element, whatever its order of
-    // interpolation.
+    // Equal corners make equal elements, whatever their order of interpolation.
     std::array<std::int32_t, 8> corner;
     corner.fill(-1);
     std::copy_n(nodes.begin(), corner_count(names.mesh.type[at(e)]), corner.begin());

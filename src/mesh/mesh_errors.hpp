@@ -1,5 +1,5 @@
 #pragma once
-/// How checks of meshes report: the first offender and their number.
+/// Reports the findings of mesh checks: the first offender and the number of offenders.
 
 #include <array>
 #include <cstdint>
@@ -31,7 +31,7 @@ struct Tally {
     std::snprintf(text, sizeof text, format, args...);
     first = text;
   }
-  /// where: "frame", "surface" or "volume"; base: what the caller's numbers
+  /// Fails if anything was counted. `where` is "frame", "surface" or "volume"; `base` is what the caller's numbers
   /// count from.
   void fail_if_any(const char* what, const char* where, std::int32_t base) const {
     if (count > 0)
@@ -40,12 +40,11 @@ struct Tally {
   }
 };
 
-/// Numbers and names as the caller knows them, of a surface or the inside of a
-/// volume.
+/// Gives the numbers and names that the caller knows, for a surface or the inside of a volume.
 template <class Elements>
 struct Names {
   const Elements& mesh;
-  std::int32_t base;  ///< what the caller's numbers count from
+  std::int32_t base;  ///< first number of the caller
   const char* where;  ///< "frame", "surface" or "volume"
   long long node(std::int64_t k) const { return k + base; }
   long long element(std::int64_t e) const { return e + base; }
@@ -53,8 +52,8 @@ struct Names {
   void refuse(const Tally& found, const char* what) const { found.fail_if_any(what, where, base); }
 };
 
-/// Nodes in range, no node twice in an element, no element twice. Before
-/// anything is computed.
+/// Checks that nodes are in range, no node comes twice in an element, and no element twice. It runs before anything is
+/// computed.
 template <class Elements>
 void check_connectivity(const Names<Elements>& names, std::int64_t nodes);
 extern template void check_connectivity(const Names<SurfaceMesh>&, std::int64_t);
@@ -70,18 +69,17 @@ void check_nodes_used(const Names<Elements>& names, std::int64_t nodes) {
   names.refuse(unused, "a node belongs to no element");
 }
 
-/// How far apart an element's nodes are, and how far from the origin.
+/// Holds how far apart an element's nodes are, and how far from the origin.
 struct NodeExtent {
   double size = 0, magnitude = 0;
-  double nearest = std::numeric_limits<double>::infinity();  ///< of near_i and near_j
+  double nearest = std::numeric_limits<double>::infinity();  ///< distance of near_i and near_j
   std::size_t near_i = 0, near_j = 0;
-  std::array<double, max_volume_nodes> own;  ///< by node: distance of the nearest other one
+  std::array<double, max_volume_nodes> own;  ///< distance of the nearest other node, by node
 };
 NodeExtent measure_nodes(std::span<const Vec3> point);
 
-/// Points where a surface element's Jacobian is checked. A linear element's is
-/// linear in each variable, so its corners decide; quadratic ones get a lattice
-/// with spacing 1/8 of the element.
+/// Is a point where a surface element's Jacobian is checked. A linear element's Jacobian is linear in each variable, so
+/// its corners decide; quadratic ones get a lattice with spacing 1/8 of the element.
 struct CheckPoint {
   ReferencePoint at;
   int node = -1;  ///< local node that lies there

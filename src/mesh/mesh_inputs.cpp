@@ -25,13 +25,13 @@ void require_strides(std::int64_t n, std::int64_t node_stride, std::int64_t comp
          static_cast<long long>(n), static_cast<long long>(node_stride), static_cast<long long>(component_stride));
 }
 
-/// Room for `more` entries, so that adding them cannot throw; grows geometrically.
+/// Makes room for `more` entries, so that adding them cannot throw; grows geometrically.
 template <class T>
 void make_room(std::vector<T>& v, std::size_t more) {
   if (v.size() + more > v.capacity()) v.reserve(std::max(v.size() + more, 2 * v.capacity()));
 }
 
-/// Where elements go: a surface or the inside of a body.
+/// Appends elements to a surface or to the inside of a body.
 template <class Type, class Elements>
 void append(Elements& to, Type type, std::int64_t n, const std::int32_t* connectivity, std::int32_t index_base,
             std::int32_t tag) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Elements around nodes, joined into fans.
+/// Joins elements around nodes into fans.
 
 #include <algorithm>
 #include <numeric>
@@ -9,7 +9,7 @@
 
 namespace rollcon {
 
-/// Sets of entries of the connectivity: each starts alone, entries of one node are joined.
+/// Holds sets of entries of the connectivity: each entry starts alone, and entries of one node are joined.
 class NodeFans {
  public:
   explicit NodeFans(const SurfaceMesh& mesh) : mesh_(mesh), parent_(mesh.connectivity.size()) {
@@ -23,7 +23,7 @@ class NodeFans {
     if (const std::int32_t mid = midside_node(mesh_, a); mid >= 0) join(a.cell, b.cell, mid);
   }
 
-  /// First entry of the fan that entry i belongs to.
+  /// Returns the first entry of the fan that entry i belongs to.
   std::size_t first(std::size_t i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;

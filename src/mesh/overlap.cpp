@@ -30,7 +30,7 @@ ElementOverlap find_overlap(const LinearCells& cells, std::span<const double> x,
       const auto a = static_cast<std::size_t>(n[i]);
       const auto b = static_cast<std::size_t>(n[(i + 1) % n.size()]);
       const double ex = x[b] - x[a], ey = y[b] - y[a];
-      // Twice the area against the edge squared: depth over edge length.
+      // Twice the area over the edge squared is the depth over the edge's length.
       const double area = ex * (py - y[a]) - ey * (px - x[a]);
       if (area <= tolerance * (ex * ex + ey * ey)) return false;
     }

@@ -1,5 +1,5 @@
 #pragma once
-/// Cells that lie over one another in the plane, found with a tree of boxes.
+/// Finds cells that lie over one another in the plane, with a tree of boxes.
 
 #include <cstdint>
 #include <span>
@@ -10,11 +10,11 @@ namespace rollcon {
 
 struct ElementOverlap {
   std::int64_t first = -1, second = -1;  ///< a pair of cells; -1: none
-  std::int64_t count = 0;                ///< cells found to lie over another
+  std::int64_t count = 0;                ///< number of cells found to lie over another
 };
 
-/// Convex counter-clockwise cells. A cell counts when its centroid or one of its nodes is inside another cell (deeper
-/// than `tolerance` times that cell's size).
+/// Takes convex counter-clockwise cells. A cell counts when its centroid or one of its nodes is inside another cell
+/// (deeper than `tolerance` times that cell's size).
 ElementOverlap find_overlap(const LinearCells& cells, std::span<const double> x, std::span<const double> y,
                             double tolerance);
 

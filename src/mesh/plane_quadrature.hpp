@@ -1,5 +1,5 @@
 #pragma once
-/// Quadrature over a frame's projection on the plane of its axes.
+/// Integrates over a frame's projection on the plane of its axes.
 
 #include <cstddef>
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace rollcon {
 
-/// Calls f(nodes, shape, x, y, area) at the points of a rule of this degree on every element; area: weight times the
-/// Jacobian of the projection, a polynomial.
+/// Calls f(nodes, shape, x, y, area) at the points of a rule of this degree on every element, with `area` the weight
+/// times the Jacobian of the projection, a polynomial.
 template <class F>
 void integrate_projection(const Frame& frame, int degree, F f) {
   const PlaneRule triangle = triangle_rule(degree), square = square_rule(degree);
@@ -30,7 +30,7 @@ void integrate_projection(const Frame& frame, int degree, F f) {
         const auto i = static_cast<std::size_t>(nodes[k]);
         x += shape.value[k] * frame.x[i];
         y += shape.value[k] * frame.y[i];
-        const double dx = frame.x[i] - x0, dy = frame.y[i] - y0;  // far frames lose no digits
+        const double dx = frame.x[i] - x0, dy = frame.y[i] - y0;  // relative, so that far frames lose no digits
         x_xi += shape.d_xi[k] * dx;
         x_eta += shape.d_eta[k] * dx;
         y_xi += shape.d_xi[k] * dy;

@@ -11,12 +11,12 @@ namespace {
 constexpr std::size_t terms = Quadratic::terms;
 using Coefficients = std::array<double, terms>;
 
-/// The normal equations of a fit, and right sides beside them.
+/// Holds the normal equations of a fit, and right sides beside them.
 template <std::size_t sides>
 using System = std::array<std::array<double, terms + sides>, terms>;
 
-// By elimination with pivoting; the solutions stand where the right sides stood. False: the points do not determine a
-// quadratic polynomial.
+// Solves by elimination with pivoting; the solutions replace the right sides. Returns false if the points do not
+// determine a quadratic polynomial.
 template <std::size_t sides>
 bool solve(System<sides>& a) {
   constexpr double least_pivot = 1e-10;
@@ -37,7 +37,8 @@ bool solve(System<sides>& a) {
   return true;
 }
 
-/// About (x0, y0), by the largest distances from there; none where the points are on one line along an axis.
+/// Centres at (x0, y0) and scales by the largest distances from there; none where the points are on one line along an
+/// axis.
 std::optional<Quadratic> scaled(double x0, double y0, std::span<const double> x, std::span<const double> y) {
   Quadratic q{.x0 = x0, .y0 = y0, .rx = 0, .ry = 0, .c = {}};
   for (std::size_t k = 0; k < x.size(); ++k) {
@@ -60,7 +61,7 @@ double Quadratic::operator()(double x, double y) const {
   return std::inner_product(m.begin(), m.end(), c.begin(), 0.0);
 }
 
-// Less the mean of the values, which may be large beside what they differ by.
+// The mean of the values is subtracted, because it may be large beside what they differ by.
 std::optional<Quadratic> fit_quadratic(double x0, double y0, std::span<const double> x, std::span<const double> y,
                                        std::span<const double> value) {
   std::optional<Quadratic> q = scaled(x0, y0, x, y);

@@ -1,5 +1,5 @@
 #pragma once
-/// Quadratic polynomials fitted by least squares to values at points of a plane.
+/// Fits quadratic polynomials by least squares to values at points of a plane.
 
 #include <array>
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace rollcon {
 
-/// c[0] + c[1] u + c[2] v + c[3] u u + c[4] u v + c[5] v v with u = (x - x0) / rx, v = (y - y0) / ry.
+/// Is c[0] + c[1] u + c[2] v + c[3] u u + c[4] u v + c[5] v v with u = (x - x0) / rx, v = (y - y0) / ry.
 struct Quadratic {
   static constexpr std::size_t terms = 6;
   double x0 = 0, y0 = 0, rx = 1, ry = 1;
@@ -19,11 +19,11 @@ struct Quadratic {
   double operator()(double x, double y) const;
 };
 
-/// Through value[k] at (x[k], y[k]), about (x0, y0); none if the points do not determine it.
+/// Fits value[k] at (x[k], y[k]), about (x0, y0); none if the points do not determine it.
 std::optional<Quadratic> fit_quadratic(double x0, double y0, std::span<const double> x, std::span<const double> y,
                                        std::span<const double> value);
 
-/// What the values at these points are multiplied by for the second derivatives xx, xy and yy of that polynomial; empty
+/// Returns the weights of the values at these points in the second derivatives xx, xy and yy of that polynomial; empty
 /// if the points do not determine it.
 std::vector<std::array<double, 3>> curvature_weights(std::span<const double> x, std::span<const double> y);
 

@@ -11,7 +11,7 @@ struct Polynomial {
   double value, slope;
 };
 
-/// Jacobi polynomial P_n^(a,0) and its derivative from the three-term recurrence; |x| < 1.
+/// Evaluates the Jacobi polynomial P_n^(a,0) and its derivative by the three-term recurrence; |x| < 1.
 Polynomial jacobi(int n, double a, double x) {
   double before = 1, value = (a + 1) + 0.5 * (a + 2) * (x - 1);
   for (int k = 2; k <= n; ++k) {
@@ -53,7 +53,7 @@ PlaneRule triangle_rule(int degree) {
   PlaneRule rule;
   for (std::size_t i = 0; i < towards.x.size(); ++i)
     for (std::size_t j = 0; j < along.x.size(); ++j) {
-      // xi = (1 + u)/2, eta = (1 - xi)(1 + v)/2; the Jacobian (1 - u)/8 is Gauss-Jacobi's weight.
+      // With xi = (1 + u)/2, eta = (1 - xi)(1 + v)/2, the Jacobian (1 - u)/8 is Gauss-Jacobi's weight.
       const double xi = 0.5 * (1 + towards.x[i]);
       rule.xi.push_back(xi);
       rule.eta.push_back(0.25 * (1 - towards.x[i]) * (1 + along.x[j]));

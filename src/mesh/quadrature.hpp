@@ -1,5 +1,5 @@
 #pragma once
-/// Gauss rules computed on demand, for any number of points.
+/// Computes Gauss rules on demand, for any number of points.
 
 #include <vector>
 
@@ -14,19 +14,19 @@ struct PlaneRule {
   std::size_t size() const { return w.size(); }
 };
 
-/// n-point rule on [-1, 1] for the weight (1 - x)^alpha, alpha >= 0: exact to degree 2n - 1. Zeros of the Jacobi
-/// polynomial by Newton's method with deflation, ascending.
+/// Returns the n-point rule on [-1, 1] for the weight (1 - x)^alpha, alpha >= 0, which is exact to degree 2n - 1. Finds
+/// the zeros of the Jacobi polynomial by Newton's method with deflation, in ascending order.
 LineRule gauss_jacobi(int n, double alpha);
 inline LineRule gauss_legendre(int n) {
   return gauss_jacobi(n, 0);
 }
 
-/// Exact for polynomials of total degree `degree` on the triangle (0,0), (1,0), (0,1); all points inside, all weights
-/// positive (product rule collapsed at a corner).
+/// Returns a rule exact for polynomials of total degree `degree` on the triangle (0,0), (1,0), (0,1); all points are
+/// inside, all weights positive (product rule collapsed at a corner).
 PlaneRule triangle_rule(int degree);
-/// Both rules' products, on [-1,1]^2: eta runs first.
+/// Returns the product of both rules on [-1,1]^2; eta runs first.
 PlaneRule product_rule(const LineRule& xi, const LineRule& eta);
-/// Exact for polynomials of degree `degree` in each variable on [-1,1]^2.
+/// Returns a rule exact for polynomials of degree `degree` in each variable on [-1,1]^2.
 PlaneRule square_rule(int degree);
 
 }  // namespace rollcon

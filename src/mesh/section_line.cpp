@@ -21,7 +21,7 @@ SectionLine::SectionLine(std::vector<Place> place) : place_(std::move(place)), a
   }
 }
 
-// Length from place i to y before place i + 1, and the angle there. On an arc the sine is linear in y.
+// Returns the length from place i to y before place i + 1, and the angle there. The sine is linear in y on an arc.
 double SectionLine::arc_from(std::size_t i, double y, double& angle) const {
   const Place &a = place_[i], &b = place_[i + 1];
   const double sine = std::sin(a.angle), rise = (std::sin(b.angle) - sine) / (b.y - a.y), along = y - a.y;

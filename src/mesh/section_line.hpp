@@ -1,5 +1,5 @@
 #pragma once
-/// The line in which the plane across the rolling direction meets the surface of a conformal contact.
+/// Represents the line in which the plane across the rolling direction meets the surface of a conformal contact.
 
 #include <cstddef>
 #include <vector>
@@ -8,13 +8,13 @@ namespace rollcon {
 
 class SectionLine {
  public:
-  /// One of its points: where, how high above the plane of the axes, and the angle of its tangent with that plane,
-  /// about the rolling direction, from t2 towards n.
+  /// Is one of the line's points: where, how high above the plane of the axes, and the angle of its tangent with that
+  /// plane, about the rolling direction, from t2 towards n.
   struct Place {
     double y = 0, height = 0, angle = 0;
   };
-  /// At least one place, y ascending, angles less than a right one. Between two of them it is a circular arc, beyond
-  /// the ends it goes on straight.
+  /// Takes at least one place, y ascending, angles less than a right one. The line is a circular arc between two of
+  /// them, and goes on straight beyond the ends.
   explicit SectionLine(std::vector<Place> place);
 
   struct Point {

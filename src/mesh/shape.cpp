@@ -13,7 +13,7 @@ void set(Shape& s, std::size_t i, double value, double d_xi, double d_eta) {
   s.d_eta[i] = d_eta;
 }
 
-/// Barycentric coordinates L_i with their constant derivatives.
+/// Barycentric coordinates L_i have constant derivatives.
 constexpr double bary_xi[3] = {-1, 1, 0}, bary_eta[3] = {-1, 0, 1};
 
 void tri3(double xi, double eta, Shape& s) {
@@ -54,7 +54,7 @@ void quad8(double xi, double eta, Shape& s) {
   }
 }
 
-/// One-dimensional quadratic Lagrange function of the node at a in {-1, 0, 1}, and its derivative.
+/// Evaluates the one-dimensional quadratic Lagrange function of the node at a in {-1, 0, 1}, and its derivative.
 struct Line3 {
   double value, slope;
 };

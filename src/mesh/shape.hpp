@@ -1,6 +1,6 @@
 #pragma once
-/// Lagrange and serendipity shape functions of the frame's elements. Reference triangle: corners (0,0), (1,0), (0,1);
-/// reference square: [-1,1]^2, first corner (-1,-1).
+/// Evaluates Lagrange and serendipity shape functions of the frame's elements. The reference triangle has the corners
+/// (0,0), (1,0), (0,1); the reference square is [-1,1]^2, with its first corner at (-1,-1).
 
 #include <array>
 #include <span>
@@ -19,10 +19,10 @@ struct ReferencePoint {
   double xi, eta;
 };
 
-/// Values and derivatives at a reference point; entries past node_count(type) are left alone.
+/// Evaluates values and derivatives at a reference point; entries past node_count(type) are not written.
 void evaluate_shape(ElementType type, double xi, double eta, Shape& shape);
 
-/// Reference coordinates of the element's nodes, in their order.
+/// Returns the reference coordinates of the element's nodes, in their order.
 std::span<const ReferencePoint> reference_nodes(ElementType type);
 
 }  // namespace rollcon

@@ -10,8 +10,8 @@
 namespace rollcon {
 namespace {
 
-constexpr double same_line = 1e-9;  // of the frame's width
-constexpr double lift = 1e-13;      // likewise, or of y
+constexpr double same_line = 1e-9;  // fraction of the frame's width
+constexpr double lift = 1e-13;      // fraction of the frame's width, or of y
 
 }  // namespace
 
@@ -59,7 +59,7 @@ void StreamLines::cut(double y, std::vector<LinePiece>& pieces) const {
   if (next != y_.end() && *next <= y + rounding_) y = *next;
   y = std::clamp(y, lowest_, y_.back());
   const auto crossing = [&](std::int32_t a, std::int32_t b) {
-    if (a > b) std::swap(a, b);  // the same from both sides of an edge
+    if (a > b) std::swap(a, b);  // equal from both sides of an edge
     const double ya = level_[at(a)], part = (y - ya) / (level_[at(b)] - ya);
     return LinePiece::End{(1 - part) * frame_.x[at(a)] + part * frame_.x[at(b)], {a, b}, part};
   };
@@ -69,7 +69,7 @@ void StreamLines::cut(double y, std::vector<LinePiece>& pieces) const {
     if (t->high < y) continue;
     bool above[3];
     for (std::size_t i = 0; i < 3; ++i) above[i] = level_[at(t->node[i])] >= y;
-    // The corner that is alone on its side.
+    // One corner is alone on its side.
     const std::size_t alone = above[0] == above[1] ? 2 : above[0] == above[2] ? 1 : 0;
     LinePiece piece{crossing(t->node[alone], t->node[(alone + 1) % 3]),
                     crossing(t->node[alone], t->node[(alone + 2) % 3])};

@@ -16,18 +16,17 @@
 namespace rollcon {
 namespace {
 
-/// Smallest height of an element over its length, and smallest distance of two
-/// nodes likewise.
+/// Both the smallest height of an element and the smallest distance of two nodes, over the element's length, must
+/// exceed this.
 constexpr double smallest_ratio = 1e-10;
-/// Smallest Jacobian within an element over its mean: does not see how slender
-/// the element is.
+/// The smallest Jacobian within an element over its mean must exceed this; it does not see how slender the element is.
 constexpr double smallest_jacobian = 1e-6;
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 
 enum class Defect { none, vanishing, turning };
 
-/// Of the check point with the smallest component of the surface Jacobian along
-/// the mean normal. noise: rounding of the coordinates over the element's size.
+/// Judges the check point with the smallest component of the surface Jacobian along the mean normal; `noise` is the
+/// rounding of the coordinates over the element's size.
 Defect jacobian_defect(std::span<const Vec3> node, double size, const std::vector<CheckPoint>& points, double noise,
                        std::size_t& worst) {
   std::vector<Vec3> normal(points.size());
@@ -55,8 +54,7 @@ Defect jacobian_defect(std::span<const Vec3> node, double size, const std::vecto
   return length(normal[worst]) <= smallest_jacobian * scale ? Defect::vanishing : Defect::turning;
 }
 
-/// Returns for each node the distance to the nearest other node of its
-/// elements.
+/// Returns for each node the distance to the nearest other node of its elements.
 std::vector<double> check_shapes(const Names<SurfaceMesh>& names) {
   const SurfaceMesh& mesh = names.mesh;
   std::vector<double> nearest(mesh.node.size(), std::numeric_limits<double>::infinity());
@@ -71,8 +69,7 @@ std::vector<double> check_shapes(const Names<SurfaceMesh>& names) {
     const NodeExtent extent = measure_nodes(point);
     for (std::size_t i = 0; i < nodes.size(); ++i)
       nearest[at(nodes[i])] = std::min(nearest[at(nodes[i])], extent.own[i]);
-    // Coordinates carry the rounding of their magnitude: what is below it
-    // cannot be told from zero.
+    // Coordinates carry the rounding of their magnitude: what is below it cannot be told from zero.
     const double noise = rounding * extent.magnitude / extent.size;
     if (!(extent.nearest > std::max(smallest_ratio, noise) * extent.size)) {
       coincident.add("element %lld (%s), nodes %lld and %lld", names.element(e), name(type),
@@ -105,7 +102,7 @@ std::vector<double> check_shapes(const Names<SurfaceMesh>& names) {
   return nearest;
 }
 
-/// Numbers of faces mean nothing to the caller: the message names nodes.
+/// Names nodes in its message, because numbers of faces mean nothing to the caller.
 void check_boundary_edges(const SurfaceMesh& mesh) {
   const auto base = static_cast<long long>(mesh.index_base);
   Tally crowded;

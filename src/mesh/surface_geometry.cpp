@@ -87,7 +87,7 @@ double element_area(const SurfaceMesh& mesh, std::int64_t element) {
 }
 
 double cone_volume(const SurfaceMesh& mesh, std::int64_t element, const Vec3& apex) {
-  // x . (d_xi x d_eta) has degree 5 in each variable for quad9, 4 in all for tri6.
+  // The integrand x . (d_xi x d_eta) has degree 5 in each variable for quad9, 4 in all for tri6.
   double volume = 0;
   for (const auto& [weight, shape] : tabulated<5>(mesh.type[static_cast<std::size_t>(element)])) {
     const SurfaceFrame f = combine(mesh, element, shape, apex);

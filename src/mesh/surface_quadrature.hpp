@@ -1,5 +1,5 @@
 #pragma once
-/// Quadrature over a curved surface mesh.
+/// Integrates over a curved surface mesh.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +13,7 @@ struct TabulatedPoint {
   double weight;
   Shape shape;
 };
-/// A rule exact to this degree with the shape functions at its points; made once.
+/// Returns a rule exact to this degree with the shape functions at its points; call it once and keep the result.
 std::vector<TabulatedPoint> tabulate(ElementType type, int degree);
 template <int degree>
 const std::vector<TabulatedPoint>& tabulated(ElementType type) {
@@ -27,9 +27,9 @@ const std::vector<TabulatedPoint>& tabulated(ElementType type) {
                                           : 4];
 }
 
-/// Calls f(shape, point, area) at the points of a rule on an element; area: weight times the surface Jacobian. That is
-/// the root of a polynomial and exact on flat elements only; on quadratic ones that span 22 degrees of a sphere both
-/// ways integrals of N_i are right to 1e-11, with 45 degrees to 6e-9.
+/// Calls f(shape, point, area) at the points of a rule on an element, with `area` the weight times the surface
+/// Jacobian. That is the root of a polynomial and exact on flat elements only; on quadratic ones that span 22 degrees
+/// of a sphere both ways integrals of N_i are right to 1e-11, with 45 degrees to 6e-9.
 template <class F>
 void integrate_element(const SurfaceMesh& mesh, std::int64_t element, F f) {
   const Vec3 origin = mesh.node[static_cast<std::size_t>(mesh.element(element)[0])];
@@ -39,7 +39,7 @@ void integrate_element(const SurfaceMesh& mesh, std::int64_t element, F f) {
   }
 }
 
-/// Calls f(element, shape, point, area) likewise on every element.
+/// Calls f(element, shape, point, area) at the points of such a rule on every element.
 template <class F>
 void integrate_surface(const SurfaceMesh& mesh, F f) {
   for (std::int64_t e = 0; e < mesh.elements(); ++e)

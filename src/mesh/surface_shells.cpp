@@ -23,8 +23,8 @@ Edge edge_of(std::int32_t a, std::int32_t b) {
   return {std::min(a, b), std::max(a, b)};
 }
 
-/// A side without a partner whose halves are sides without partner too: its
-/// elements interpolate the edge differently although they may look closed.
+/// Fails for a side without a partner whose halves have no partner either: its elements interpolate the edge
+/// differently although they may look closed.
 void check_halved_edges(const SurfaceMesh& mesh, std::span<const Side> sides) {
   const Names names = names_of(mesh);
   std::vector<std::pair<Edge, std::int64_t>> open;
@@ -51,8 +51,7 @@ void check_halved_edges(const SurfaceMesh& mesh, std::span<const Side> sides) {
                "of an edge must share all of its nodes");
 }
 
-/// Elements joined across edges, and whether each looks to the same side as its
-/// root.
+/// Joins elements across edges, and tells whether each looks to the side of its root.
 class SignedForest {
  public:
   explicit SignedForest(std::size_t n) : parent_(n), sign_(n, 1) {
@@ -65,7 +64,7 @@ class SignedForest {
   Root root(std::size_t i) {
     Root r{i, 1};
     while (parent_[r.at] != r.at) r.sign *= sign_[r.at], r.at = parent_[r.at];
-    // Shortens the way for the next one.
+    // Compression shortens the next search.
     for (int s = r.sign; parent_[i] != i;) {
       const std::size_t next = parent_[i];
       const int own = sign_[i];
@@ -76,7 +75,7 @@ class SignedForest {
     }
     return r;
   }
-  /// False when the two are joined already with the other sign.
+  /// Returns false when the two are joined already with the other sign.
   bool join(std::size_t i, std::size_t j, int sign) {
     const Root a = root(i), b = root(j);
     if (a.at == b.at) return a.sign * b.sign == sign;
@@ -235,7 +234,7 @@ void check_outward(const SurfaceMesh& mesh, const Shells& shells) {
   const auto largest = static_cast<std::size_t>(
       std::max_element(volume.begin(), volume.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) -
       volume.begin());
-  const Vec3 margin = 0.25 * box[largest].size();  // curved elements leave the box of their nodes
+  const Vec3 margin = 0.25 * box[largest].size();  // room for curved elements, which leave the box of their nodes
   const Box around{box[largest].low - margin, box[largest].high + margin};
   std::vector<char> cavity(shells.size(), 0);
   for (std::size_t s = 0; s < shells.size(); ++s) {

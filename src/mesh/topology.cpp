@@ -44,7 +44,7 @@ LinearCells split_elements(const SurfaceMesh& mesh) {
   return cells;
 }
 
-// By the lower node in one pass: only the few sides of one node are left to be sorted.
+// Sorts by the lower node in one pass, so that only the few sides of one node are left to be sorted.
 std::vector<Side> sorted_sides(const LinearCells& cells) {
   const auto low_end = [](std::int32_t a, std::int32_t b) { return static_cast<std::size_t>(std::min(a, b)); };
   std::size_t nodes = 0;

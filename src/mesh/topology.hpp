@@ -1,5 +1,6 @@
 #pragma once
-/// Who touches whom: linear cells (elements, or the parts of quadratic ones), their edges, and the neighbours of nodes.
+/// Tells who touches whom: linear cells (elements, or the parts of quadratic ones), their edges, and the neighbours of
+/// nodes.
 
 #include <cstdint>
 #include <span>
@@ -9,11 +10,11 @@
 
 namespace rollcon {
 
-/// Straight-edged triangles and quadrilaterals on the frame's nodes, counter-clockwise.
+/// Holds straight-edged triangles and quadrilaterals on the frame's nodes, counter-clockwise.
 struct LinearCells {
   std::vector<std::int64_t> start{0};  ///< cells + 1, into node
   std::vector<std::int32_t> node;
-  std::vector<std::int64_t> element;  ///< the element each cell is a part of
+  std::vector<std::int64_t> element;  ///< element that each cell is a part of
 
   std::int64_t size() const { return static_cast<std::int64_t>(element.size()); }
   std::span<const std::int32_t> operator[](std::int64_t c) const {
@@ -24,12 +25,12 @@ struct LinearCells {
   void add(std::int64_t of_element, std::initializer_list<std::int32_t> nodes);
 };
 
-/// Linear elements as they are; tri6 in 4 triangles, quad9 in 8 around its centre, quad8 in its 4 corner triangles and
-/// the quadrilateral of its midside nodes (no diagonal is preferred there, so that symmetric frames have symmetric
-/// operators).
+/// Splits elements: linear ones stay whole; tri6 becomes 4 triangles, quad9 8 around its centre, quad8 its 4 corner
+/// triangles and the quadrilateral of its midside nodes (no diagonal is preferred there, so that symmetric frames have
+/// symmetric operators).
 LinearCells split_elements(const SurfaceMesh& mesh);
 
-/// One side of a cell, running from `from` to `to` counter-clockwise round it.
+/// Is one side of a cell, running from `from` to `to` counter-clockwise round it.
 struct Side {
   std::int32_t from, to;
   std::int64_t cell;
@@ -37,7 +38,7 @@ struct Side {
   std::int32_t high() const { return from < to ? to : from; }
 };
 
-/// All sides, sorted so that those on the same edge stand together.
+/// Returns all sides, sorted so that those on one edge stand together.
 std::vector<Side> sorted_sides(const LinearCells& cells);
 
 /// Calls f(first side, count) for each edge of sorted sides.
@@ -51,12 +52,12 @@ void for_each_edge(std::span<const Side> side, F f) {
   }
 }
 
-/// 1 for nodes that belong to an element.
+/// Returns 1 for nodes that belong to an element, else 0.
 std::vector<std::uint8_t> nodes_of_elements(const SurfaceMesh& mesh);
-/// 1 for nodes on an edge that belongs to one cell only.
+/// Returns 1 for nodes on an edge that belongs to one cell only, else 0.
 std::vector<std::uint8_t> rim_nodes(std::int64_t nodes, std::span<const Side> side);
 
-/// Lists of nodes by node, each ascending, without the node itself.
+/// Holds lists of nodes by node, each ascending, without the node itself.
 struct Neighbours {
   std::vector<std::int64_t> start;
   std::vector<std::int32_t> node;
@@ -67,7 +68,7 @@ struct Neighbours {
   }
 };
 
-/// Nodes joined by an edge of a cell; with `across` also the opposite corners of quadrilaterals.
+/// Joins nodes by an edge of a cell; with `across`, also the opposite corners of quadrilaterals.
 Neighbours neighbours(std::int64_t nodes, const LinearCells& cells, bool across);
 
 }  // namespace rollcon

@@ -1,11 +1,11 @@
 #pragma once
-/// Elements seen from their other side.
+/// Turns elements over, to be seen from their other side.
 
 #include "mesh/surface_mesh.hpp"
 
 namespace rollcon {
 
-/// Which of an element's nodes comes at place k seen from its other side; the first node stays.
+/// Returns which of an element's nodes comes at place k seen from its other side; the first node stays.
 constexpr int turned_over(ElementType type, int k) {
   const int corners = corner_count(type);
   if (k < corners) return (corners - k) % corners;

@@ -1,5 +1,5 @@
 #pragma once
-/// Vectors in space.
+/// Defines vectors in space.
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,5 @@
-/// In place of volume meshes, in a build without finite-element bodies. Not reached: no other body has volume elements.
+/// Stands in for volume meshes in a build without finite-element bodies. It is never reached, because no other body has
+/// volume elements.
 
 #include "mesh/volume_boundary.hpp"
 #include "mesh/volume_faces.hpp"

@@ -30,7 +30,7 @@ std::array<std::int32_t, 8> face_nodes(const VolumeElements& volume, const Bound
 }
 
 std::vector<CornerFace> sorted_faces(const VolumeElements& volume) {
-  // By counting into the lists of their lowest corners, which are short: sorted there.
+  // Faces are counted into the lists of their lowest corners, which are short, and sorted there.
   const std::int32_t most =
       volume.connectivity.empty() ? -1 : *std::max_element(volume.connectivity.begin(), volume.connectivity.end());
   std::vector<std::size_t> next(static_cast<std::size_t>(most) + 2, 0);

@@ -1,5 +1,5 @@
 #pragma once
-/// Checks of a volume mesh, and its boundary as a surface mesh.
+/// Checks a volume mesh, and makes its boundary a surface mesh.
 
 #include <cstdint>
 #include <span>
@@ -13,19 +13,19 @@ namespace rollcon {
 
 struct BoundaryFace {
   std::int64_t element = 0;
-  std::int32_t side = 0;  ///< see faces_of
+  std::int32_t side = 0;  ///< number of the side; see faces_of
 };
 
-/// Faces that belong to one element, by element, then side. Never throws for bad shapes: only connectivity is looked
-/// at.
+/// Returns the faces that belong to one element, by element, then side. It never throws for bad shapes, because it
+/// looks only at connectivity.
 std::vector<BoundaryFace> boundary_faces(const VolumeElements& volume);
 
-/// Those faces as surface elements, in their order, looking outwards, all with tag 0. The nodes' places are left empty:
-/// they are the volume's, numbers included.
+/// Returns boundary faces as surface elements, in their order, looking outwards, all with tag 0. The places of the
+/// nodes are left empty: they are the volume's, numbers included.
 SurfaceMesh boundary_surface(const VolumeElements& volume, std::span<const BoundaryFace> face);
 
 /// Throws Error(err_mesh) naming, in the caller's index base, the first offending elements or nodes and their count, in
-/// this order: nodes out of range, a node twice in an element, the same element twice; nodes of no element; elements
+/// this order: nodes out of range, a node twice in an element, an element twice; nodes of no element; elements
 /// that are degenerate or turned inside out (Jacobian not positive everywhere: at the nodes and at the points of the
 /// rule of the stiffness); different nodes at one place; faces of more than two elements; faces that meet without
 /// matching (a quadrilateral on triangles, a quadratic one on linear ones, midside nodes not shared); parts that share

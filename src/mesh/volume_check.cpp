@@ -30,8 +30,7 @@ std::string corners(const Numbers& names, const CornerFace& f) {
   return text;
 }
 
-/// Midside nodes that are corners elsewhere: there a quadratic element lies on
-/// shorter ones.
+/// Fails for midside nodes that are corners elsewhere: a quadratic element lies on shorter ones there.
 void check_midside_nodes(std::size_t nodes, const VolumeElements& volume, const Numbers& names) {
   std::vector<std::int64_t> corner_of(nodes, -1);
   for (std::int64_t e = volume.elements() - 1; e >= 0; --e) {
@@ -55,7 +54,7 @@ void check_midside_nodes(std::size_t nodes, const VolumeElements& volume, const 
 
 enum class Match { same, midsides, own_side, twisted };
 
-/// Of two faces with the same corners.
+/// Compares two faces that have equal corners.
 Match match_faces(const VolumeElements& volume, const CornerFace& f, const CornerFace& g) {
   const auto a = face_nodes(volume, f.of), b = face_nodes(volume, g.of);
   const std::size_t n = f.corner[3] < 0 ? 3 : 4;
@@ -74,8 +73,7 @@ Match match_faces(const VolumeElements& volume, const CornerFace& f, const Corne
   return forward ? Match::own_side : Match::twisted;
 }
 
-/// Faces on the boundary: quadrilaterals three of whose corners are those of a
-/// triangle there.
+/// Fails for quadrilaterals on the boundary three of whose corners are those of a triangle there.
 void check_halved_faces(std::span<const CornerFace> boundary, const Numbers& names) {
   Tally halved;
   for (const CornerFace& f : boundary) {

@@ -13,15 +13,14 @@
 namespace rollcon {
 namespace {
 
-/// Smallest distance of two nodes over the element's length; smallest Jacobian
-/// over the product of its columns' lengths, which does not see how slender the
-/// element is.
+/// The smallest distance of two nodes over the element's length must exceed this, and so must the smallest Jacobian
+/// over the product of its columns' lengths, which does not see how slender the element is.
 constexpr double smallest_ratio = 1e-10;
-/// Smallest Jacobian within an element over its mean.
+/// The smallest Jacobian within an element over its mean must exceed this.
 constexpr double smallest_jacobian = 1e-6;
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 
-/// Columns: derivatives of the position to xi, eta, zeta.
+/// Holds in columns the derivatives of the position to xi, eta, zeta.
 struct Jacobian {
   Vec3 u{0, 0, 0}, v{0, 0, 0}, w{0, 0, 0};
   double det() const { return dot(u, cross(v, w)); }
@@ -35,7 +34,7 @@ struct VolumePoint {
   std::array<double, max_volume_nodes> slope{};  ///< |grad N_i|
 };
 
-/// Where the Jacobian of one type is looked at.
+/// Holds the points where the Jacobian of one type is checked.
 struct CheckPoints {
   std::vector<VolumePoint> point;
   VolumeShape centre;
@@ -79,7 +78,7 @@ struct CheckPoints {
   }
 };
 
-/// An element's nodes relative to its first one.
+/// Holds an element's nodes relative to its first one.
 struct Element {
   std::array<Vec3, max_volume_nodes> x;
   std::size_t n = 0;
@@ -105,15 +104,14 @@ Element measure(std::span<const Vec3> node, std::span<const std::int32_t> of) {
   return e;
 }
 
-/// A cheap sufficient condition: the element differs from an affine image of
-/// the reference element by displacements d_i there, so that J = J_0 (1 + sum
-/// d_i grad N_i), and the sum's norm is well below 1 at all points.
+/// Checks a cheap sufficient condition: the element differs from an affine image of the reference element by
+/// displacements d_i there, so that J = J_0 (1 + sum d_i grad N_i), and the sum's norm is well below 1 at all points.
 bool surely_sound(const Element& e, const CheckPoints& points, std::span<const Vec3> reference) {
   constexpr double bound = 0.9;
   const Jacobian j = e.jacobian(points.centre);
   const double det = j.det();
   if (!(det > 1e-6 * j.scale())) return false;
-  // Rows of the inverse.
+  // The rows a, b, c are those of the inverse.
   const Vec3 a = (1 / det) * cross(j.v, j.w), b = (1 / det) * cross(j.w, j.u), c = (1 / det) * cross(j.u, j.v);
   Vec3 centre{0, 0, 0};
   for (std::size_t i = 1; i < e.n; ++i) centre = centre + points.centre.value[i] * e.x[i];
@@ -134,7 +132,7 @@ bool surely_sound(const Element& e, const CheckPoints& points, std::span<const V
 
 enum class Defect { none, flat, inverted, folded };
 
-/// worst: the check point of the smallest Jacobian.
+/// Finds the defect; `worst` is the check point of the smallest Jacobian.
 Defect defect_of(const Element& e, const CheckPoints& points, std::size_t& worst) {
   double mean = 0, least = std::numeric_limits<double>::infinity(), most = -least;
   bool flat = true;
@@ -144,8 +142,7 @@ Defect defect_of(const Element& e, const CheckPoints& points, std::size_t& worst
     mean += det / static_cast<double>(points.point.size());
     if (det < least) least = det, worst = p;
     most = std::max(most, det);
-    // Coordinates carry the rounding of their magnitude, whatever the columns'
-    // lengths.
+    // Coordinates carry the rounding of their magnitude, whatever the columns' lengths.
     const double shortest = std::min({length(j.u), length(j.v), length(j.w)});
     const double noise = std::max(smallest_ratio * shortest, rounding * e.extent.magnitude);
     flat = flat && !(std::abs(det) * shortest > noise * j.scale());
@@ -170,8 +167,7 @@ std::vector<double> check_shapes(std::span<const Vec3> node, const VolumeElement
     const NodeExtent& extent = e.extent;
     for (std::size_t k = 0; k < nodes.size(); ++k)
       nearest[at(nodes[k])] = std::min(nearest[at(nodes[k])], extent.own[k]);
-    // Coordinates carry the rounding of their magnitude: what is below it
-    // cannot be told from zero.
+    // Coordinates carry the rounding of their magnitude: what is below it cannot be told from zero.
     const double noise = rounding * extent.magnitude / extent.size;
     if (!(extent.nearest > std::max(smallest_ratio, noise) * extent.size)) {
       coincident.add("element %lld (%s), nodes %lld and %lld", id, name(type), names.node(nodes[extent.near_i]),

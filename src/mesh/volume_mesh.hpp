@@ -1,5 +1,5 @@
 #pragma once
-/// Tetrahedra, wedges and hexahedra of a body; its nodes are kept with its surface.
+/// Represents tetrahedra, wedges and hexahedra of a body; its nodes are held with its surface.
 
 #include <cstdint>
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace rollcon {
 
-/// Elements with 0-based nodes, ids and counts checked.
+/// Holds elements with 0-based nodes, ids and counts checked.
 struct VolumeElements {
   std::vector<VolumeType> type;         ///< one per element
   std::vector<std::int32_t> tag;        ///< one per element: its material

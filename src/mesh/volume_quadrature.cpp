@@ -1,7 +1,7 @@
-// Symmetric rules with few points where such are known with positive weights and inner points, collapsed products of
-// Gauss-Jacobi rules beyond. Tetrahedra: the orbits' parameters solve the moment equations of their degree (4 and 14
-// points: see Keast 1986 and Walkington 2000; 24 points: Keast's). Triangles: Strang and Fix (6 points), Radon (7
-// points).
+// Uses symmetric rules with few points where such are known with positive weights and inner points, and collapsed
+// products of Gauss-Jacobi rules beyond. The orbits' parameters on tetrahedra solve the moment equations of their
+// degree (4 and 14 points: see Keast 1986 and Walkington 2000; 24 points: Keast's). The rules on triangles are those of
+// Strang and Fix (6 points) and Radon (7 points).
 
 #include <cmath>
 
@@ -15,13 +15,13 @@ constexpr double volume = 1.0 / 6, area = 1.0 / 2;
 
 using Bary4 = std::array<double, 4>;
 
-/// Points by barycentric coordinates; weights are parts of the volume.
+/// Adds points by barycentric coordinates; weights are fractions of the volume.
 void add(VolumeRule& rule, double part, const Bary4& l) {
   rule.point.push_back({l[1], l[2], l[3]});
   rule.w.push_back(part * volume);
 }
 
-/// a, a, a, 1 - 3a in every order.
+/// Adds the points a, a, a, 1 - 3a in every order.
 void add_31(VolumeRule& rule, double part, double a) {
   for (std::size_t i = 0; i < 4; ++i) {
     Bary4 l{a, a, a, a};
@@ -30,7 +30,7 @@ void add_31(VolumeRule& rule, double part, double a) {
   }
 }
 
-/// a, a, 1/2 - a, 1/2 - a in every order.
+/// Adds the points a, a, 1/2 - a, 1/2 - a in every order.
 void add_22(VolumeRule& rule, double part, double a) {
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = 0; j < i; ++j) {
@@ -40,7 +40,7 @@ void add_22(VolumeRule& rule, double part, double a) {
     }
 }
 
-/// a, a, b, 1 - 2a - b in every order.
+/// Adds the points a, a, b, 1 - 2a - b in every order.
 void add_211(VolumeRule& rule, double part, double a, double b) {
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = 0; j < 4; ++j) {
@@ -76,8 +76,8 @@ VolumeRule tetrahedron_rule(int degree) {
     for (std::size_t i = 0; i < a.x.size(); ++i)
       for (std::size_t j = 0; j < b.x.size(); ++j)
         for (std::size_t k = 0; k < c.x.size(); ++k) {
-          // x = (1 + u)/2, y = (1 - x)(1 + v)/2, z = (1 - x - y)(1 + w)/2; the Jacobian
-          // (1 - u)^2 (1 - v) / 64 is the rules' weight.
+          // With x = (1 + u)/2, y = (1 - x)(1 + v)/2, z = (1 - x - y)(1 + w)/2, the Jacobian (1 - u)^2 (1 - v) / 64 is
+          // the rules' weight.
           const double x = 0.5 * (1 + a.x[i]), y = 0.25 * (1 - a.x[i]) * (1 + b.x[j]);
           const double z = 0.125 * (1 - a.x[i]) * (1 - b.x[j]) * (1 + c.x[k]);
           rule.point.push_back({x, y, z});
@@ -87,7 +87,7 @@ VolumeRule tetrahedron_rule(int degree) {
   return rule;
 }
 
-/// a, a, 1 - 2a in every order.
+/// Adds the points a, a, 1 - 2a in every order.
 void add_21(PlaneRule& rule, double part, double a) {
   for (int i = 0; i < 3; ++i) {
     rule.xi.push_back(i == 1 ? 1 - 2 * a : a);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double tolerance = 1e-6;  ///< beyond faces, of the reference element
 
-/// How far the point is outside of the reference element; negative inside.
+/// Returns how far the point is outside of the reference element; negative inside.
 double outside(VolumeType type, const Vec3& r) {
   switch (corner_count(type)) {
     case 4:
@@ -23,7 +23,8 @@ double outside(VolumeType type, const Vec3& r) {
   }
 }
 
-/// By Newton's method from the middle. False: it does not end, as far from curved elements.
+/// Finds the reference point by Newton's method from the middle. Returns false if it does not end, which happens far
+/// from curved elements.
 bool find_reference(VolumeType type, std::span<const std::int32_t> nodes, std::span<const Vec3> node, const Vec3& point,
                     double size, Vec3& r) {
   VolumeShape shape;
@@ -54,7 +55,7 @@ VolumeSearch::VolumeSearch(std::span<const Vec3> node, const VolumeElements& vol
   const auto n = static_cast<double>(volume.elements());
   for (std::int64_t e = 0; e < volume.elements(); ++e) {
     Box box = box_of(node, volume.element(e));
-    // Faces of quadratic elements bulge beyond their nodes.
+    // The margin is for faces of quadratic elements, which bulge beyond their nodes.
     const double margin = (is_quadratic(volume.type[at(e)]) ? 0.25 : 1e-5) * box.longest();
     for (std::size_t c = 0; c < 3; ++c) box.low[c] -= margin, box.high[c] += margin;
     element_box_.push_back(box);

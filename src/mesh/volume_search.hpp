@@ -1,5 +1,6 @@
 #pragma once
-/// Finds which volume element holds a point. Bounding boxes in a regular grid; inside an element by Newton's method.
+/// Finds which volume element holds a point, with bounding boxes in a regular grid, and Newton's method inside an
+/// element.
 
 #include <cstdint>
 #include <optional>
@@ -18,11 +19,11 @@ struct VolumePoint {
 
 class VolumeSearch {
  public:
-  /// Nodes and elements (checked) must outlive it. Safe for several threads.
+  /// Takes nodes and elements (checked), which must outlive it. Several threads may search at once.
   VolumeSearch(std::span<const Vec3> node, const VolumeElements& volume);
 
-  /// Points up to 1e-6 of the element's size beyond its faces count as inside. Of several elements the one that the
-  /// point lies deepest in, then the first.
+  /// Finds the element that holds a point; points up to 1e-6 of the element's size beyond its faces count as inside.
+  /// The element that the point lies deepest in wins, then the first.
   std::optional<VolumePoint> find(const Vec3& point) const;
 
  private:
@@ -32,7 +33,7 @@ class VolumeSearch {
   Box box_;
   Vec3 cell_{};
   std::int64_t cells_[3] = {1, 1, 1};
-  std::vector<std::int64_t> start_, element_;  ///< of each cell
+  std::vector<std::int64_t> start_, element_;  ///< elements of each cell
 
   std::int64_t along(double x, std::size_t direction) const;
 };

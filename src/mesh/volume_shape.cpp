@@ -12,7 +12,7 @@ constexpr Edge wedge_edges[9] = {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3},
 constexpr Edge hex_edges[12] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
                                 {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
 
-/// Corners, then the middles of the edges.
+/// Returns the corners, then the middles of the edges.
 template <std::size_t corners, std::size_t edges>
 constexpr std::array<Vec3, corners + edges> with_middles(const Vec3 (&corner)[corners], const Edge (&edge)[edges]) {
   std::array<Vec3, corners + edges> node{};
@@ -30,7 +30,7 @@ constexpr auto wedge_nodes =
 constexpr auto hex_nodes = with_middles(
     {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}, hex_edges);
 
-/// A face by its corners; the midside nodes follow from the element's edges.
+/// Makes a face from its corners; the midside nodes follow from the element's edges.
 template <std::size_t edges>
 constexpr VolumeFace face(std::initializer_list<int> corner, int corners, bool quadratic, const Edge (&edge)[edges]) {
   const int* c = corner.begin();
@@ -65,7 +65,7 @@ constexpr auto tet4_faces = tet_faces(false), tet10_faces = tet_faces(true);
 constexpr auto wedge6_faces = wedge_faces(false), wedge15_faces = wedge_faces(true);
 constexpr auto hex8_faces = hex_faces(false), hex20_faces = hex_faces(true);
 
-/// Barycentric coordinates of tetrahedra: L_i with its constant gradient.
+/// Holds a barycentric coordinate L_i of tetrahedra with its constant gradient.
 struct Bary {
   double l;
   Vec3 d;
@@ -93,7 +93,7 @@ void tet10(const Vec3& at, VolumeShape& s) {
   }
 }
 
-/// Barycentric coordinates of the wedge's triangle; gradients to xi and eta.
+/// Barycentric coordinates of the wedge's triangle have constant derivatives to xi and eta.
 constexpr double bary_xi[3] = {-1, 1, 0}, bary_eta[3] = {-1, 0, 1};
 
 void wedge6(const Vec3& at, VolumeShape& s) {
@@ -111,7 +111,7 @@ void wedge15(const Vec3& at, VolumeShape& s) {
   for (std::size_t i = 0; i < 6; ++i) {
     const std::size_t k = i % 3;
     const double c = i < 3 ? -1 : 1;
-    // L (1 + cz) (2L - 2 + cz) / 2
+    // The slope is that of L (1 + cz) (2L - 2 + cz) / 2 by L.
     const double slope = 0.5 * (1 + c * z) * (4 * l[k] - 2 + c * z);
     s.value[i] = 0.5 * l[k] * (1 + c * z) * (2 * l[k] - 2 + c * z);
     s.d[i] = {slope * bary_xi[k], slope * bary_eta[k], 0.5 * c * l[k] * (2 * l[k] - 1 + 2 * c * z)};
@@ -149,7 +149,7 @@ void hex20(const Vec3& at, VolumeShape& s) {
               0.125 * c * u * v * (x + y + 2 * z - 1)};
   }
   for (std::size_t i = 8; i < 20; ++i) {
-    // Along the edge 1 - t^2, across it linear.
+    // Each function is 1 - t^2 along its edge and linear across it.
     std::array<double, 3> f{}, d{};
     for (std::size_t c = 0; c < 3; ++c) {
       const double n = hex_nodes[i][c];

@@ -1,6 +1,7 @@
 #pragma once
-/// Shape functions, faces and quadrature of volume elements. Reference tetrahedron: corners 000, 100, 010, 001; wedge:
-/// the triangle (0,0), (1,0), (0,1) times [-1, 1]; hexahedron: [-1, 1]^3, its first corner (-1, -1, -1).
+/// Gives shape functions, faces and quadrature of volume elements. The reference tetrahedron has the corners 000, 100,
+/// 010, 001; the wedge is the triangle (0,0), (1,0), (0,1) times [-1, 1]; the hexahedron is [-1, 1]^3, with its first
+/// corner at (-1, -1, -1).
 
 #include <array>
 #include <span>
@@ -17,22 +18,23 @@ struct VolumeShape {
   std::array<Vec3, max_volume_nodes> d;        ///< derivatives to xi, eta, zeta
 };
 
-/// Entries past node_count(type) are left alone.
+/// Evaluates the shape functions; entries past node_count(type) are not written.
 void evaluate_shape(VolumeType type, const Vec3& at, VolumeShape& shape);
 
-/// Reference coordinates of the element's nodes, in their order.
+/// Returns the reference coordinates of the element's nodes, in their order.
 std::span<const Vec3> reference_nodes(VolumeType type);
 
-/// A face as a surface element that looks out of the element: its local nodes.
+/// Is a face as a surface element that looks out of the element, by its local nodes.
 struct VolumeFace {
   ElementType type;
   std::array<int, 8> node;  ///< node_count(type) of them
 };
-/// In the order of docs/api.md. Tetrahedron: 012, 013, 123, 023. Wedge: bottom, top, then the sides 01, 12, 20.
-/// Hexahedron: bottom, top, then the sides 01, 12, 23, 30. (By their corners; node order within a face is outward.)
+/// Returns the faces in the order of docs/api.md. Tetrahedron: 012, 013, 123, 023. Wedge: bottom, top, then the sides
+/// 01, 12, 20. Hexahedron: bottom, top, then the sides 01, 12, 23, 30. (The lists name corners; the node order within a
+/// face is outward.)
 std::span<const VolumeFace> faces_of(VolumeType type);
 
-/// Corners of the edges, in the order of their midside nodes.
+/// Returns the corners of the edges, in the order of their midside nodes.
 std::span<const std::array<int, 2>> edges_of(VolumeType type);
 
 struct VolumeRule {
@@ -40,10 +42,10 @@ struct VolumeRule {
   std::vector<double> w;
   std::size_t size() const { return w.size(); }
 };
-/// Exact for polynomials of total degree `degree` (hexahedra: in each variable; wedges: total in the triangle, and
-/// along zeta). All points inside, all weights positive; as few points as known rules allow: tetrahedra 1, 4, 8, 14, 24
-/// up to degree 1, 2, 3, 5, 6, triangles of wedges 1, 3, 6, 7 up to degree 1, 2, 4, 5, symmetric in the corners;
-/// collapsed product rules beyond. degree >= 0.
+/// Returns a rule exact for polynomials of total degree `degree` >= 0 (hexahedra: in each variable; wedges: total in
+/// the triangle, and along zeta). All points are inside, all weights positive, with as few points as known rules allow:
+/// tetrahedra 1, 4, 8, 14, 24 up to degree 1, 2, 3, 5, 6, triangles of wedges 1, 3, 6, 7 up to degree 1, 2, 4, 5,
+/// symmetric in the corners; collapsed product rules beyond.
 VolumeRule volume_rule(VolumeType type, int degree);
 
 }  // namespace rollcon

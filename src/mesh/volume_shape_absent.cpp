@@ -1,5 +1,5 @@
-/// In place of the shapes of volume elements, in a build without finite-element bodies. Not reached: no other body has
-/// volume elements.
+/// Stands in for the shapes of volume elements in a build without finite-element bodies. It is never reached, because
+/// no other body has volume elements.
 
 #include "mesh/volume_shape.hpp"
 #include "support/error.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-/// Element types of volume meshes. Numbers are those of rollcon.h and never change.
+/// Lists the element types of volume meshes. Numbers are those of rollcon.h and never change.
 
 #include <cstdint>
 
@@ -14,10 +14,10 @@ enum class VolumeType : std::int32_t {
   hex20 = 350,
 };
 
-/// Node numbering: corners so that the Jacobian is positive (tetrahedron: 0, 1, 2 counter-clockwise seen from 3; wedge
-/// and hexahedron: bottom face counter-clockwise seen from the top, then the top face above it), then the edge
-/// midpoints. Tetrahedron: edges 01 12 20 03 13 23. Wedge: 01 12 20, 34 45 53, 03 14 25. Hexahedron: 01 12 23 30, 45 56
-/// 67 74, 04 15 26 37.
+/// Returns the number of nodes. Corners are numbered so that the Jacobian is positive (tetrahedron: 0, 1, 2
+/// counter-clockwise seen from 3; wedge and hexahedron: bottom face counter-clockwise seen from the top, then the top
+/// face above it), and the edge midpoints follow. Tetrahedron: edges 01 12 20 03 13 23. Wedge: 01 12 20, 34 45 53, 03
+/// 14 25. Hexahedron: 01 12 23 30, 45 56 67 74, 04 15 26 37.
 constexpr int node_count(VolumeType type) {
   switch (type) {
     case VolumeType::tet4:
@@ -57,7 +57,7 @@ constexpr bool is_quadratic(VolumeType type) {
 
 constexpr int max_volume_nodes = 20;
 
-/// True when the number is one of the enumerators above.
+/// Returns true when the number is one of the enumerators above.
 constexpr bool is_volume_type(std::int32_t type) {
   return node_count(static_cast<VolumeType>(type)) > 0;
 }
