@@ -1,10 +1,17 @@
 #pragma once
 /// Defines a binary file of named sections with checksums, written to a temporary name first: a file is whole or
-/// absent.  bytes 0-7      magic, damaged by transfers as text 8-11           1, in the byte order of the writer 12-15
-/// version of the format of the sections 16-19          number of the binary interface of the library that wrote it
-/// 20-23          sections, at most 16 24-39          version of that library, for people 40-47          bytes of the
-/// whole file 48-559         16 times: name (8 bytes), offset, length, XXH64 of the section; unused: zero 560-567
-/// XXH64 of bytes 0-559 568-           the sections, one right after the other
+/// absent.
+///
+///   bytes 0-7      magic, damaged by transfers as text
+///   8-11           1, in the byte order of the writer
+///   12-15          version of the format of the sections
+///   16-19          number of the binary interface of the library that wrote it
+///   20-23          sections, at most 16
+///   24-39          version of that library, for people
+///   40-47          bytes of the whole file
+///   48-559         16 times: name (8 bytes), offset, length, XXH64 of the section; unused: zero
+///   560-567        XXH64 of bytes 0-559
+///   568-           the sections, one right after the other
 
 #include <cstddef>
 #include <cstdint>

@@ -13,7 +13,7 @@ namespace rollcon {
 
 /// Holds the nodes of a frame as places of a grid of equal rectangular cells, of which some may lack. Node (ix, iy)
 /// lies at
-/// (x0, y0) + ix dx (ex, ey) + iy dy (-ey, ex)
+///   (x0, y0) + ix dx (ex, ey) + iy dy (-ey, ex)
 /// in the frame's axes (t1, t2).
 struct Lattice {
   /// Names the cells around a node, as bits of cells[].

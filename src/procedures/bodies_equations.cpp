@@ -17,8 +17,9 @@ double largest(const std::vector<double>& v) {
   return m;
 }
 
-// Unknowns times scale become tractions: the largest entry of each column of K then equals the largest one of B. Rows
-// are divided by their largest entry. Both carry the units along, whatever the unknowns are (displacements, reactions).
+// Scales the unknowns so that times scale they are tractions: the largest entry of each column of K then equals the
+// largest one of B. Rows are divided by their largest entry. Both carry the units along, whatever the unknowns are
+// (displacements, reactions).
 void set_scales(BodiesEquations::Body& body) {
   const double unit = std::max(largest(body.load.value), 1e-300);
   const std::int64_t n = body.equations->unknowns;
@@ -49,7 +50,8 @@ SparseMatrix lower_triangle(const SparseMatrix& whole) {
   return lower;
 }
 
-// The row in which each unknown of a dense matrix weighs most; of those that are taken by then, the heaviest free one.
+// Returns the row in which each unknown of a dense matrix weighs most; an unknown whose row is taken gets its heaviest
+// free one.
 std::vector<std::int64_t> heaviest_rows(const BodiesEquations::Body& body) {
   const std::int64_t n = body.equations->unknowns;
   std::vector<std::int64_t> heaviest(at(n), -1);

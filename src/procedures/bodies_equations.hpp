@@ -1,6 +1,6 @@
 #pragma once
-/// The equations of bodies whose unknowns are written out, balanced: row by row, and such that the unknowns are
-/// tractions. None: the bodies' unknowns are eliminated, or they have none.
+/// Holds the equations of bodies whose unknowns are written out, balanced row by row, and such that the unknowns are
+/// tractions. It is empty where the bodies' unknowns are eliminated, or they have none.
 
 #include <cstdint>
 #include <memory>
@@ -14,7 +14,7 @@
 
 namespace rollcon {
 
-/// visit(row, value) for a column.
+/// Calls visit(row, value) for the entries of a column.
 template <class Visit>
 void entries(const SparseMatrix& a, std::int64_t column, Visit visit) {
   const auto j = static_cast<std::size_t>(column);
@@ -25,29 +25,29 @@ void entries(const SparseMatrix& a, std::int64_t column, Visit visit) {
 class BodiesEquations {
  public:
   BodiesEquations() = default;
-  /// Takes equations and loads; displacements are left.
+  /// Takes equations and loads, and leaves the displacements.
   explicit BodiesEquations(ExpandedCompliance& expanded);
 
   struct Body {
     std::shared_ptr<const BodyEquations> equations;
-    std::int64_t first = 0;           ///< of its unknowns among those of all bodies
+    std::int64_t first = 0;           ///< first of the body's unknowns among those of all bodies
     std::vector<double> row, column;  ///< scales: row K column is of order one
     SparseMatrix load;                ///< B
-    /// visit(i, value) for the entries of column j of row K column.
+    /// Calls visit(i, value) for the entries of column j of row K column.
     template <class Visit>
     void scaled(std::int64_t j, Visit visit) const;
   };
 
   std::int64_t unknowns() const { return unknowns_; }
   const std::vector<Body>& bodies() const { return body_; }
-  /// y = row (K column d - B t); t: 3 per node.
+  /// Computes y = row (K column d - B t), with 3 entries of t per node.
   void balance(const double* d, const double* t, double* y) const;
-  /// y += row B t.
+  /// Adds row B t to y.
   void add_loads(const double* t, double* y) const;
   /// Solves row K column d = y, in place. Factorises K when called for the first time.
   void solve(double* y);
-  /// An equation of its own for every unknown: of boundary elements, whose rows come in another order, that in which it
-  /// weighs most.
+  /// Returns an equation of its own for every unknown. Boundary elements have their rows in another order, so the
+  /// equation in which the unknown weighs most stands for it.
   const std::vector<std::int64_t>& own_rows();
   std::int64_t factorizations() const { return factorizations_; }
   std::size_t bytes() const;

@@ -1,4 +1,4 @@
-/// Entries of a step's whole matrix, column by column.
+/// Computes the entries of a step's whole matrix, column by column.
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 
 namespace rollcon {
 
-// R, by unknown of the bodies.
+// Returns R, by unknown of the bodies.
 SparseMatrix ContactEquations::body_rows() const {
   SparseBuilder rows(inner());
   for (const Unknown& row : unknown_) {
@@ -19,7 +19,7 @@ SparseMatrix ContactEquations::body_rows() const {
   return transposed(rows.take());
 }
 
-// -B, by unknown traction.
+// Returns -B, by unknown traction.
 SparseMatrix ContactEquations::loads() const {
   SparseBuilder loads(inner());
   for (const Unknown& column : unknown_) {

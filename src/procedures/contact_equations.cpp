@@ -24,7 +24,7 @@ void ContactEquations::take(const Step& step) {
 
 namespace {
 
-// The row along the slip has the node's own tractions alone: it gives the one along it.
+// Says whether the row along the slip has the node's own tractions alone, so that it gives the one along the slip.
 bool along_is_given(const TangentialLaw& law) {
   constexpr double rounding = 1e-12;
   const double* e = law.direction;
@@ -38,7 +38,7 @@ bool along_is_given(const TangentialLaw& law) {
 
 }  // namespace
 
-// A component of the traction, and the same one of the law's rows.
+// Adds a component of the traction, and that component of the law's rows.
 void ContactEquations::add_row(std::int64_t k, double q0, double q1, const TangentialLaw& law) {
   Unknown& row = unknown_.emplace_back();
   row.node = k;
@@ -80,7 +80,7 @@ void ContactEquations::add(const Step& step, std::int64_t k) {
   unknown_.push_back(normal);
 }
 
-// Motions count as the tractions that they cause at a pair, loads as their means over the pairs.
+// Takes motions as the tractions that they cause at a pair, and loads as their means over the pairs.
 void ContactEquations::take_motions() {
   const Problem& p = problem_;
   double rn = 0, rt = 0, area = 0;

@@ -10,10 +10,10 @@
 namespace rollcon {
 namespace {
 
-constexpr std::size_t merit_window = 5;      // of the exact Jacobian's non-monotone search
+constexpr std::size_t merit_window = 5;      // window of the exact Jacobian's non-monotone search
 constexpr double shorter = 0.5;              // beta: factor on a step
-constexpr double slope = 1e-4;               // sigma: part of the predicted decrease that it must reach
-constexpr double smallest_step = 1.0 / 256;  // else the best step seen is taken
+constexpr double slope = 1e-4;               // sigma: fraction of the predicted decrease that must be reached
+constexpr double smallest_step = 1.0 / 256;  // a shorter step gives way to the best one seen
 constexpr double short_step = 0.25;
 constexpr int warm_patience = 12;  // iterations without progress
 constexpr double progress = 0.7;   // factor on the best residual that counts as progress
@@ -21,7 +21,7 @@ constexpr int patience = 4;        // short steps in a row before a full one is 
 constexpr double finest_linear_tolerance = 1e-12;
 constexpr double extrapolation = 1.2;  // theta of (92)
 
-/// Values of the laws at a point.
+/// Gives the laws their values at a point.
 struct AtPoint {
   static constexpr bool trial = false;
   const Problem& p;
@@ -38,7 +38,7 @@ struct AtPoint {
 
 }  // namespace
 
-// Laws (17)-(24) as projections of the augmented tractions, at every pair.
+// Evaluates the laws (17)-(24) as projections of the augmented tractions, at every pair.
 Gnmls::Residual Gnmls::evaluate(const Point& z, bool measure) {
   const Problem& p = *problem_;
   const Part part = tangential_ ? Part::full : Part::normal;
@@ -55,8 +55,9 @@ Gnmls::Residual Gnmls::evaluate(const Point& z, bool measure) {
   return r;
 }
 
-// Pressures are near those of the solution. What friction has a part in is not settled before the end: pressures of
-// unlike bodies, unless all that matters is their sum, and loads that pressures carry on curved frames.
+// Says whether the loads are beyond what friction can carry, with pressures near those of the solution. Pressures that
+// friction takes part in are not settled before the end: those of unlike bodies, unless only their sum matters, and on
+// curved frames the loads that pressures carry.
 bool Gnmls::beyond_friction() {
   constexpr double part_of_friction = 0.05, settling = 2e-3;
   const Problem& p = *problem_;
@@ -79,14 +80,15 @@ bool Gnmls::any_sticks() const {
   return false;
 }
 
-// The laws' rows for the states that evaluate() found.
+// Sets the laws' rows for the states that evaluate() found.
 void Gnmls::linearise() {
   const Problem& p = *problem_;
   if (!tangential_) return;
-  // With frozen directions friction at sliding pairs does not depend on the creepages: without a sticking pair nothing
-  // would determine them.
+  // Friction at sliding pairs does not depend on the creepages if directions are frozen: without a sticking pair
+  // nothing would determine them.
   const bool frozen = procedure_.jacobian == Jacobian::simplified || procedure_.jacobian == Jacobian::reduced;
-  // Otherwise little does, and steps that had to be cut short show that it was too little.
+  // The creepages are weakly determined with other Jacobians, too, and steps that had to be cut short show that it was
+  // not enough.
   if (creepage_unknown() && (frozen || sharpening_ < 1) && !any_sticks()) stick_first_ = true;
   for (std::size_t k = 0; k < at(p.nodes); ++k) {
     PairState& state = step_.state[k];
@@ -102,7 +104,7 @@ void Gnmls::linearise() {
     law = linearise_friction(p, given_, k, z_.lambda, p.rigid_slip1(i, z_.motion) + z_.slip[0][k],
                              p.rigid_slip2(i, z_.motion) + z_.slip[1][k], pressure, true);
     if (procedure_.jacobian == Jacobian::exact || procedure_.jacobian == Jacobian::b_derivative) continue;
-    // (77)-(82): the direction of friction stays that of the last iterate.
+    // By (77)-(82) the direction of friction stays that of the last iterate.
     law.own[0][0] = law.own[1][1] = 1;
     law.own[0][1] = law.own[1][0] = 0;
     for (auto& row : law.slip) row[0] = row[1] = 0;
@@ -110,8 +112,9 @@ void Gnmls::linearise() {
   if (procedure_.jacobian == Jacobian::reduced) estimate_slip();
 }
 
-// (90)-(92): displacement of sticking pairs from w + tau (c + D w) = w, with tau the inverse of the derivative's
-// diagonal (Jacobi), a multiple of it (extrapolation), or one time step for all, the shortest transit of a node.
+// Estimates the displacement of sticking pairs by (90)-(92) from w + tau (c + D w) = w, with tau the inverse of the
+// derivative's diagonal (Jacobi), a multiple of it (extrapolation), or one time step for all, the shortest transit of a
+// node.
 void Gnmls::estimate_slip() {
   const Problem& p = *problem_;
   const SparseRows& d = p.convection.rows;
@@ -140,7 +143,7 @@ void Gnmls::estimate_slip() {
   }
 }
 
-// Automatic: as small as the next residual can use, and near the end what the tolerance needs.
+// Chooses the linear tolerance: as small as the next residual can use, and near the end what the tolerance needs.
 double Gnmls::next_tolerance(const Residual& residual, double worst, double tolerance) {
   double eta = procedure_.eta;
   if (procedure_.linear == LinearMethod::gmres_adaptive)
@@ -152,7 +155,7 @@ double Gnmls::next_tolerance(const Residual& residual, double worst, double tole
   return procedure_.eta > 0 ? eta : std::max(eta * sharpening_, finest_linear_tolerance);
 }
 
-// Section 11.1 (III). Without success the best step seen is taken.
+// Follows section 11.1 (III). If it finds no decrease, the best step seen is taken.
 double Gnmls::search(double merit, Point& trial) {
   const bool exact = procedure_.jacobian == Jacobian::exact;
   if (procedure_.line_search == LineSearch::off) return 1;
@@ -195,7 +198,7 @@ Outcome Gnmls::run(double tolerance, std::int64_t max_iterations, Monitor& monit
       const bool loaded = std::any_of(z_.lambda[2].begin(), z_.lambda[2].end(), [](double l) { return l != 0; });
       if (!loaded && !given_.by_force[approach]) return Outcome::no_contact;
       if (!loaded && raised) return Outcome::not_converged;
-      // All pairs opened: from zero tractions again, at an approach that touches.
+      // All pairs opened: the iteration starts from zero tractions again, at an approach that touches.
       raised = !loaded;
       for (auto& component : z_.lambda) std::fill(component.begin(), component.end(), 0.0);
       guess_approach(p, given_, z_.motion);
@@ -208,7 +211,7 @@ Outcome Gnmls::run(double tolerance, std::int64_t max_iterations, Monitor& monit
       report_.share = share_of_friction(p, given_, z_.lambda);
       return Outcome::no_solution;
     }
-    // A warm start that leads nowhere is left for a cold one.
+    // A warm start that leads nowhere gives way to a cold one.
     waiting = worst < progress * best_worst_ ? 0 : waiting + 1;
     if (warm_ && newton && waiting > warm_patience) return Outcome::not_converged;
     if (worst < best_worst_) best_worst_ = worst, best_ = z_;
@@ -228,7 +231,7 @@ Outcome Gnmls::run(double tolerance, std::int64_t max_iterations, Monitor& monit
     const bool free = stick_first_;
     stick_first_ = false;
     record.step = free ? 1 : search(residual.merit, trial_);
-    // What (77)-(92) estimate contracts although Psi need not fall along it.
+    // The estimates (77)-(92) contract although Psi need not fall along them.
     short_steps = record.step < short_step ? short_steps + 1 : 0;
     const bool stuck = short_steps == patience && procedure_.jacobian != Jacobian::exact;
     if (stuck) record.step = 1, short_steps = 0;
@@ -274,7 +277,7 @@ void Gnmls::begin(Iterate& iterate, bool frictionless) {
   step_.law.assign(n, stick_law());
   for (auto& t : step_.target) t.assign(n, 0.0);
   step_.reach.assign(n, 0.0);
-  // With creepages still unknown there is no direction of slip to start from: full stick finds both.
+  // The direction of slip to start from is missing while creepages are unknown; full stick finds both.
   stick_first_ = procedure_.jacobian == Jacobian::exact && !warm_ && tangential_ && creepage_unknown();
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// The generalised Newton method with line search (Pang 1990) of Rodriguez-Tembleque & Abascal (2010), section 11.1, on
-/// either form of the system and with any of its Jacobians.
+/// Implements the generalised Newton method with line search (Pang 1990) of Rodriguez-Tembleque & Abascal (2010),
+/// section 11.1, on either form of the system and with any of its Jacobians.
 
 #include "contact/newton/report.hpp"
 #include "contact/problem/law_residual.hpp"
@@ -11,8 +11,8 @@ namespace rollcon {
 
 class Gnmls {
  public:
-  /// Solves from the given iterate; all zero: a cold start, (section 11.6) zero tractions, or a Hertzian pressure where
-  /// the Jacobian is the exact one. On return the iterate's images belong to its tractions.
+  /// Solves from the given iterate. All zeros stand for a cold start (section 11.6): zero tractions, or a Hertzian
+  /// pressure where the Jacobian is the exact one. On return the iterate's images belong to its tractions.
   NewtonReport solve(const Problem& problem, const Prescribed& given, Iterate& iterate, StepSystem& system,
                      const Procedure& procedure, bool frictionless, double tolerance, std::int64_t max_iterations,
                      Monitor& monitor);
@@ -24,7 +24,7 @@ class Gnmls {
   };
   void begin(Iterate& iterate, bool frictionless);
   Outcome run(double tolerance, std::int64_t max_iterations, Monitor& monitor);
-  /// Laws at a point; fixes the scales that residuals are relative to when `measure`.
+  /// Evaluates the laws at a point; fixes the scales that residuals are relative to when `measure`.
   Residual evaluate(const Point& z, bool measure);
   void linearise();
   bool beyond_friction();
@@ -46,7 +46,7 @@ class Gnmls {
   std::vector<double> merits_;
   LawScales scales_;
   double eta_ = 0, last_merit_ = 0;
-  double sharpening_ = 1;  ///< of linear tolerances, after short steps
+  double sharpening_ = 1;  ///< factor on linear tolerances, after short steps
 };
 
 }  // namespace rollcon

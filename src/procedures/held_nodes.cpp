@@ -13,8 +13,8 @@ namespace {
 
 constexpr double rounding = 1e-12;
 
-// How much each displacement component at the nodes follows anything at all, over the most that a body's own unknowns
-// or a half-space make of one.
+// Measures how much each displacement component at the nodes follows anything at all, over the most that a body's own
+// unknowns or a half-space make of one.
 std::vector<double> mobility(const ExpandedCompliance& expanded, std::size_t places) {
   std::vector<double> sum(places, 0.0), part(places);
   const auto add_part = [&](auto row) {

@@ -1,5 +1,6 @@
 #pragma once
-/// Nodes of the frame that the bodies' supports keep from moving: the monolithic equations would be singular there.
+/// Finds nodes of the frame that the bodies' supports keep from moving, where the monolithic equations would be
+/// singular.
 
 #include "bodies/model/expanded_compliance.hpp"
 #include "mesh/frame.hpp"

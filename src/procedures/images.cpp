@@ -17,7 +17,7 @@ bool vanishes(const RowMatrix<double>& a) {
 
 }  // namespace
 
-// visit(point, weight): image r of a node in displacements at the nodes and the points upstream.
+// Calls visit(point, weight) for image r of a node in displacements at the nodes and the points upstream.
 template <class Visit>
 void Images::stencil(std::int64_t k, int r, Visit visit) const {
   const SparseRows& d = problem_.convection.rows;
@@ -95,9 +95,9 @@ void Images::apply(Point& z) const {
   convect(problem_.convection, w.data(), nullptr, z.slip);
 }
 
-// Displacements by normal and tangential tractions at a node: of a disc of the node's area near it, of a point force
-// far from it (Johnson, Contact mechanics, 3.2). Tangential ones without their coupling, for a Poisson's ratio of about
-// 0.3.
+// Estimates displacements by normal and tangential tractions at a node: of a disc of the node's area near it, of a
+// point force far from it (Johnson, Contact mechanics, 3.2). Tangential ones come without their coupling, for a
+// Poisson's ratio of about 0.3.
 Blocks Images::rough(const Frame& frame) {
   constexpr double softer = 1.2;
   const Problem& p = problem_;

@@ -1,5 +1,5 @@
 #pragma once
-/// What tractions and the bodies' unknowns do at the nodes of the frame.
+/// Computes what tractions and the bodies' unknowns do at the nodes of the frame.
 
 #include <memory>
 
@@ -9,11 +9,11 @@
 
 namespace rollcon {
 
-/// What the tangential images are: nothing (no friction), slip D (A lambda)_t, or displacement (A lambda)_t, of which D
-/// makes the slip (reduced unknowns).
+/// Says what the tangential images are: nothing (no friction), slip D (A lambda)_t, or displacement (A lambda)_t, from
+/// which D makes the slip (reduced unknowns).
 enum class Tangential { none, slip, shift };
 
-/// Image r (0, 1 tangential, 2 normal) per traction c, n by n; null or empty: zero.
+/// Holds image r (0, 1 tangential, 2 normal) per traction c, n by n; null or empty stands for zero.
 using Blocks = std::array<std::array<const RowMatrix<double>*, 3>, 3>;
 
 inline bool has_entries(const Blocks& blocks) {
@@ -23,25 +23,25 @@ inline bool has_entries(const Blocks& blocks) {
 
 class Images {
  public:
-  /// With the bodies' unknowns eliminated: the operators of the problem, which must be assembled and outlive this;
-  /// displacements are the compliance's.
+  /// Serves bodies whose unknowns are eliminated: takes the operators of the problem, which must be assembled and
+  /// outlive this, and the compliance's displacements.
   Images(const Problem& problem, const Frame& frame, const Compliance& compliance, Tangential kind);
-  /// With unknowns written out, at the nodes and, behind them, at the points upstream.
+  /// Serves bodies with unknowns written out, at the nodes and, behind them, at the points upstream.
   Images(const Problem& problem, const ExpandedCompliance& expanded, const BodiesEquations& bodies, Tangential kind);
   Images(const Images&) = delete;
   Images& operator=(const Images&) = delete;
 
   Tangential kind() const { return kind_; }
-  /// Images of unknowns and tractions into slip, depth and shift of a point.
+  /// Computes the images of unknowns and tractions into slip, depth and shift of a point.
   void apply(Point& z) const;
-  /// Images per traction; null where these have none.
+  /// Returns the images per traction; null where these have none.
   const Blocks& blocks() const { return block_; }
-  /// visit(unknown, value): image r of node k per unknown of the bodies.
+  /// Calls visit(unknown, value) for image r of node k per unknown of the bodies.
   template <class Visit>
   void per_unknown(std::int64_t k, int r, Visit visit) const {
     if (!unknown_.start.empty()) entries(unknown_, 3 * k + r, visit);
   }
-  /// Images of half-spaces of the pair's modulus, roughly, whatever the bodies are.
+  /// Returns rough images of half-spaces of the pair's modulus, whatever the bodies are.
   Blocks rough(const Frame& frame);
   std::size_t bytes() const;
 
@@ -54,7 +54,7 @@ class Images {
   Tangential kind_;
   Blocks block_{};
   RowMatrix<double> own_[3][3], rough_[2];
-  SparseMatrix unknown_;  ///< by image
+  SparseMatrix unknown_;  ///< columns by image
 };
 
 }  // namespace rollcon

@@ -1,12 +1,12 @@
 #pragma once
-/// The published procedures behind contact's seam. They are a component of the build; where it is left out nobody calls
-/// this, and choose_procedure() refuses what would ask for them.
+/// Provides the published procedures behind contact's interface. They are a component of the build; where it is left
+/// out nobody calls this, and choose_procedure() refuses what would ask for them.
 
 #include "contact/settle/solve_prepared.hpp"
 
 namespace rollcon {
 
-/// Solves as state.procedure says; the systems of the steps are kept for the next solve.
+/// Makes a solver that follows state.procedure; the systems of the steps are kept for the next solve.
 std::unique_ptr<PublishedSolver> make_published();
 
 }  // namespace rollcon

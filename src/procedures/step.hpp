@@ -1,5 +1,6 @@
 #pragma once
-/// A step of the generalised Newton method, (63) and (86): what it starts from, what it linearises and what it costs.
+/// Describes a step of the generalised Newton method, (63) and (86): what it starts from, what it linearises and what
+/// it costs.
 
 #include <array>
 #include <cstdint>
@@ -12,20 +13,20 @@ namespace rollcon {
 
 enum class PairState : std::uint8_t { unused, open, stick, slip };
 
-/// An iterate z of the method: tractions and what they do, at all nodes of the frame.
+/// Is an iterate z of the method: tractions and what they do, at all nodes of the frame.
 struct Point {
   std::vector<double> lambda[3];  ///< tractions t1, t2, n
   std::vector<double> slip[2];    ///< D (A lambda)_t: slip over speed less the rigid slip
-  std::vector<double> depth;      ///< (A lambda)_n: gap lost to elastic displacements is minus it
-  std::vector<double> shift[2];   ///< (A lambda)_t; kept for reduced unknowns only, else empty
-  MotionValues motion{};          ///< as in Problem: xi1, xi2, approach, spin
+  std::vector<double> depth;      ///< (A lambda)_n: minus the gap lost to elastic displacements
+  std::vector<double> shift[2];   ///< (A lambda)_t; filled for reduced unknowns only, else empty
+  MotionValues motion{};          ///< xi1, xi2, approach, spin in the order of Problem
   std::vector<double> inner;      ///< unknowns of the bodies, where they are written out
 };
 
-/// z + alpha (next - z), (87).
+/// Sets z to z + alpha (next - z), (87).
 void blend(Point& z, const Point& next, double alpha);
 
-/// What the step linearises, by node of the frame.
+/// Holds what the step linearises, by node of the frame.
 ///
 /// open:  lambda = 0
 /// stick and slip, normal:  rigid gap - depth = 0 (Problem::rigid_gap)
@@ -43,12 +44,12 @@ struct Step {
 };
 
 struct StepCounters {
-  std::int64_t unknowns = 0;        ///< of the last system
-  std::int64_t nonzeros = 0;        ///< of its matrix (dense: unknowns squared)
-  std::int64_t factorizations = 0;  ///< of systems and bodies, since construction
-  std::int64_t iterations = 0;      ///< Krylov, since construction
+  std::int64_t unknowns = 0;        ///< unknowns of the last system
+  std::int64_t nonzeros = 0;        ///< nonzeros of its matrix (dense: unknowns squared)
+  std::int64_t factorizations = 0;  ///< factorisations of systems and bodies, since construction
+  std::int64_t iterations = 0;      ///< Krylov iterations, since construction
   double seconds = 0;               ///< in linear algebra, matrices included
-  std::size_t bytes = 0;            ///< held now
+  std::size_t bytes = 0;            ///< bytes held now
 };
 
 }  // namespace rollcon

@@ -1,5 +1,5 @@
 #pragma once
-/// Factors of a step's whole matrix: UMFPACK's, or LAPACK's where most of it is dense.
+/// Factorises a step's whole matrix by UMFPACK, or by LAPACK where most of it is dense.
 
 #include "linalg/factored_matrix.hpp"
 #include "linalg/sparse_lu.hpp"
@@ -9,7 +9,8 @@ namespace rollcon {
 
 class StepFactors {
  public:
-  /// False: singular. Throws Error(err_unsupported) when the matrix is sparse, large, and the build has no UMFPACK.
+  /// Returns false if the matrix is singular. Throws Error(err_unsupported) when it is sparse and large, and the build
+  /// has no UMFPACK.
   bool factor(const ContactEquations& equations);
   /// Overwrites a right side.
   void solve(double* b);

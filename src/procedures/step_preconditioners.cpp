@@ -99,7 +99,7 @@ bool KeptFactors::factor(const ContactEquations& equations) {
 void KeptFactors::apply(const double* x, double* y) {
   const std::int64_t first = equations_->inner();
   directions_.to_kept(*equations_, x + first, kept_);
-  // Single precision has a narrow range: scale the residual to order one.
+  // Single precision has a narrow range, so the residual is scaled to order one.
   double most = 0;
   for (const double v : kept_) most = std::max(most, std::abs(v));
   if (most > 0 && std::isfinite(most)) {

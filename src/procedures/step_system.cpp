@@ -12,12 +12,12 @@
 namespace rollcon {
 namespace {
 
-/// Up to this many unknowns `automatic` factorises every condensed system.
+/// The method `automatic` factorises every condensed system of up to this many unknowns.
 constexpr std::int64_t direct_limit = 60;
 constexpr int krylov_space = 60, plain_krylov_space = 200, plain_iterations = 2000;
 constexpr double refined = 1e-13;  // residual of a direct solution that is good enough
 constexpr int refinements = 3;
-constexpr double unusable = 1e-6;  // ... beyond which the matrix counts as singular
+constexpr double unusable = 1e-6;  // residual beyond which the matrix counts as singular
 
 bool all_zero(const Point& z) {
   return std::all_of(std::begin(z.lambda), std::end(z.lambda), [](const auto& component) {
@@ -142,8 +142,8 @@ bool StepSystem::solve_plainly(const std::vector<double>& residual, double eta) 
   return run(own_entries_, residual, eta, plain_krylov_space, plain_iterations).converged;
 }
 
-// Factors are made anew when the excess over iterations with fresh ones has added up to their price, or many unknowns
-// have changed.
+// Solves with old factors. They are made anew when the excess over iterations with fresh ones has added up to their
+// price, or many unknowns have changed.
 bool StepSystem::solve_with_kept(const std::vector<double>& residual, double eta) {
   kept_->take(*equations_);
   const std::int64_t before = bodies_.factorizations();

@@ -9,7 +9,7 @@ namespace rollcon {
 
 struct StepOptions {
   bool monolithic = false;
-  Tangential tangential = Tangential::slip;  ///< shift: reduced unknowns
+  Tangential tangential = Tangential::slip;  ///< shift stands for reduced unknowns
   LinearMethod linear = LinearMethod::automatic;
   Preconditioner preconditioner = Preconditioner::automatic;
   bool operator==(const StepOptions&) const = default;
@@ -17,20 +17,20 @@ struct StepOptions {
 
 class StepSystem {
  public:
-  /// Scales rn and rt, convection and loads are the problem's; its dense blocks are needed by the condensed form alone.
-  /// Everything must outlive the object. Throws Error(err_unsupported) when a body cannot be written out.
+  /// Takes scales rn and rt, convection and loads from the problem; its dense blocks are needed by the condensed form
+  /// alone. Everything must outlive the object. Throws Error(err_unsupported) when a body cannot be written out.
   StepSystem(const Problem& problem, const Frame& frame, const Compliance& compliance, const StepOptions& options);
   StepSystem(const StepSystem&) = delete;
   StepSystem& operator=(const StepSystem&) = delete;
 
-  /// The next iterate for a full step: directly, or by GMRES to
+  /// Finds the next iterate for a full step: directly, or by GMRES to
   /// ||J (next - z) + H(z)|| <= eta ||H(z)||, (71), with rows scaled to the units of tractions.
-  /// False: singular to working precision, or nothing carries the loads.
+  /// Returns false if the matrix is singular to working precision, or nothing carries the loads.
   bool solve(const Step& step, const Point& z, double eta, Point& next);
   /// Computes slip, depth, shift and inner of the tractions of z.
   void update(Point& z);
-  /// Norm, in units of traction, of what the bodies' equations leave at z: an iterative solution satisfies them only so
-  /// far.
+  /// Returns the norm, in units of traction, of what the bodies' equations leave at z: an iterative solution satisfies
+  /// them only up to its tolerance.
   double imbalance(const Point& z) const;
   StepCounters counters() const;
 
@@ -50,7 +50,7 @@ class StepSystem {
   std::unique_ptr<KeptFactors> kept_;
   OwnEntries own_entries_;
   Gmres gmres_;
-  double fresh_decades_ = 7;  ///< of the residual per Krylov iteration with factors just made
+  double fresh_decades_ = 7;  ///< decades of the residual per Krylov iteration with factors just made
   int excess_ = 0;            ///< Krylov iterations beyond those of fresh factors
   StepCounters counters_;
   std::vector<double> b_, x_, product_, correction_, rest_;

@@ -22,7 +22,7 @@ int Cell::split(bool first, bool second, Cell* parts) const {
   if (first && second) {
     const Vec2 c = centre();
     for (int i = 0; i < 4; ++i) {
-      // The corner's own place in the cell is kept, so that directions keep their meaning.
+      // The corner stays at its own place in the cell, so that directions do not change their meaning.
       const int next = (i + 1) % 4, opposite = (i + 2) % 4, before = (i + 3) % 4;
       parts[i].corners = 4;
       parts[i].depth = depth + 2;

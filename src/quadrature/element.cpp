@@ -14,8 +14,8 @@ Vec3 node_of(const ElementGeometry& e, int k) {
   return {e.node[0][k], e.node[1][k], e.node[2][k]};
 }
 
-/// Largest distance of the nodes from where the affine map through three corners has them, or, with `straight`, of the
-/// midside and centre nodes from the bilinear map of the corners.
+/// Returns the largest distance of the nodes from where the affine map through three corners has them, or, with
+/// `straight`, of the midside and centre nodes from the bilinear map of the corners.
 double departure(const ElementGeometry& e, bool straight) {
   const int corners = e.corners;
   Vec3 corner[4];
@@ -33,7 +33,7 @@ double departure(const ElementGeometry& e, bool straight) {
   return worst;
 }
 
-/// How far normal vector and Jacobian are from constants; `off`: the nodes from an affine map.
+/// Measures how far normal vector and Jacobian are from constants; `off` is the nodes' departure from an affine map.
 void measure_map(ElementGeometry& e, double off) {
   e.degree = direction_degree(e.type, MapKind::affine);
   if (e.map == MapKind::affine) return;
@@ -68,7 +68,8 @@ void measure_map(ElementGeometry& e, double off) {
     axis[1] =
         std::min({ellipse_axis(c[0], m[3], c[3]), ellipse_axis(m[0], centre, m[2]), ellipse_axis(c[1], m[1], c[2])});
   }
-  // The parabola through three normals only approximates; below the least value given here the element is cut anyway.
+  // The parabola through three normals only approximates the Jacobian; below the least value given here the element is
+  // cut anyway.
   for (int k = 0; k < 2; ++k) e.jacobian_log_rho[k] = std::max(0.8 * log_rho(axis[k]), 0.3);
 }
 

@@ -8,18 +8,18 @@ namespace {
 
 constexpr double straight = 0.02;  ///< sag over distance at which a line counts as straight
 
-constexpr double rounding = 1e-14;  ///< sag over size that is none
+constexpr double rounding = 1e-14;  ///< sag over size that is only rounding
 
 constexpr double far_away = 1e10;  ///< axis for a line that is a point
 
-/// The root that the tangent at z0 points to, refined by Newton's method on the quartic.
+/// Returns the root that the tangent at z0 points to, refined by Newton's method on the quartic.
 double axis_from(const Vec3& m, const Vec3& b, const Vec3& c, double z0) {
   const Vec3 x = m + z0 * (b + z0 * c), d = b + 2 * z0 * c;
   const double dd = dot(d, d), xd = dot(x, d), xx = dot(x, x);
   double re = z0 - xd / dd, im = std::sqrt(std::max(0.0, xx * dd - xd * xd)) / dd;
   const double a[5] = {dot(m, m), 2 * dot(m, b), dot(b, b) + 2 * dot(m, c), 2 * dot(b, c), dot(c, c)};
   for (int i = 0; i < 3; ++i) {
-    // Horner's scheme for value and slope in complex numbers.
+    // Horner's scheme gives value and slope in complex numbers.
     double vr = a[4], vi = 0, sr = 0, si = 0;
     for (int k = 3; k >= 0; --k) {
       const double s = sr * re - si * im + vr;
@@ -46,7 +46,7 @@ double ellipse_axis(const Vec3& first, const Vec3& middle, const Vec3& last) {
   const double r[3] = {dot(first, first), dot(middle, middle), dot(last, last)};
   const double nearest = std::min({r[0], r[1], r[2]});
   if (bb + cc <= 1e-20 * nearest) return far_away;
-  // Beside a point that nearly touches the line, rounding of its own points is no sag either.
+  // A line that a point nearly touches has no sag up to the rounding of its own points, either.
   if (cc <= std::max(straight * straight * std::min(bb, nearest), rounding * rounding * std::max({bb, r[0], r[2]})))
     return std::max(1.0, 0.5 * (std::sqrt(r[0]) + std::sqrt(r[2])) / std::sqrt(bb));
   const double z0 = nearest == r[1] ? 0 : nearest == r[0] ? -1 : 1;

@@ -26,7 +26,7 @@ SinhMap Lines::line(double across) const {
 
 Lines lines_across(const ElementGeometry& element, const CellShape& shape, int along, double foot,
                    Tolerance tolerance) {
-  constexpr double safety = 30, across_constant = 100;  // as of polar_rule
+  constexpr double safety = 30, across_constant = 100;  // values of polar_rule
   const Vec3(&c)[4] = shape.corner;
   const int last = along == 0 ? 3 : 1;
   Lines lines{{c[0], c[last]}, {c[4 - last], c[2]}};
@@ -42,7 +42,7 @@ Lines lines_across(const ElementGeometry& element, const CellShape& shape, int a
   const int degree = direction_degree(element.type, element.map);
   sinh_rule(span, 0.5 * std::numbers::pi, degree, 0, target, lines.points, lines.pieces);
 
-  // Across, at the ends and past the foot: elsewhere the point is farther away.
+  // The map is checked across the lines, at their ends and past the foot; the point is farther away elsewhere.
   double axis = 1e300;
   for (const double at : {-1.0, std::clamp(foot, -1.0, 1.0), 1.0}) {
     const double s = 0.5 * (1 - at), t = 0.5 * (1 + at);

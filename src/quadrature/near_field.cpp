@@ -16,16 +16,16 @@ namespace {
 constexpr int max_depth = 100;  ///< halvings of area; what is left is smaller than rounding
 constexpr int too_many = 99;
 constexpr double most_uneven = 0.3;  ///< departure from the tangent map that polar takes
-// How far outside polar works, in half sizes: not where nodes of regular grids lie, or rounding would choose. Slender
-// triangles have many neighbours in their reach; round ones have Gauss's rules long before. Quadratic shape functions
-// grow too fast outside, and lose digits; slender parallelograms have lines instead.
+// Polar coordinates work so far outside, in half sizes: not where nodes of regular grids lie, or rounding would choose.
+// Slender triangles have many neighbours in their reach; round ones have Gauss's rules long before. Quadratic shape
+// functions grow too fast outside, and lose digits; slender parallelograms have lines instead.
 constexpr double reach_linear_triangle = 40.3;
 constexpr double reach_affine = 2.5;
 constexpr double reach_mapped = 0.3;
 constexpr double reach_plane = 0.6;   ///< beside parts taken in their plane
 constexpr double least_slender = 16;  ///< length over width from where lines and the plane save points
 constexpr int most_lines = 16;
-constexpr double least_series_log = 1.3;  ///< of parts taken in their plane: about 12 points for nine digits
+constexpr double least_series_log = 1.3;  ///< for parts taken in their plane: about 12 points for nine digits
 
 class Integration {
  public:
@@ -111,9 +111,9 @@ class Integration {
         add(c + rule1.x[i] * a + rule2.x[j] * b, area * rule1.w[i] * rule2.w[j]);
   }
 
-  /// The direction along the element in which the cell is much longer than wide, or -1. Where the ends are slanted,
-  /// cuts along the other would make parts that all lie side by side along the point, as many as the element is
-  /// slender.
+  /// Returns the direction along the element in which the cell is much longer than wide, or -1. Where the ends are
+  /// slanted, cuts along the other direction would make parts that all lie side by side along the point, as many as the
+  /// element is slender.
   int slender(const Cell& cell, const CellShape& shape) const {
     if (cell.corners == 3 || element_.map == MapKind::curved) return -1;
     const int along = element_.half[0] >= element_.half[1] ? 0 : 1;
@@ -121,7 +121,7 @@ class Integration {
     return middle * middle > least_slender * shape.area ? along : -1;
   }
 
-  /// Where Gauss's rule serves in one direction only.
+  /// Integrates along lines, where Gauss's rule serves in one direction only.
   bool lines(const PlanePart& part, const CellShape& shape) {
     const int longer = length(shape.middle[1] - shape.middle[3]) > length(shape.middle[2] - shape.middle[0]) ? 0 : 1;
     return lines_along(part, shape, longer) || lines_along(part, shape, 1 - longer);
@@ -149,7 +149,7 @@ class Integration {
     return true;
   }
 
-  /// Signed triangles from the foot to the sides, all in the element's plane.
+  /// Sums signed triangles from the foot to the sides, all in the element's plane.
   bool in_plane(const PlanePart& part, const CellShape& shape) {
     if (part.series_log < least_series_log) return false;
     const Foot& foot = part.foot;
@@ -165,8 +165,8 @@ class Integration {
     return true;
   }
 
-  /// With the foot outside of the cell, its surroundings are added and taken away again: no loss where the integrand
-  /// there is no larger than on the cell itself.
+  /// Says whether the foot serves for polar coordinates. With the foot outside of the cell, its surroundings are added
+  /// and taken away again, without loss where the integrand there is no larger than on the cell itself.
   bool foot_serves(const Cell& cell) const {
     const double outside = cell.distance_outside(foot_.reference);
     if (outside <= 1e-12) return true;
@@ -177,10 +177,10 @@ class Integration {
     return weak() || foot_.height > outside_length(cell);
   }
 
-  /// No kernel is strongly singular about the foot: a point on the element has N(x) taken away.
+  /// Says that no kernel is strongly singular about the foot: a point on the element has N(x) taken away.
   bool weak() const { return !strong_ || (foot_.height == 0 && foot_inside_); }
 
-  /// About how far outside of the cell the foot lies.
+  /// Returns about how far outside of the cell the foot lies.
   double outside_length(const Cell& cell) const {
     double longest = 0;
     for (int i = 0; i < cell.corners; ++i)
@@ -188,7 +188,7 @@ class Integration {
     return 0.5 * longest * cell.distance_outside(foot_.reference);
   }
 
-  /// Signed triangles from the foot to the cell's edges.
+  /// Sums signed triangles from the foot to the cell's edges.
   bool polar(const Cell& cell) {
     if (!foot_serves(cell)) return false;
     EdgeView view[4];
@@ -258,14 +258,14 @@ class Integration {
   const std::function<void()>& kernel_;
   Foot foot_;
   bool foot_inside_ = false;
-  const PlanePart* part_ = nullptr;  ///< in whose coordinates the points are; null: the element's
+  const PlanePart* part_ = nullptr;  ///< part in whose coordinates the points are; null: the element's
 };
 
 }  // namespace
 
 void near_field(const ElementGeometry& element, const Vec3& point, const OnElement& on, Tolerance tolerance,
                 bool strong, NearWorkspace& workspace, const std::function<void()>& kernel) {
-  // Relative to the point, as kernels see it: what is close to it loses no digits.
+  // Coordinates relative to the point, which kernels use, lose no digits where the element is close to it.
   ElementGeometry relative = element;
   for (std::size_t j = 0; j < 3; ++j)
     for (double& node : relative.node[j]) node -= point[j];

@@ -1,9 +1,9 @@
 #pragma once
-/// Integrals over one element for a point on it or near it.
+/// Integrates over one element for a point on it or near it.
 ///
 /// The element is cut until every part has a Gauss rule of moderate size, or the point's foot on the element (found by
 /// Newton's method; it may lie a little outside) sees the part in polar coordinates: the part is the signed sum of
-/// triangles from the foot to its edges. On each, with d the point's height, L the length of the ray to the edge's
+/// triangles from the foot to its edges. With d the point's height, L the length of the ray to the edge's
 /// coordinate t in the metric of the tangent map, and h the distance of foot and edge,
 ///   s = d/L sinh(v) along the ray,   t = t0 + sqrt(h^2 + d^2)/|edge| sinh(u) along the edge
 /// make the integrand smooth however small d and h are, and however slender the element is: r^2 is d^2 cosh^2(v) to
@@ -27,16 +27,16 @@ struct NearWorkspace {
   std::int64_t evaluations = 0;
 };
 
-/// Where a point lies on the element, if it does.
+/// Says where a point lies on the element, if it does.
 struct OnElement {
   bool known = false;
   Vec2 reference{0, 0};
 };
 
-/// Finds the points that integrate kernels as T and U over the element, seen from the point, and calls kernel() for
-/// each batch of them in the workspace, at least one. strong: T is wanted, whose integrals against N of a point on the
-/// element make sense only after N(x) times their sum over the nodes has been taken away. Kernels as U are all those of
-/// degree -1, in a plane too.
+/// Finds the points that integrate kernels like T and U over the element, seen from the point, and
+/// calls kernel() for each batch of them in the workspace, at least one. Set `strong` if T is
+/// wanted, whose integrals against N of a point on the element make sense only after N(x) times their
+/// sum over the nodes has been taken away. Kernels like U are all those of degree -1, in a plane, too.
 void near_field(const ElementGeometry& element, const Vec3& point, const OnElement& on, Tolerance tolerance,
                 bool strong, NearWorkspace& workspace, const std::function<void()>& kernel);
 

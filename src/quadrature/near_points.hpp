@@ -1,11 +1,11 @@
 #pragma once
-/// The points that a kernel of the near field takes at a time.
+/// Holds the points that a kernel of the near field takes at a time.
 
 namespace rollcon::quadrature {
 
 inline constexpr int near_capacity = 128;
 
-/// In reference coordinates; weights without the Jacobian. Room for padding.
+/// Stores points in reference coordinates, weights without the Jacobian, with room for padding.
 struct NearPoints {
   int n = 0;
   alignas(64) double xi[near_capacity], eta[near_capacity], w[near_capacity];

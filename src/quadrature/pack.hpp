@@ -1,5 +1,5 @@
-// A few doubles in one register. No include guard of its own kind: each kernel file compiles this once for its
-// instruction set, with internal linkage, so that no code for one processor leaks into another file.
+// Holds a few doubles in one register. This file has no include guard of its own kind: each kernel file compiles it
+// once for its instruction set, with internal linkage, so that no code for one processor leaks into another file.
 #pragma once
 
 #if defined(__SSE2__)
@@ -22,7 +22,7 @@ inline void store(double* p, Pack a) {
 inline Pack splat(double a) {
   return _mm512_set1_pd(a);
 }
-// The masked form: the plain one reads an undefined register, of which GCC 12 warns.
+// The masked form is used because the plain one reads an undefined register, of which GCC 12 warns.
 inline Pack root(Pack a) {
   return _mm512_maskz_sqrt_pd(0xff, a);
 }

@@ -1,4 +1,4 @@
-// Shape functions at several reference points at once; see mesh/shape.cpp for the scalar ones.
+// Evaluates shape functions at several reference points at once; mesh/shape.cpp has the scalar ones.
 #pragma once
 
 #include "mesh/element_type.hpp"
@@ -94,7 +94,7 @@ struct PackShape<ElementType::quad8> {
 template <>
 struct PackShape<ElementType::quad9> {
   static void evaluate(Pack xi, Pack eta, Pack* n, Pack* u, Pack* v) {
-    // Quadratic Lagrange functions of the nodes -1, 0, 1 along each axis.
+    // The products are of quadratic Lagrange functions of the nodes -1, 0, 1 along each axis.
     const Pack half = splat(0.5), one = splat(1);
     const Pack fx[3] = {half * xi * (xi - one), one - xi * xi, half * xi * (xi + one)};
     const Pack gx[3] = {xi - half, splat(-2) * xi, xi + half};
@@ -126,7 +126,7 @@ inline void for_type(ElementType type, Run run) {
   }
 }
 
-/// Likewise for one of some numbers, the last where it is none of the others.
+/// Calls run.operator()<number>() for one of some numbers, and for the last where `number` is none of the others.
 template <int first, int... others, class Run>
 inline void for_number(int number, Run run) {
   if constexpr (sizeof...(others) == 0) {

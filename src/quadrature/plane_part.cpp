@@ -8,7 +8,7 @@
 namespace rollcon::quadrature {
 namespace {
 
-constexpr double negligible = 1e-13;  ///< height above the plane, in half lengths: as in element_geometry
+constexpr double negligible = 1e-13;  ///< height above the plane, in half lengths, equal to that of element_geometry
 
 }  // namespace
 

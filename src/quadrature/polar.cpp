@@ -12,13 +12,13 @@ namespace {
 constexpr double ray_constant = 20, height_constant = 200, angle_constant = 100;
 constexpr double on_element = 1e-12;  ///< height below which a point lies on the element
 
-/// log of the parameter of the ellipse about [0, length] through a pole at i height.
+/// Returns the logarithm of the parameter of the ellipse about [0, length] through a pole at i height.
 double ray_decay(double length, double height) {
   const double s = (height + std::hypot(length, height)) / length;
   return std::log(s + std::sqrt(s * s - 1));
 }
 
-/// The number of equal pieces with the fewest points in all.
+/// Finds the number of equal pieces with the fewest points in all.
 template <class Points>
 void cheapest(int& points, int& pieces, Points needed) {
   double cost = 1e300;
@@ -70,7 +70,7 @@ EdgeView view_edge(const ElementGeometry& element, const Foot& foot, Vec2 begin,
   const Vec3 pa = foot.tangent(view.a), pb = foot.tangent(view.b);
   const double length2 = dot(pb, pb), edge = std::sqrt(length2), d = foot.height;
   const double h = length(cross(pa, pb)) / edge;
-  // On the edge up to rounding; the points of a thinner triangle could not be told from ours.
+  // The foot is on the edge up to rounding; the points of a thinner triangle could not be told from the foot's.
   if (!(h > 1e-14 * element.shape.half_length)) return view;
   view.eta = std::hypot(h, d) / edge;
   view.t0 = -dot(pa, pb) / length2;
@@ -85,8 +85,8 @@ EdgeView view_edge(const ElementGeometry& element, const Foot& foot, Vec2 begin,
       d > 0 ? std::min(angle, h * angle / d) * (1 + std::log1p(view.longest / d)) : angle * std::min(1.0, h / width);
   view.counts = view.share_u > 1e-2 * tolerance.u || view.share_t > 1e-2 * tolerance.t;
   if (!view.counts || element.map == MapKind::affine) return view;
-  // Where the ray is shortest, and all along: past a second zero of the map the rays would run over the point once
-  // more.
+  // The map is checked where the ray is shortest, and all along the edge: past a second zero of the map the rays would
+  // run over the point once more.
   auto uneven = [&](double t) {
     const Vec2 ray = view.a + t * view.b;
     const Vec3 linear = foot.tangent(ray);
@@ -104,8 +104,8 @@ EdgeView view_edge(const ElementGeometry& element, const Foot& foot, Vec2 begin,
 PolarRule polar_rule(const ElementGeometry& element, const Foot& foot, const EdgeView& view, Tolerance tolerance) {
   const double safety = element.map == MapKind::affine ? 3 : 30;
   const double target = std::min({1.0, tolerance.t / (safety * view.share_t), tolerance.u / (safety * view.share_u)});
-  // Along a ray: a polynomial in s, times the map's departure from its tangent, which is singular at about s =
-  // 1/uneven; with a height, also singular at v = +- i pi/2.
+  // The integrand along a ray is a polynomial in s, times the map's departure from its tangent, which is singular at
+  // about s = 1/uneven; with a height, it is also singular at v = +- i pi/2.
   const int p = element.series_log > 0 ? element.degree : ray_degree(element.type, element.map);
   double least = std::floor(0.5 * p) + 1;
   if (view.uneven > 0 && target < view.uneven) {
@@ -124,7 +124,7 @@ PolarRule polar_rule(const ElementGeometry& element, const Foot& foot, const Edg
     return std::max({least, 0.5 * p + 0.5 * ray_digits / ray_decay(length, ray_pole),
                      0.5 * (p + std::sqrt(p * length * ray_digits))});
   });
-  // In the angle: singular at u = +- i pi/2.
+  // The integrand over the angle is singular at u = +- i pi/2.
   sinh_rule(view.u2 - view.u1, 0.5 * std::numbers::pi * (1 - view.uneven), std::max(2, element.degree + element.extra),
             element.series_log, target, rule.angle, rule.angle_pieces);
   return rule;

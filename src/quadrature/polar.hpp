@@ -1,12 +1,12 @@
 #pragma once
-/// Polar coordinates about the foot of the origin on an element; see near_field.hpp.
+/// Provides polar coordinates about the foot of the origin on an element; near_field.hpp explains them.
 
 #include "quadrature/element.hpp"
 #include "quadrature/rule_selection.hpp"
 
 namespace rollcon::quadrature {
 
-/// The foot of the origin on an element and the tangent map there.
+/// Holds the foot of the origin on an element and the tangent map there.
 struct Foot {
   bool found = false;
   Vec2 reference{0, 0};
@@ -16,17 +16,17 @@ struct Foot {
   Vec3 tangent(Vec2 v) const { return v.x * d_xi + v.y * d_eta; }
 };
 
-/// The foot closest to `start`; with `on`, start itself, the origin being there. Not found when Newton's method leaves
-/// the element's neighbourhood.
+/// Finds the foot closest to `start`; with `on`, it is start itself, because the origin is there. None is found when
+/// Newton's method leaves the element's neighbourhood.
 Foot find_foot(const ElementGeometry& element, Vec2 start, bool on);
 
-/// An edge of a cell in the metric of the tangent map, seen from the foot.
+/// Is an edge of a cell in the metric of the tangent map, seen from the foot.
 struct EdgeView {
   Vec2 a, b;                        ///< the edge is foot + a + t b, 0 <= t <= 1
-  double t0, eta;                   ///< its nearest point, and distance of the singularity, in units of t
-  double u1, u2;                    ///< of the ends: t = t0 + eta sinh(u)
-  double longest = 0;               ///< ray
-  bool counts = false;              ///< above the tolerance
+  double t0, eta;                   ///< value of t nearest to the foot, and distance of the singularity, in units of t
+  double u1, u2;                    ///< values of u at the ends: t = t0 + eta sinh(u)
+  double longest = 0;               ///< length of the longest ray
+  bool counts = false;              ///< true if the integrals exceed the tolerance
   double share_t = 0, share_u = 0;  ///< size of the integrals
   double uneven = 0;                ///< largest relative departure of the map from its tangent
 };
@@ -35,12 +35,12 @@ EdgeView view_edge(const ElementGeometry& element, const Foot& foot, Vec2 begin,
 
 struct PolarRule {
   int ray = 1, ray_pieces = 1;      ///< points on each piece of a ray, pieces
-  int angle = 1, angle_pieces = 1;  ///< the same across
+  int angle = 1, angle_pieces = 1;  ///< points on each piece of the edge, pieces
 };
 PolarRule polar_rule(const ElementGeometry& element, const Foot& foot, const EdgeView& view, Tolerance tolerance);
 
-/// Gauss points, and equal pieces, for an integrand of t = t0 + eta sinh(u) over a span of u: a polynomial of this
-/// degree times what is singular at u = +- i pole. series_log: as in ElementGeometry; target: relative.
+/// Chooses Gauss points, and equal pieces, for an integrand of t = t0 + eta sinh(u) over a span of u: a polynomial of
+/// this degree times what is singular at u = +- i pole. ElementGeometry describes series_log; the target is relative.
 void sinh_rule(double span, double pole, int degree, double series_log, double target, int& points, int& pieces);
 
 }  // namespace rollcon::quadrature

@@ -16,7 +16,7 @@ Vec3 between(const Vec3& first, const Vec3& middle, const Vec3& last, double t) 
   return 0.5 * t * (t - 1) * first + (1 - t * t) * middle + 0.5 * t * (t + 1) * last;
 }
 
-/// Foot of the observer on the plane of a and b through the centre, in their units, clamped to [-1, 1].
+/// Returns the foot of the observer on the plane of a and b through the centre, in their units, clamped to [-1, 1].
 Vec2 foot(const Vec3& centre, const Vec3& a, const Vec3& b) {
   const double aa = dot(a, a), bb = dot(b, b), ab = dot(a, b), ca = -dot(centre, a), cb = -dot(centre, b),
                det = aa * bb - ab * ab;
@@ -27,7 +27,7 @@ Vec2 foot(const Vec3& centre, const Vec3& a, const Vec3& b) {
 double triangle_axis(const CellShape& g) {
   double axis = 1e300;
   for (int i = 0; i < 3; ++i) axis = std::min(axis, ellipse_axis(g.corner[i], g.middle[i], g.corner[(i + 1) % 3]));
-  // Above the inside of the triangle: a line through the foot.
+  // A point above the inside of the triangle needs a line through the foot.
   const Vec3 normal = cross(g.corner[1] - g.corner[0], g.corner[2] - g.corner[0]);
   const double area2 = dot(normal, normal);
   for (int i = 0; i < 3; ++i)
@@ -42,7 +42,7 @@ void square_axes(const CellShape& g, double& first, double& second) {
       std::min({ellipse_axis(c[0], m[0], c[1]), ellipse_axis(m[3], g.centre, m[1]), ellipse_axis(c[3], m[2], c[2])});
   second =
       std::min({ellipse_axis(c[0], m[3], c[3]), ellipse_axis(m[0], g.centre, m[2]), ellipse_axis(c[1], m[1], c[2])});
-  // Near the cell, the lines through its nearest point as well.
+  // A point near the cell needs the lines through its nearest point, too.
   if (dot(g.centre, g.centre) > 9 * g.half_length * g.half_length) return;
   const Vec2 at = foot(g.centre, 0.5 * (m[1] - m[3]), 0.5 * (m[2] - m[0]));
   first = std::min(first, ellipse_axis(between(c[0], m[3], c[3], at.y), between(m[0], g.centre, m[2], at.y),
@@ -75,7 +75,7 @@ Selection select_rule(const ElementGeometry& element, const CellShape& g, Tolera
   // A cut halves the map's departure in one direction at least.
   const double cuts = 0.35 * g.depth, log_departure = element.log_departure - cuts;
 
-  // 2n (or degree + 1) such that C rho^-(2n - p) max(1, kappa rho)^k is within the tolerance.
+  // Finds 2n (or degree + 1) such that C rho^-(2n - p) max(1, kappa rho)^k is within the tolerance.
   auto exponent = [&](double axis, double jacobian_log_rho) {
     const double l = log_rho(axis);
     double e = std::max(1.0, digits / l);

@@ -7,16 +7,16 @@
 namespace rollcon::quadrature {
 namespace {
 
-/// A rule by its orbits under the symmetries of the triangle: `centre` (0 or 1) weight of the centroid; then (weight,
-/// a) of points with barycentric coordinates (a, a, 1-2a) in 3 orders; then (weight, a, b) of points (a, b, 1-a-b) in 6
-/// orders. Weights sum to 1 over all points.
+/// Holds a rule by its orbits under the symmetries of the triangle: `centre` (0 or 1) weight of the centroid; then
+/// (weight, a) of points with barycentric coordinates (a, a, 1-2a) in 3 orders; then (weight, a, b) of points (a, b,
+/// 1-a-b) in 6 orders. Weights sum to 1 over all points.
 struct Orbits {
   int degree;
   int centre, threes, sixes;
   double data[19];
 };
 
-// Solved from the moment equations of the symmetric polynomials up to each degree.
+// The values solve the moment equations of the symmetric polynomials up to each degree.
 constexpr std::array orbits = {
     Orbits{2, 0, 1, 0, {0.3333333333333332, 0.16666666666666613}},
     Orbits{4, 0, 2, 0, {0.22338158967801136, 0.4459484909159652, 0.10995174365532186, 0.09157621350977001}},
@@ -85,7 +85,7 @@ const LineRule& line_rule(int n) {
     std::vector<LineRule> all;
     for (int k = 1; k <= max_line_points; ++k) {
       LineRule rule = gauss_legendre(k);
-      // Exactly symmetric: the mean of each pair.
+      // The mean of each pair makes the rule exactly symmetric.
       for (std::size_t i = 0, j = rule.x.size() - 1; i <= j && j < rule.x.size(); ++i, --j) {
         const double x = 0.5 * (rule.x[j] - rule.x[i]), w = 0.5 * (rule.w[j] + rule.w[i]);
         rule.x[i] = -x;

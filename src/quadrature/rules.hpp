@@ -1,6 +1,6 @@
 #pragma once
-/// Quadrature rules of the half-space integrals. They are symmetric under every symmetry of the reference element, so
-/// that mirrored frames give mirrored integrals.
+/// Provides quadrature rules of the half-space integrals. They are symmetric under every symmetry of the reference
+/// element, so that mirrored frames give mirrored integrals.
 
 #include <vector>
 
@@ -11,15 +11,15 @@ namespace rollcon::quadrature {
 
 inline constexpr int max_line_points = 24;
 
-/// Gauss-Legendre rule with n points on [-1, 1], 1 <= n <= max_line_points; computed once.
+/// Returns the Gauss-Legendre rule with n points on [-1, 1], 1 <= n <= max_line_points; it is computed once.
 const LineRule& line_rule(int n);
 
 struct TriangleRule {
   int degree;
-  PlaneRule points;  ///< on (0,0), (1,0), (0,1); weights sum to 1/2
+  PlaneRule points;  ///< points on (0,0), (1,0), (0,1); weights sum to 1/2
 };
 
-/// Fully symmetric rules with positive weights and inner points, ascending in degree.
+/// Returns fully symmetric rules with positive weights and inner points, ascending in degree.
 const std::vector<TriangleRule>& symmetric_triangle_rules();
 
 /// Takes a symmetric rule of at least the degree `first` on triangles (or else the highest there is), and first x

@@ -13,7 +13,7 @@ void Batch::keep_failure(std::int64_t i) {
       failures_.emplace_back(i, text);
     });
   } catch (const std::bad_alloc&) {
-    // The text is lost; the status tells.
+    // Storing the text failed; the status alone tells.
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-/// Answers of a list, each found by itself over the threads of parallel_for: one that fails leaves the others alone.
+/// Collects the answers of a list, each found by itself over the threads of parallel_for: one that fails leaves the
+/// others alone.
 
 #include <cstdint>
 #include <mutex>
@@ -16,10 +17,10 @@ namespace rollcon {
 
 class Batch {
  public:
-  /// Answers that were not found are cancelled.
+  /// Marks all answers as cancelled until they are found.
   explicit Batch(std::int64_t answers) : status_(at(answers), Status::cancelled) {}
 
-  /// Takes the status that find() returns; false: it threw, and its exception was taken. Any thread may call it.
+  /// Takes the status that find() returns; returns false if it threw, and takes its exception. Any thread may call it.
   template <class Find>
   bool take(std::int64_t i, const Find& find) {
     try {
@@ -35,15 +36,15 @@ class Batch {
 
   /// Gives answer i the status of answer `from`.
   void repeat(std::int64_t i, std::int64_t from) { status_[at(i)] = status_[at(from)]; }
-  /// Logs failures in the order of the list; what: name of an entry. Returns the worst status. Fills status, which may
-  /// be null, with each one.
+  /// Logs failures in the order of the list, with `what` the name of an entry. Returns the worst status. Fills status,
+  /// which may be null, with each one.
   Status finish(const Context& context, const char* what, std::int32_t* status);
 
  private:
   void keep_failure(std::int64_t i);
 
   std::vector<Status> status_;
-  std::mutex mutex_;  ///< guards what follows
+  std::mutex mutex_;  ///< guards the members below
   std::vector<std::pair<std::int64_t, std::string>> failures_;
 };
 

@@ -11,7 +11,7 @@ constexpr std::uint64_t p1 = 0x9e3779b185ebca87U, p2 = 0xc2b2ae3d27d4eb4fU, p3 =
                         p4 = 0x85ebca77c2b2ae63U, p5 = 0x27d4eb2f165667c5U;
 constexpr std::size_t stripe = 32;
 
-// The definition is of little-endian words.
+// Reads a little-endian word, which the definition is made of.
 template <class Word>
 std::uint64_t word(const unsigned char* from) {
   Word v = 0;

@@ -1,6 +1,6 @@
 #pragma once
-/// XXH64 (Collet, xxHash): 64 bits of a stream of bytes. A change confined to one word of eight bytes always shows;
-/// other changes are missed once in 2^64. No cryptography.
+/// Computes XXH64 (Collet, xxHash): 64 bits of a stream of bytes. A change confined to one word of eight bytes always
+/// shows; other changes are missed once in 2^64. It is no cryptography.
 
 #include <cstddef>
 #include <cstdint>
@@ -11,7 +11,7 @@ class Checksum {
  public:
   explicit Checksum(std::uint64_t seed = 0);
   void add(const void* data, std::size_t bytes);
-  /// Of all bytes so far; more may follow.
+  /// Returns the checksum of all bytes so far; more may follow.
   std::uint64_t value() const;
 
  private:

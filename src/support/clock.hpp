@@ -1,5 +1,5 @@
 #pragma once
-/// Wall-clock seconds, and a scope that adds its duration to a sum.
+/// Reads wall-clock seconds, and adds the duration of a scope to a sum.
 
 #include <chrono>
 

@@ -20,7 +20,7 @@ namespace rollcon {
 namespace {
 
 constexpr std::int32_t max_threads = 4096;
-constexpr std::size_t room_for_text = 2048;  ///< of a call that finds no memory
+constexpr std::size_t room_for_text = 2048;  ///< room for the text of a call that finds no memory
 
 }  // namespace
 
@@ -62,7 +62,7 @@ void Context::tell(std::int32_t level, const char* format, std::va_list args) co
     sink = log_;
     user = log_user_;
   }
-  // A buffer on the stack: solves that must not allocate may log. Longer lines are cut.
+  // The buffer is on the stack, because solves that must not allocate may log. Longer lines are cut.
   char line[1024];
   // NOLINTNEXTLINE(clang-analyzer-valist.Uninitialized): log() has started it
   std::vsnprintf(line, sizeof line, format, args);

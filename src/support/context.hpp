@@ -1,5 +1,5 @@
 #pragma once
-/// What a context owns: log sink, thread budget, the failure that its latch keeps.
+/// Holds what a context owns: log sink, thread budget, the failure that its latch keeps.
 
 #include <atomic>
 #include <cstdarg>
@@ -26,28 +26,30 @@ class Context {
   /// Calls the sink, in the floating-point environment of the host, if the level is wanted.
   void log(LogLevel level, const char* format, ...) const __attribute__((format(printf, 3, 4)));
 
-  /// What a call that is about to return this status > 0 tells: a warning, and a part of the thread's last caveat.
+  /// Logs what a call that is about to return this status > 0 tells, as a warning, and makes it part of the thread's
+  /// last caveat.
   void caveat(Status status, const char* format, ...) const __attribute__((format(printf, 3, 4)));
 
-  /// Whether anybody hears of that level: texts that nobody reads need not be made.
+  /// Says whether anybody hears of that level: texts that nobody reads need not be made.
   bool hears(LogLevel level) const {
     return static_cast<std::int32_t>(level) <= log_level_.load(std::memory_order_relaxed);
   }
 
   void set_threads(std::int32_t n);
-  /// Threads to use now: the budget (0: OpenMP's default); 1 inside a parallel region and in loops of parallel.hpp.
+  /// Returns the threads to use now: the budget (0: OpenMP's default), or 1 inside a parallel region and in loops of
+  /// parallel.hpp.
   int threads() const;
 
-  /// On: the first failure from here on is kept. Off or on, what was kept is forgotten.
+  /// Sets the latch, which while on keeps the first failure from here on. Either way, what it kept is forgotten.
   void set_latch(bool on);
-  /// The first failure since the latch was set, ok if there was none.
+  /// Returns the first failure since the latch was set, ok if there was none.
   Status latched() const noexcept { return latched_.load(std::memory_order_relaxed); }
-  /// With the latch on: keeps the first failure, and the first caveat until there is one.
+  /// Keeps, if the latch is on, the first failure, and the first caveat until there is one.
   void keep(Status status, const char* text) noexcept;
-  /// What the latch keeps; its text becomes the thread's last error.
+  /// Returns what the latch keeps; its text becomes the thread's last error.
   Status tell_kept() const noexcept;
 
-  /// The prepared bodies of this context, kept by weak references (set by the first of them).
+  /// Returns the prepared bodies of this context, held by weak references (made by the first of them).
   template <class Make>
   EqualBodies& bodies(Make make) {
     const std::lock_guard lock(mutex_);
@@ -61,10 +63,10 @@ class Context {
   mutable std::mutex mutex_;
   LogFunction log_ = nullptr;
   void* log_user_ = nullptr;
-  std::atomic<std::int32_t> log_level_{0};  ///< solves ask some ten times: read without the lock
+  std::atomic<std::int32_t> log_level_{0};  ///< solves ask some ten times, so it is read without the lock
   std::int32_t threads_ = 0;
   bool latch_ = false;
-  std::atomic<Status> latched_{Status::ok};  ///< every call asks: read without the lock
+  std::atomic<Status> latched_{Status::ok};  ///< every call asks, so it is read without the lock
   Status kept_ = Status::ok;
   std::string kept_text_;
   std::shared_ptr<EqualBodies> bodies_;

@@ -1,6 +1,6 @@
 #pragma once
-/// Failures inside the library: a status and a message, thrown as one type and mapped once, at the C boundary. Messages
-/// name the offending entry and the allowed range; the C layer adds the name of the public function.
+/// Represents failures inside the library: a status and a message, thrown as one type and mapped once, at the C
+/// boundary. Messages name the offending entry and the allowed range; the C layer adds the name of the public function.
 
 #include <cstdint>
 #include <exception>
@@ -9,7 +9,7 @@
 
 namespace rollcon {
 
-/// Numbers are those of rollcon.h and never change.
+/// Lists the statuses. Numbers are those of rollcon.h and never change.
 enum class Status : std::int32_t {
   ok = 0,
   not_converged = 1,
@@ -50,10 +50,11 @@ class Error : public std::exception {
 /// Returns the one of two statuses that comes first in the order of docs/api.md; a failure counts as not_converged.
 Status worse(Status a, Status b);
 
-/// Throws Error; the message is formatted as by printf and holds whatever length is needed.
+/// Throws Error; the message is formatted like printf does it, and holds whatever length is needed.
 [[noreturn]] void fail(Status status, const char* format, ...) __attribute__((format(printf, 2, 3)));
 
-/// Text for an allocation that failed: "out of memory: this machine has free 1 GB". It belongs to the thread.
+/// Returns the text for an allocation that failed: "out of memory: this machine has free 1 GB". It belongs to the
+/// thread.
 const char* out_of_memory_text() noexcept;
 
 /// Calls tell(status, text) for the exception in flight, from a catch block.

@@ -1,7 +1,7 @@
 #pragma once
-/// The floating-point environment of a thread, kept and brought back. fesetenv loads the x87 unit's environment, which
-/// takes longer than all other guards of a call together; where neither that nor the modes are out of the ordinary, a
-/// control word does.
+/// Saves and restores the floating-point environment of a thread. fesetenv loads the x87 unit's environment, which
+/// takes longer than all other guards of a call together; a control word does instead where neither that nor the modes
+/// are out of the ordinary.
 
 #include <cfenv>
 
@@ -24,7 +24,7 @@ class FpState {
     std::fegetenv(&whole_);
   }
 
-  /// After save(): traps nothing, rounds to nearest, keeps subnormals. Flags may be what they were.
+  /// Makes the thread trap nothing, round to nearest and keep subnormals; call it after save(). Flags need not change.
   void quiet() const noexcept {
 #ifdef ROLLCON_FAST_FP_STATE
     if (plain_) return;
@@ -32,7 +32,7 @@ class FpState {
     std::fesetenv(FE_DFL_ENV);
   }
 
-  /// Flags included.
+  /// Restores what save() saved, flags included.
   void restore() const noexcept {
 #ifdef ROLLCON_FAST_FP_STATE
     if (plain_) {
@@ -46,7 +46,7 @@ class FpState {
   }
 
  private:
-  std::fenv_t whole_;  ///< where not plain
+  std::fenv_t whole_;  ///< whole environment, where it is not plain
 #ifdef ROLLCON_FAST_FP_STATE
   static constexpr unsigned sse_default = 0x1f80, sse_flags = 0x3f;
   static constexpr unsigned short x87_default = 0x37f;
@@ -59,7 +59,7 @@ class FpState {
     __asm__ __volatile__("fnstsw %0" : "=m"(now.status));
     return now;
   }
-  // Something computed in long double.
+  // Something was computed in long double.
   void restore_x87() const noexcept {
     std::fenv_t now;
     std::fegetenv(&now);

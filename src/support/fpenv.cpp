@@ -6,7 +6,7 @@ namespace {
 
 thread_local const QuietFloatingPoint* innermost = nullptr;
 
-/// Of this thread, as uselocale takes and gives it; null leaves what there is.
+/// Returns the C locale for this thread, in the form that uselocale takes and gives; null changes nothing.
 locale_t c_locale() noexcept {
   static const locale_t plain = newlocale(LC_ALL_MASK, "C", locale_t{});
   return plain;

@@ -1,7 +1,7 @@
 #pragma once
-/// Floating-point environments and locales: ours inside the library, the host's in its callbacks. A host may trap on
-/// invalid operations (LAPACK's eigenvalue code divides by zero on purpose), round otherwise, flush subnormals, or
-/// write numbers with a comma; it gets all of that back.
+/// Sets floating-point environments and locales: rollcon's inside the library, the host's in its callbacks. A host may
+/// trap on invalid operations (LAPACK's eigenvalue code divides by zero on purpose), round otherwise, flush subnormals,
+/// or write numbers with a comma; it gets all of that back.
 
 #include <locale.h>
 #ifdef __APPLE__
@@ -12,8 +12,8 @@
 
 namespace rollcon {
 
-/// While it lives, this thread traps nothing, rounds to nearest, keeps subnormals and writes numbers as C does. The
-/// destructor restores the former environment, flags included. Also wanted at the start of threads: they have the
+/// Makes this thread trap nothing, round to nearest, keep subnormals and write numbers the way C does, while it lives.
+/// The destructor restores the former environment, flags included. New threads need it, too, because they have the
 /// environment in which they were born.
 class QuietFloatingPoint {
  public:
@@ -26,10 +26,10 @@ class QuietFloatingPoint {
   friend class HostFloatingPoint;
   FpState former_;
   locale_t former_locale_;
-  const QuietFloatingPoint* outer_;  ///< of the same thread
+  const QuietFloatingPoint* outer_;  ///< enclosing one of this thread
 };
 
-/// While it lives, this thread has the environment that the innermost QuietFloatingPoint replaced.
+/// Gives this thread, while it lives, the environment that the innermost QuietFloatingPoint replaced.
 class HostFloatingPoint {
  public:
   HostFloatingPoint() noexcept;

@@ -1,6 +1,6 @@
 #pragma once
-/// Counts and numbers are signed, with 64 bits, as in the public interface; the C++ library's containers ask for
-/// unsigned ones.
+/// Converts counts and numbers, which are signed, with 64 bits, like those of the public interface, for the C++
+/// library's containers, which ask for unsigned ones.
 
 #include <cmath>
 #include <cstddef>
@@ -14,8 +14,9 @@ constexpr std::size_t at(std::int64_t i) {
   return static_cast<std::size_t>(i);
 }
 
-/// A floating number as an index or a count, cut off towards zero. Throws Error(err_argument) beyond 2^53 and for NaN,
-/// which overflow makes of lengths that have nothing to do with each other: a cast would return any number there.
+/// Turns a floating number into an index or a count, cut off towards zero. Throws Error(err_argument) beyond 2^53 and
+/// for NaN, which overflow makes of lengths that have nothing to do with each other: a cast would return any number
+/// there.
 inline std::int64_t to_index(double x) {
   if (!(std::abs(x) <= 0x1p53))
     fail(Status::err_argument,

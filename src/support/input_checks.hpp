@@ -1,6 +1,6 @@
 #pragma once
-/// Checks of what callers hand in. Each throws Error with a message that names the argument and, in arrays, the entry
-/// as the caller counts.
+/// Checks what callers hand in. Each check throws Error with a message that names the argument and, in arrays, the
+/// entry in the caller's count.
 
 #include <cmath>
 #include <cstdint>
@@ -17,7 +17,7 @@ inline void require_finite(double value, const char* name) {
   if (!std::isfinite(value)) fail(Status::err_nonfinite, "%s is %g", name, value);
 }
 
-/// For arrays of n entries with `components` values each; entries are counted from `base`.
+/// Checks arrays of n entries with `components` values each; entries are counted from `base`.
 inline void require_finite(std::int64_t n, int components, const double* value, const char* name, std::int32_t base) {
   for (std::int64_t i = 0; i < n; ++i) {
     for (int j = 0; j < components; ++j) {
@@ -41,7 +41,7 @@ inline void require_list(std::int64_t n, const double* value, const char* name) 
            value[i]);
 }
 
-/// For n results with `components` values each, before they go out: none is success that is no number.
+/// Checks n results with `components` values each, before they go out: a result that is no number is no success.
 inline void require_finite_results(std::int64_t n, int components, const double* value, const char* name) {
   for (std::int64_t k = 0; k < n * components; ++k)
     if (!std::isfinite(value[k]))
@@ -67,7 +67,7 @@ inline void require_index_base(std::int32_t index_base) {
   if (index_base != 0 && index_base != 1) fail(Status::err_argument, "index_base is %d; allowed: 0, 1", index_base);
 }
 
-/// v: x, y, z.
+/// Checks the components x, y, z of v.
 inline void require_finite_vector(const double* v, const char* name) {
   require_pointer(v, name);
   for (int i = 0; i < 3; ++i) {

@@ -5,7 +5,7 @@
 namespace rollcon {
 namespace {
 
-constexpr double between = 0.1;  // seconds: a person takes that for at once
+constexpr double between = 0.1;  // seconds, which a person takes for at once
 
 thread_local Interrupt* asked = nullptr;
 

@@ -1,13 +1,13 @@
 #pragma once
-/// Long work in the middle of a call asks here whether its caller still wants it: loops of parallel.hpp by themselves,
-/// others between their parts by check_interrupt().
+/// Lets long work in the middle of a call ask whether its caller still wants it: loops of parallel.hpp ask by
+/// themselves, others between their parts by check_interrupt().
 
 namespace rollcon {
 
-/// Thrown out of work that its caller asked to stop; no failure.
+/// Is thrown out of work that its caller asked to stop; it is no failure.
 struct Cancelled {};
 
-/// Whom the work of this thread asks, while it lives; the one before it is asked again after that.
+/// Is asked by the work of this thread while it lives; the one before it is asked again after that.
 class Interrupt {
  public:
   Interrupt();
@@ -15,16 +15,16 @@ class Interrupt {
   Interrupt(const Interrupt&) = delete;
   Interrupt& operator=(const Interrupt&) = delete;
 
-  /// Of this thread; null: nobody asks.
+  /// Returns the one of this thread; null if nobody asks.
   static Interrupt* current();
-  /// Throws Cancelled if a stop is wanted. `own`: this is the thread that made it, and the host is told that the work
-  /// goes on, ten times a second at most.
+  /// Throws Cancelled if a stop is wanted. With `own` the caller is the thread that made it, and the host is told that
+  /// the work goes on, ten times a second at most.
   void check(bool own = true);
-  /// Whether a stop is wanted; any thread, no call of the host.
+  /// Says whether a stop is wanted; any thread may ask, and the host is not called.
   virtual bool wanted() const = 0;
 
  protected:
-  /// Tells the host.
+  /// Tells the host that the work goes on.
   virtual void tell() = 0;
 
  private:

@@ -8,13 +8,13 @@ namespace rollcon {
 
 namespace {
 
-/// Not a std::string: that would need memory when there is none, and its destructor, which runs when the thread ends,
-/// would keep a host from unloading the library before.
+/// Holds text in an array, not a std::string: that would need memory when there is none, and its destructor, which runs
+/// when the thread ends, would keep a host from unloading the library before.
 template <std::size_t room>
 struct Text {
   char text[room];
 
-  /// Parts that are null are left out. One may be this very text.
+  /// Joins the parts; those that are null are left out. One may be this very text.
   void set(std::initializer_list<const char*> parts) noexcept {
     std::size_t length = 0;
     for (const char* part : parts) {

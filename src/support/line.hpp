@@ -1,5 +1,5 @@
 #pragma once
-/// A line of text that needs no memory: solves that must not allocate make some.
+/// Formats a line of text without memory of its own, because solves that must not allocate make some.
 
 #include <cstdio>
 #include <cstring>

@@ -1,5 +1,5 @@
 #pragma once
-/// Values given at points, linear between them and constant beyond.
+/// Interpolates values given at points, linearly between them and constant beyond.
 
 #include <algorithm>
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace rollcon {
 
-/// point: ascending, at least one; as many values.
+/// Takes at least one point, in ascending order, and as many values.
 inline double linear_between(std::span<const double> point, std::span<const double> value, double at) {
   const auto next = std::upper_bound(point.begin(), point.end(), at);
   if (next == point.begin()) return value.front();

@@ -22,8 +22,8 @@ void take_least(MemoryLimit& least, double bytes, const char* what) {
   if (bytes < least.bytes) least = {bytes, what};
 }
 
-// Bytes in a file of a control group; infinite for "max" (version 2), for the largest number that version 1 writes
-// instead, and where there is no such file.
+// Returns the bytes in a file of a control group; infinite for "max" (version 2), for the largest number that version 1
+// writes instead, and where there is no such file.
 double limit_in(const std::string& file) {
   std::ifstream in(file);
   double bytes = 0;
@@ -31,7 +31,7 @@ double limit_in(const std::string& file) {
   return bytes;
 }
 
-// The number behind a word, as in /proc/meminfo and in the statistics of a group; 0 where there is none.
+// Returns the number behind a word in /proc/meminfo or the statistics of a group; 0 where there is none.
 double number_behind(const std::string& word, const std::string& file) {
   std::ifstream in(file);
   for (std::string line; std::getline(in, line);)
@@ -39,14 +39,15 @@ double number_behind(const std::string& word, const std::string& file) {
   return 0;
 }
 
-/// Files of one version of control groups, and what files that were read, which give way, are called in its statistics.
+/// Names the files of one version of control groups, and the word in its statistics for cached files, whose memory can
+/// be reclaimed.
 struct GroupFiles {
   const char *limit, *used, *cached;
 };
 constexpr GroupFiles version_1{"memory.limit_in_bytes", "memory.usage_in_bytes", "total_inactive_file "},
     version_2{"memory.max", "memory.current", "inactive_file "};
 
-// What a group and all above it leave: a container may show its own group as the root, so that the path of the
+// Returns what a group and all above it leave: a container may show its own group as the root, so that the path of the
 // membership leads nowhere while the root has the limit.
 double left_of_group(const std::string& mount, std::string path, const GroupFiles& file) {
   double least = infinite;
@@ -67,7 +68,7 @@ bool lists_memory(const std::string& controllers) {
   return ("," + controllers + ",").find(",memory,") != std::string::npos;
 }
 
-// Lines "number:controllers:path"; version 2 has no controllers.
+// Reads lines "number:controllers:path"; version 2 has no controllers.
 double left_of_groups(const MemorySources& sources) {
   double least = infinite;
   std::ifstream in(sources.groups);
@@ -79,7 +80,7 @@ double left_of_groups(const MemorySources& sources) {
     std::string path = line.substr(second + 1);
     if (path == "/") path.clear();
     if (controllers.empty()) {
-      // Mounted alone, or beside version 1.
+      // Version 2 is mounted alone, or beside version 1.
       for (const char* below : {"", "/unified"})
         least = std::min(least, left_of_group(sources.mount + below, path, version_2));
     } else if (lists_memory(controllers)) {
@@ -89,7 +90,7 @@ double left_of_groups(const MemorySources& sources) {
   return least;
 }
 
-// Pages of column `column` of /proc/self/statm, in bytes; 0 where there is no such file.
+// Returns column `column` of /proc/self/statm, which counts pages, in bytes; 0 where there is no such file.
 double in_use(int column) {
   std::ifstream in("/proc/self/statm");
   double pages = 0;
@@ -145,7 +146,7 @@ const char* out_of_memory_text() noexcept {
     if (const MemoryLimit allocation = allocation_limit(sources); allocation.bytes < least.bytes) least = allocation;
     std::snprintf(text, sizeof text, "out of memory: %s %.3g GB", least.what, 1e-9 * least.bytes);
   } catch (...) {
-    // Looking needs memory, too; the short text stays.
+    // Looking needs memory, too; on failure the short text stays.
   }
   return text;
 }

@@ -17,8 +17,8 @@
 namespace rollcon {
 namespace {
 
-// A host that limits its stacks (ulimit -s) limits those of its threads by that. Only what is touched of it becomes
-// memory.
+// A host that limits its stacks (ulimit -s) would limit those of its threads by that, so the size is given. Only the
+// touched part of it becomes memory.
 constexpr std::size_t stack_bytes = std::size_t{8} << 20U;
 
 thread_local bool inside = false;
@@ -69,7 +69,7 @@ void* start(void* member) {
   return nullptr;
 }
 
-/// While it lives, threads that this one makes take no signals but those of their own faults.
+/// Leaves signals to the host: while it lives, threads that this one makes take none but those of their own faults.
 class SignalsForTheHost {
  public:
   SignalsForTheHost() {
@@ -86,7 +86,7 @@ class SignalsForTheHost {
   sigset_t former_;
 };
 
-/// False: no thread can be had.
+/// Returns false if no thread can be had.
 bool make_thread(Member& member) {
   pthread_attr_t attributes;
   if (pthread_attr_init(&attributes) != 0) return false;

@@ -1,5 +1,5 @@
 #pragma once
-/// Loops on threads of the library's own, which live as long as the loop. OpenMP's threads would outlive it: its
+/// Runs loops on threads of the library's own, which live as long as the loop. OpenMP's threads would outlive it: its
 /// runtime ends the process when it cannot make them, hangs in a forked child, and gives them whatever floating-point
 /// environment the host had when they were born.
 
@@ -17,7 +17,7 @@ namespace rollcon {
 /// ended. While the caller waits for the others its Interrupt is asked.
 void run_threads(int threads, void (*work)(void*, int), void* data);
 
-/// Whether this thread is one of several that run_threads() keeps busy: loops within use no more.
+/// Says whether this thread is one of several that run_threads() keeps busy: loops within use no more.
 bool in_threads();
 
 /// Calls work(i, thread) for i in 0 .. count - 1, in chunks of neighbours that threads take as they come. thread is

@@ -18,7 +18,7 @@ const char* type_name(SettingType type) {
   return "";
 }
 
-/// True if `value` is one of the words of "a|b|c".
+/// Returns true if `value` is one of the words of "a|b|c".
 bool is_choice(const char* choices, const char* value) {
   const std::size_t length = std::strlen(value);
   for (const char* word = choices;; ++word) {

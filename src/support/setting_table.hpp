@@ -1,6 +1,6 @@
 #pragma once
-/// Settings by name: one table gives type, range, standard value and meaning of each, and the member of a struct that
-/// holds its value.
+/// Provides settings by name: one table gives type, range, standard value and meaning of each, and the member of a
+/// struct that holds its value.
 
 #include <algorithm>
 #include <cstdint>
@@ -20,12 +20,12 @@ enum class SettingType : std::int32_t { integer = 1, real = 2, text = 3 };
 struct Setting {
   const char* name;
   SettingType type;
-  double low, high, standard;  ///< numbers; for text: unused
-  const char* choices;         ///< text: allowed values "a|b|c", the first is the standard
+  double low, high, standard;  ///< for numbers; text does not use them
+  const char* choices;         ///< allowed values "a|b|c" of text, the first being the standard
   const char* doc;
 };
 
-/// err_option if the value is not allowed (err_nonfinite for NaN and infinity).
+/// Throws err_option if the value is not allowed (err_nonfinite for NaN and infinity).
 void require_allowed(const Setting& setting, std::int64_t value);
 void require_allowed(const Setting& setting, double value);
 void require_allowed(const Setting& setting, const char* value);
@@ -37,7 +37,7 @@ void require_allowed(const Setting& setting, const char* value);
 template <class Values>
 class SettingTable {
  public:
-  /// The standard value is the member's initialiser.
+  /// Takes the member's initialiser as the standard value.
   struct Row {
     Row(const char* name, std::int64_t Values::*member, double low, double high, const char* doc)
         : setting{name, SettingType::integer, low, high, static_cast<double>(Values{}.*member), nullptr, doc},
@@ -59,7 +59,7 @@ class SettingTable {
 
   std::span<const Setting> settings() const { return settings_; }
 
-  /// True if that changed the value.
+  /// Returns true if that changed the value.
   bool set_int(Values& values, const char* name, std::int64_t value) const {
     const Row& row = find(name, SettingType::integer);
     require_allowed(row.setting, value);

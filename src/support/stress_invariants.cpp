@@ -7,9 +7,9 @@
 namespace rollcon {
 namespace {
 
-constexpr int sweeps = 12;  ///< convergence is quadratic: six do in practice
+constexpr int sweeps = 12;  ///< convergence is quadratic: six suffice in practice
 
-/// Jacobi's rotation that makes a[p][q] zero.
+/// Applies Jacobi's rotation that makes a[p][q] zero.
 void rotate(double (&a)[3][3], int p, int q) {
   if (a[p][q] == 0) return;
   const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
