@@ -1,5 +1,5 @@
 #pragma once
-/// Elements of either model, for tests that boundary and finite elements owe alike.
+/// Names elements of either model, for tests that boundary and finite elements must pass alike.
 
 #include <string>
 #include <variant>
@@ -10,7 +10,7 @@
 
 namespace rollcon {
 
-/// Of a body's surface (boundary elements) or of its volume (finite elements).
+/// Names an element of a body's surface (boundary elements) or of its volume (finite elements).
 using AnyElement = std::variant<ElementType, VolumeType>;
 
 inline bool is_finite_element(AnyElement type) {
@@ -28,11 +28,11 @@ inline std::vector<AnyElement> all_elements() {
   all.insert(all.end(), volumes::all_types.begin(), volumes::all_types.end());
   return all;
 }
-/// tet4 and wedge6 are refused near incompressibility.
+/// Says whether the type locks near incompressibility, where tet4 and wedge6 are refused.
 inline bool locks(AnyElement type) {
   return type == AnyElement(VolumeType::tet4) || type == AnyElement(VolumeType::wedge6);
 }
-/// Whether the model is left out of this build.
+/// Says whether the model is left out of this build.
 inline bool absent(AnyElement type) {
   return is_finite_element(type) ? ROLLCON_BUILD_FEM == 0 : ROLLCON_BUILD_BEM == 0;
 }

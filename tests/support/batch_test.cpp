@@ -1,4 +1,4 @@
-/// Answers of a list keep what they throw to themselves, and one order holds for all statuses.
+/// Tests that an answer of a list that throws leaves the others alone, and that one order holds for all statuses.
 
 #include "support/batch.hpp"
 

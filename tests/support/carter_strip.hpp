@@ -1,5 +1,5 @@
 #pragma once
-/// Carter's problem for tests and benches: identical steel cylinders, a = 1 mm, R = 500 mm,
+/// Sets up Carter's problem for tests and benches: identical steel cylinders, a = 1 mm, R = 500 mm,
 /// mu = 0.3, creepage -2.4e-4 (F/(mu P) = 0.64), on strips of finite length (support/strip.hpp).
 
 #include <algorithm>
@@ -19,8 +19,8 @@ inline const closed_forms::Carter carter{
     .mu = 0.3,
     .xi = -2.4e-4};
 
-/// `across` equidistant nodes inside |x| < 1 with the contact's edge midway between two nodes (shift 0.5) or on a node
-/// (shift 0 or 1), and a margin of a tenth of the contact on both sides.
+/// Returns `across` equidistant nodes inside |x| < 1 with the contact's edge midway between two nodes (shift 0.5) or on
+/// a node (shift 0 or 1), and a margin of a tenth of the contact on both sides.
 inline std::vector<double> strip_nodes(int across, double shift = 0.5) {
   const double h = 2.0 / across;
   const int margin = std::max(2, across / 10);
@@ -29,7 +29,7 @@ inline std::vector<double> strip_nodes(int across, double shift = 0.5) {
   return x;
 }
 
-/// Lines graded to both edges of the contact, x = cos(theta), mirrored outside.
+/// Returns lines graded to both edges of the contact, x = cos(theta), mirrored outside.
 inline std::vector<double> graded_nodes(int n) {
   const std::vector<double> inside = frames::cosine_lines(1, n);
   std::vector<double> x;
@@ -44,8 +44,8 @@ struct CarterErrors {
   double force_ratio = 0;  ///< longitudinal force found, over mu P
 };
 
-/// Middle section against the closed form: normal load, force vector over mu P relative (none is lateral), and the
-/// relative L2 norm of the nodal tractions.
+/// Compares the middle section with the closed form: normal load, force vector over mu P relative (none is lateral),
+/// and the relative L2 norm of the nodal tractions.
 inline CarterErrors compare(const Section& section) {
   CarterErrors error;
   error.load = section.load() / carter.hertz.load - 1;

@@ -1,4 +1,4 @@
-// XXH64 against published values, and in pieces.
+// Compares XXH64 with published values, whole and in pieces.
 
 #include "support/checksum.hpp"
 

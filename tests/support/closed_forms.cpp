@@ -17,8 +17,8 @@ double positive_root(double x) {
   return std::sqrt(std::max(x, 0.0));
 }
 
-/// A_small / A_large of an ellipse with (short/long axis)^2 = m1: (K-E)/(E/m1 - K), and the two factors of A_small
-/// (with alpha^3 2 pi E*/(3P)) and of the approach.
+/// Holds A_small / A_large of an ellipse with (short/long axis)^2 = m1, which is (K-E)/(E/m1 - K), and the two factors
+/// of A_small (with alpha^3 2 pi E*/(3P)) and of the approach.
 struct Shape {
   double curvature_ratio, curvature_factor, k;
 };
@@ -33,7 +33,7 @@ Shape shape(double m1) {
 }
 
 double shape_of_curvatures(double ratio) {
-  double low = std::log(1e-14), high = 0;  // of m1
+  double low = std::log(1e-14), high = 0;  // bounds of log m1
   for (int i = 0; i < 200; ++i) {
     const double middle = 0.5 * (low + high);
     (shape(std::exp(middle)).curvature_ratio < ratio ? low : high) = middle;
@@ -91,7 +91,7 @@ Hertz hertz_from_load(double A, double B, double e_star, double load) {
 }
 
 Hertz hertz_from_approach(double A, double B, double e_star, double approach) {
-  const double unit = hertz_from_load(A, B, e_star, 1).approach;  // approach ~ load^(2/3)
+  const double unit = hertz_from_load(A, B, e_star, 1).approach;  // the approach goes with load^(2/3)
   return hertz_from_load(A, B, e_star, std::pow(approach / unit, 1.5));
 }
 
@@ -187,7 +187,7 @@ std::vector<BentallJohnson> bentall_johnson() {
 }
 
 double bentall_johnson_vanishing(const Elastic& body1, const Elastic& body2, double a, double radius) {
-  // |x| < x0 carries half the load: (2/pi)(x0 sqrt(1 - x0^2) + asin x0) = 1/2 (x0 in units of a).
+  // The strip |x| < x0 carries half the load: (2/pi)(x0 sqrt(1 - x0^2) + asin x0) = 1/2 (x0 in units of a).
   double low = 0, high = 1;
   for (int i = 0; i < 60; ++i) {
     const double x = 0.5 * (low + high);
@@ -195,7 +195,7 @@ double bentall_johnson_vanishing(const Elastic& body1, const Elastic& body2, dou
   }
   const double p0 = effective_modulus(body1, body2) * a / (2 * radius);
   auto coupling = [](const Elastic& e) { return (1 - 2 * e.poisson) / (4 * pi * e.shear); };
-  // s = V (xi + 2 pi ck p) vanishes at x0.
+  // The slip s = V (xi + 2 pi ck p) vanishes at x0.
   return -2 * pi * (coupling(body1) - coupling(body2)) * p0 * std::sqrt(1 - low * low);
 }
 

@@ -1,4 +1,4 @@
-// Unknowns written out against what the same compliance condenses.
+// Compares unknowns written out with what the same compliance condenses.
 
 #include "linalg/factored_matrix.hpp"
 #include "support/compliance_suite.hpp"
@@ -12,7 +12,7 @@ std::size_t at(std::int64_t i) {
   return static_cast<std::size_t>(i);
 }
 
-/// K^-1 B: unknowns x columns, column-major.
+/// Computes K^-1 B: unknowns x columns, column-major.
 std::vector<double> solved_loads(const ExpandedBody& body) {
   const BodyEquations& k = *body.equations;
   const std::int64_t n = k.unknowns;
@@ -35,7 +35,7 @@ std::vector<double> solved_loads(const ExpandedBody& body) {
   return x;
 }
 
-/// P K^-1 B + N.
+/// Computes P K^-1 B + N.
 RowMatrix<double> eliminated(const ExpandedCompliance& e, std::int64_t points, std::int64_t nodes) {
   RowMatrix<double> u;
   u.resize(3 * points, 3 * nodes);
@@ -59,7 +59,7 @@ RowMatrix<double> eliminated(const ExpandedCompliance& e, std::int64_t points, s
 double expansion_error(const Frame& frame, const Compliance& compliance) {
   const Extent e(frame);
   std::vector<double> x = frame.x, y = frame.y;
-  // Upstream of the nodes, between them, and around the frame: over its neighbours and off it all.
+  // The points lie upstream of the nodes, between them, and around the frame: over its neighbours and off it all.
   for (const double factor : {0.83, 1.2, 4.0})
     for (std::size_t k = 0; k < frame.x.size(); k += factor < 1 ? 1 : 5) {
       const double shift = factor < 1 ? -0.07 * e.half_x : 0;
@@ -87,7 +87,7 @@ double expansion_error(const Frame& frame, const Compliance& compliance) {
           const double value = dense[i][j][p * n + k];
           most = std::max(most, std::abs(value));
           const double difference = std::abs(u.row(static_cast<std::int64_t>(3 * p + i))[3 * k + j] - value);
-          if (!(difference <= error)) error = difference;  // also what is no number
+          if (!(difference <= error)) error = difference;  // true also for NaN
         }
   return error / most;
 }

@@ -11,14 +11,14 @@
 namespace rollcon {
 namespace {
 
-/// Tractions (t1, t2, n) at a node from its place in the frame, in [-1, 1] across it.
+/// Gives tractions (t1, t2, n) at a node from its place in the frame, in [-1, 1] across it.
 using Field = std::function<Vec3(double x, double y)>;
 
 double bump(double x, double y) {
   return std::max(0.0, 1 - x * x) * std::max(0.0, 1 - y * y);
 }
 
-/// Smooth loads that vanish at the frame's rim: each component alone and mixtures.
+/// Returns smooth loads that vanish at the frame's rim: each component alone and mixtures.
 std::vector<Field> smooth_fields() {
   std::vector<Field> fields;
   for (std::size_t c = 0; c < 3; ++c)
@@ -67,7 +67,7 @@ double difference(const std::vector<double>& a, const std::vector<double>& b) {
   return m;
 }
 
-/// Work of tractions on displacements over the frame.
+/// Computes the work of tractions on displacements over the frame.
 class Work {
  public:
   explicit Work(const PlacedCompliance& p) : p_(p) {
@@ -99,8 +99,8 @@ class Work {
     }
   }
 
-  /// work[i][j]: of load i on the displacements of load j; between nodes they come from the compliance itself, or are
-  /// those of the nodes by the frame's shape functions.
+  /// Says where displacements between nodes come from: the compliance itself, or those of the nodes by the frame's
+  /// shape functions. The entry work[i][j] is that of load i on the displacements of load j.
   enum class Between { compliance, shape_functions };
   std::vector<std::vector<double>> matrix(const std::vector<std::vector<double>>& loads,
                                           Between between = Between::compliance) const {
@@ -145,7 +145,7 @@ std::vector<std::vector<double>> smooth_loads(const Frame& frame) {
   return loads;
 }
 
-/// Largest difference of work[i][j] and work[j][i], over the geometric mean of the loads' own work.
+/// Returns the largest difference of work[i][j] and work[j][i], over the geometric mean of the loads' own work.
 double asymmetry(const std::vector<std::vector<double>>& work) {
   double error = 0;
   for (std::size_t i = 0; i < work.size(); ++i)
@@ -178,7 +178,7 @@ void check_superposition(const ComplianceCase& c) {
   for (std::size_t k = 0; k < ua.size(); ++k) expected[k] = 3 * ua[k] - 0.5 * ub[k];
   expect_error(c.name + ": superposition", difference(us, expected) / largest(us), c.superposition);
 
-  // Nodes, and points between them.
+  // The points are the nodes, and points between them.
   std::vector<double> x = p.frame->x, y = p.frame->y;
   const auto nodes = p.frame->mesh.element(0);
   double mx = 0, my = 0;
@@ -245,14 +245,14 @@ std::vector<double> work_of_smooth_loads(const PlacedCompliance& p) {
   return own;
 }
 
-// Every load does work: the symmetric part of the work matrix of twelve smooth loads is positive definite, and loads on
-// single nodes do work.
+// Checks that every load does work: the symmetric part of the work matrix of twelve smooth loads is positive definite,
+// and loads on single nodes do work.
 void check_positive_definite(const ComplianceCase& c) {
   const PlacedCompliance p = c.make(0, {});
   auto loads = smooth_loads(*p.frame);
   const auto work = Work(p).matrix(loads);
   const std::size_t n = work.size();
-  // Cholesky of the symmetric part, scaled to a unit diagonal.
+  // The matrix l is the Cholesky factor of the symmetric part, scaled to a unit diagonal.
   std::vector<std::vector<double>> l(n, std::vector<double>(n, 0.0));
   double least = 1;
   for (std::size_t i = 0; i < n; ++i) {

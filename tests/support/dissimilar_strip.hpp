@@ -1,5 +1,5 @@
 #pragma once
-/// Long rollers of two materials in plane strain, as half-spaces on a strip of finite length (support/strip.hpp).
+/// Rolls long rollers of two materials in plane strain, as half-spaces on a strip of finite length (support/strip.hpp).
 
 #include <cmath>
 #include <vector>
@@ -13,7 +13,7 @@ struct DissimilarStrip {
   Strip strip;
   RollingPair pair;
 
-  /// lines: of nodes across the contact, in half-widths; load per length.
+  /// Takes lines of nodes across the contact, in half-widths, and the load per length.
   DissimilarStrip(const Elastic& body1, const Elastic& body2, double radius, double load, std::vector<double> lines,
                   const char* scheme)
       : strip{closed_forms::hertz_line_from_load(radius, closed_forms::effective_modulus(body1, body2), load), 0},
@@ -32,8 +32,8 @@ struct DissimilarStrip {
     pair.option("convection", scheme);
   }
 
-  /// Longitudinal force over mu times the load; body 1 is driven along +t1. The ends of the strip are loaded: the
-  /// frame's rim is in contact by intent.
+  /// Rolls at a longitudinal force over mu times the load; body 1 is driven along +t1. The ends of the strip are
+  /// loaded: the frame's rim is in contact by intent.
   Solution roll(double mu, double force_ratio) {
     pair.friction(mu).tangential_force(ROLLCON_LONGITUDINAL, force_ratio * mu * strip.total_load());
     if (pair.solve() != ROLLCON_RIM_CONTACT) throw std::runtime_error("strip: not converged");

@@ -60,7 +60,7 @@ class Judge {
   void normal(double error, const std::string& against) {
     add("normal force", "error_estimate_normal", std::abs(error), against);
   }
-  /// Of a tangential force, in units of force.
+  /// Compares the estimate of a tangential force, in units of force.
   void tangential(double error, const std::string& against) {
     add("tangential force", "error_estimate_tangential", std::abs(error) / magnitude_, against);
   }
@@ -85,7 +85,7 @@ class Judge {
   double began_ = 0, magnitude_ = 0;
 };
 
-/// Relative L2 error of the interpolated pressure, by quadrature on every element cut in 8 x 8.
+/// Returns the relative L2 error of the interpolated pressure, by quadrature on every element cut in 8 x 8.
 double pressure_error(const SurfaceMesh& mesh, const Solution& s, const Hertz& exact) {
   constexpr int cuts = 8;
   const PlaneRule square = square_rule(3), triangle = triangle_rule(3);
@@ -196,7 +196,7 @@ Judgement judge_steady_rolling(const std::string& which, const JudgedFrame& fram
   sr::prepare(pair, frame.mesh, which);
   pair.option("convection", scheme);
   const Solution s = judge.solve(pair);
-  // The force at the approach found: F goes with its power 3/2.
+  // The error is that of the force at the approach found, because F goes with its power 3/2.
   judge.normal(1 - std::pow(s.approach / sr::hertz.approach, 1.5), "Hertz's closed form");
   const auto limit = sr::limit(which).force;
   judge.tangential(sr::mu * sr::hertz.load * sr::errors(s, which).force * std::hypot(limit[0], limit[1]),
@@ -263,7 +263,7 @@ Judgement judge_example3(int nodes, const char* scheme) {
   Judge judge("example 3", "half-space on rigid", frame.name, scheme);
   auto pair = example3::pair(frame.mesh, scheme);
   const Solution s = judge.solve(*pair);
-  // The force at the creepage found, from the creepage at the force given.
+  // The force at the creepage found follows from the creepage at the force given.
   double rate[3] = {};
   rollcon_contact_get_sensitivity(pair->handle(), ROLLCON_LONGITUDINAL, nullptr, nullptr, nullptr, rate);
   judge.tangential((s.creep[0] - reference) / rate[0], "18 graded rings, characteristic");

@@ -1,6 +1,6 @@
 #pragma once
-/// Error estimates beside true errors, on scenes whose solution is known: closed forms, published limits, or the same
-/// scene on a frame that is much finer.
+/// Compares error estimates with true errors, on scenes whose solution is known: closed forms, published limits, or the
+/// same scene on a frame that is much finer.
 
 #include <cstdint>
 #include <string>
@@ -23,7 +23,7 @@ struct Judged {
 };
 using Judgement = std::vector<Judged>;
 
-/// A frame of each kind for a contact of semi-axes a, b, `across` nodes across it.
+/// Holds a frame of each kind for a contact of semi-axes a, b, `across` nodes across it.
 struct JudgedFrame {
   std::string name;
   SurfaceMesh mesh;
@@ -33,23 +33,23 @@ JudgedFrame judged_unstructured(double a, double b, int across);  ///< triangles
 JudgedFrame judged_rings(double a, double b,
                          int rings);  ///< triangles fitted to the contact's edge
 
-/// Frictionless circle: force at given approach, and the L2 norm of the pressure's error.
+/// Judges a frictionless circle: the force at given approach, and the L2 norm of the pressure's error.
 Judgement judge_hertz(const JudgedFrame& frame);
-/// Long strip with `across` nodes in contact, equidistant or graded to its edges.
+/// Judges a long strip with `across` nodes in contact, equidistant or graded to its edges.
 Judgement judge_carter(int across, bool graded, const char* scheme);
-/// Cases (a) and (b) of tests/data/steady_rolling_limits.csv; N x N nodes, or a frame for radius 5.
+/// Judges cases (a) and (b) of tests/data/steady_rolling_limits.csv, with N x N nodes, or a frame for radius 5.
 Judgement judge_steady_rolling(const std::string& which, const JudgedFrame& frame, const char* scheme);
-/// Nearly full adhesion, longitudinal creepage, lateral creepage, or spin (1, 2, 3) on an ellipse a/b = 2; against
+/// Judges nearly full adhesion, longitudinal creepage, lateral creepage, or spin (1, 2, 3) on an ellipse a/b = 2 by
 /// Kalker's table.
 Judgement judge_linear_theory(int direction, int rings, const char* scheme);
-/// A point of the creep curve, creepage over that at full slip; against 18 rings.
+/// Judges a point of the creep curve, with the creepage over that at full slip, by 18 rings.
 Judgement judge_creep_curve(double xi, const JudgedFrame& frame, const char* scheme);
-/// Semi-axes of that contact.
+/// Returns the semi-axes of the creep curve's contact.
 std::vector<double> creep_curve_axes();
-/// The paper's sphere on a rigid plane at given tangential force; against 18 rings. nodes: 673, 703, 1985, 2745, or the
-/// number of rings.
+/// Judges the paper's sphere on a rigid plane at given tangential force by 18 rings. nodes: 673, 703, 1985, 2745, or
+/// the number of rings.
 Judgement judge_example3(int nodes, const char* scheme);
-/// A ball on a block of finite elements (hex8) or boundary elements (quad8), creeping; against the same bodies under a
+/// Judges a creeping ball on a block of finite elements (hex8) or boundary elements (quad8) by the same bodies under a
 /// frame of 32 x 32.
 Judgement judge_block(bool finite_elements, int across, const char* scheme);
 

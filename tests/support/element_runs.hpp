@@ -1,6 +1,6 @@
 #pragma once
-/// Elements of a mesh in runs of one type and tag: one call of rollcon_body_add_elements each, so that their order
-/// stays.
+/// Splits elements of a mesh into runs of one type and tag, with one call of rollcon_body_add_elements each, so that
+/// their order stays.
 
 #include <cstddef>
 #include <cstdint>

@@ -14,25 +14,25 @@ namespace rollcon::scenes::example1 {
 inline constexpr double radius = 50, width = 8, young = 1e4, poisson = 0.3, mu = 0.1;
 inline constexpr double load = 1233.85, force_ratio = 0.6271, speed = 0.2 * radius;
 inline const closed_forms::Elastic material{.shear = young / (2 * (1 + poisson)), .poisson = poisson};
-/// Two long cylinders under the same load per length (Hertz), and the creepage that Carter's closed form gives for the
-/// same force; body 1 is driven by a force along +t1.
+/// Describes two long cylinders under the load per length of the rings (Hertz), and the creepage that Carter's closed
+/// form gives for their force; body 1 is driven by a force along +t1.
 inline const double hertz_a =
     std::sqrt(4 * (load / width) * (radius / 2) * 2 * (1 - poisson * poisson) / (std::acos(-1.0) * young));
 inline const double hertz_p0 = 2 * (load / width) / (std::acos(-1.0) * hertz_a);
-/// Of these rings, whose sides are free, at mid-plane and at Carter's force: finite elements, 36 x 12 hex20 in the
-/// zone, 148,716 unknowns a ring. Other fine meshes (hex8 36 x 16 and 48 x 12, hex20 32 x 8 and 48 x 8) are within 0.1
-/// % of the pressure and 1.6 % of the creepage.
+/// The pressure and creepage of these rings, whose sides are free, at mid-plane and at Carter's force come from finite
+/// elements, 36 x 12 hex20 in the zone, 148,716 unknowns a ring. Other fine meshes (hex8 36 x 16 and 48 x 12, hex20 32
+/// x 8 and 48 x 8) are within 0.1 % of the pressure and 1.6 % of the creepage.
 inline constexpr double fine_p0 = 106.45, fine_creepage = -1.505e-3;
-/// Of the spin moment: mean semi-axis of a contact as long as the rings are wide.
+/// The arm of the spin moment is the mean semi-axis of a contact as long as the rings are wide.
 inline const double arm = std::sqrt(hertz_a * width / 2);
 inline const double carter_creepage = -mu * hertz_a / (radius / 2) * (1 - std::sqrt(1 - force_ratio));
 
-/// The paper's ring: 1472 nodes and quadrilaterals, 12 x 12 of them in the zone.
+/// Returns the paper's ring: 1472 nodes and quadrilaterals, 12 x 12 of them in the zone.
 inline surfaces::Ring paper_ring() {
   return {};
 }
 
-/// parts: elements along and across the zone; the rest of the ring follows.
+/// Takes as `parts` the elements along and across the zone; the rest of the ring follows.
 inline surfaces::Ring bem_ring(int parts) {
   surfaces::Ring shape = paper_ring();
   shape.zone_around = parts;
@@ -42,13 +42,13 @@ inline surfaces::Ring bem_ring(int parts) {
   return shape;
 }
 
-/// Bound of the elements around a ring for which `rest` elements outside the zone grow steadily: a lower one makes a
-/// few of them leap to it.
+/// Returns the bound of the elements around a ring for which `rest` elements outside the zone grow steadily: a lower
+/// one makes a few of them leap to it.
 inline double longest(int rest) {
   return std::max(40.0, 4 * std::acos(-1.0) * radius / rest);
 }
 
-/// The same for finite elements, finer below the zone and coarser elsewhere.
+/// Returns a ring for finite elements, finer below the zone and coarser elsewhere than bem_ring().
 inline surfaces::Ring fem_ring(int parts) {
   surfaces::Ring shape = bem_ring(parts);
   shape.around = 2 * ((28 * parts / 12) / 2);
@@ -76,8 +76,8 @@ inline MeshedBody ring_body(const surfaces::Ring& shape, VolumeType type) {
   return body;
 }
 
-/// Rings one above the other, the axle of each along y; the second is turned upside down. The frame is the first one's
-/// zone.
+/// Stands rings one above the other, the axle of each along y; the second is turned upside down. The frame is the first
+/// one's zone.
 inline std::unique_ptr<RollingPair> pair(const AnyBody& ring1, const AnyBody& ring2, const char* scheme,
                                          int threads = 1) {
   auto p = std::make_unique<RollingPair>(ring1, ring2, threads);
@@ -88,7 +88,7 @@ inline std::unique_ptr<RollingPair> pair(const AnyBody& ring1, const AnyBody& ri
   return p;
 }
 
-/// Twins of boundary elements.
+/// Makes a pair of equal rings of boundary elements.
 inline std::unique_ptr<RollingPair> pair(const surfaces::Ring& shape, ElementType type, const char* scheme,
                                          int threads = 1) {
   return pair(ring_body(shape, type), TwinBody{}, scheme, threads);

@@ -12,7 +12,7 @@ namespace {
 constexpr double side = 80, depth = 40;
 constexpr int zone_parts = 12, parts_ahead = 2, parts_aside = 3, parts_deep = 2;
 
-/// `parts` equal elements in [-half, half], `beyond` on either side to half of the block's side.
+/// Returns lines of `parts` equal elements in [-half, half], and `beyond` on either side to half of the block's side.
 std::vector<double> lines(double half, int parts, int beyond) {
   const double h = 2 * half / parts;
   std::vector<double> line = surfaces::graded_to(beyond, -side / 2, -half, 2 * h);

@@ -1,6 +1,6 @@
 #pragma once
-/// The third example of Rodriguez-Tembleque and Abascal (Int. J. Solids Struct. 47, 2010): an elastic sphere rolls on a
-/// rigid plane under a prescribed tangential force. N, mm, MPa, s.
+/// Sets up the third example of Rodriguez-Tembleque and Abascal (Int. J. Solids Struct. 47, 2010): an elastic sphere
+/// rolls on a rigid plane under a prescribed tangential force. N, mm, MPa, s.
 
 #include <memory>
 #include <string>
@@ -15,7 +15,7 @@ inline constexpr double radius = 50, young = 1e4, poisson = 0.3, mu = 0.1, load 
 inline constexpr double force_ratio = 0.75, speed = 0.2 * radius;
 inline const closed_forms::Elastic sphere{.shear = young / (2 * (1 + poisson)), .poisson = poisson};
 
-/// Frictionless: p0 = 140 MPa, a = 1.0063 mm.
+/// Returns the frictionless contact: p0 = 140 MPa, a = 1.0063 mm.
 inline closed_forms::Hertz hertz() {
   const double curvature = 1 / (2 * radius);
   return closed_forms::hertz_from_load(curvature, curvature, closed_forms::effective_modulus(sphere), load);
@@ -26,7 +26,7 @@ struct NamedFrame {
   SurfaceMesh mesh;
 };
 
-/// The paper's four frames by node count: 673 (quad4), 1985 (quad8), 703 (tri3), 2745 (tri6).
+/// Returns one of the paper's four frames by node count: 673 (quad4), 1985 (quad8), 703 (tri3), 2745 (tri6).
 inline NamedFrame frame(int nodes) {
   const double reach = 1.3 * hertz().a;
   switch (nodes) {

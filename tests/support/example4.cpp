@@ -8,7 +8,7 @@ namespace rollcon::scenes::example4 {
 
 namespace {
 
-/// Part of a cylinder along x whose top is the origin, normal upwards; quad8.
+/// Makes the part of a cylinder along x whose top is the origin, normal upwards, of quad8.
 SurfaceMesh rail_head(double half_length, double half_width, int n) {
   const double angle = half_width / rail;
   const SurfaceMesh flat = frames::rectangle(ElementType::quad8, frames::uniform_lines(-half_length, half_length, n),

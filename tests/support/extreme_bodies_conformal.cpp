@@ -1,5 +1,5 @@
-/// Conformal zones: a pin, roller or ball in a bore of nearly its radius, contact that turns by up to 60 degrees to
-/// both sides of the axes' normal; and a flange. Rolling is along the bore.
+/// Makes scenes with conformal zones: a pin, roller or ball in a bore of nearly its radius, with contact that turns by
+/// up to 60 degrees to both sides of the axes' normal; and a flange. Rolling is along the bore.
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +20,8 @@ using scenes::MeshedBody;
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// Along the normal of the bore to the pin in it, which touches it at the origin; from a point of the pin along its
-/// normal to the bore.
+/// Returns the gap along the normal of the bore to the pin in it, which touches it at the origin; from a point of the
+/// pin, along its normal to the bore.
 double gap_of_pin(const ConformalShape& shape, const Vec3& x) {
   const double pin = 1 - shape.clearance;
   const double angle = std::atan2(x[1], (shape.pin ? pin : 1) - x[2]);
@@ -31,8 +31,8 @@ double gap_of_pin(const ConformalShape& shape, const Vec3& x) {
   return reach - c + crown;
 }
 
-/// A pin that is a body too, whose shape the library finds. It is wider, for the normals of the bore to meet it, and
-/// quadratic, for its facets not to stand out further than the clearance.
+/// Adds a pin that is a body too, whose shape the library finds. It is wider, for the normals of the bore to meet it,
+/// and quadratic, for its facets not to stand out further than the clearance.
 Scene with_pin(Scene s, const ConformalShape& bore, double stiffness) {
   ConformalShape pin = bore;
   pin.model = bore.model == Model::fem ? Model::bem : Model::fem;
@@ -49,7 +49,7 @@ Scene with_pin(Scene s, const ConformalShape& bore, double stiffness) {
   return s;
 }
 
-/// Tread and flange touched at once.
+/// Makes tread and flange touch at once.
 Scene touching_flange(Scene s) {
   s.given.gap.clear();
   for (const Vec3& x : s.given.frame.node) {
@@ -100,7 +100,7 @@ Scene scene_in_bore(const std::string& name, const ConformalShape& shape, double
     s.pose = turn_body_2;
   }
   (shape.pin ? s.body2 : s.body1) = std::move(body);
-  // Dragged and turned so that a part sticks.
+  // The body is dragged and turned so that a part sticks.
   s.approach(depth).friction(0.3);
   const double creep = 0.1 * depth / shape.wall;
   s.creep(creep, -0.5 * creep, 0.5 * creep);
@@ -126,7 +126,7 @@ std::vector<Scene> conformal_scenes() {
     add(scene_in_bore("to 45 degrees", fit, 6e-4, 45));
     const Scene full = scene_in_bore("to 60 degrees", fit, 3e-3, 59);
     add(full);
-    // Normals fan out: more than mu times the load can be carried along the bore.
+    // Normals fan out, so more than mu times the load can be carried along the bore.
     constexpr double load = 150, limit = 0.3 * load;
     for (const auto& [part, text] : {std::pair{0.99, "0.99"}, std::pair{1.05, "1.05"}, std::pair{1.3, "1.3"}}) {
       Scene& s = add(full);
@@ -134,7 +134,7 @@ std::vector<Scene> conformal_scenes() {
       s.load(load).force(ROLLCON_LONGITUDINAL, part * limit);
       if (part > 1.2) s.right = {ROLLCON_ERR_LOAD};
     }
-    // Pressures have a part in it.
+    // Pressures take part in the balance of these loads.
     Scene& aside = add(full);
     aside.name += ", lateral force";
     aside.force(ROLLCON_LATERAL, 20);

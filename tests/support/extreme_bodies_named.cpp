@@ -28,7 +28,7 @@ std::string number(double value) {
   return text;
 }
 
-/// Of what a body is made.
+/// Returns the material of a body.
 std::optional<Elastic> material_of(const AnyBody& body) {
   if (const auto* half = std::get_if<scenes::HalfspaceBody>(&body)) return half->material;
   if (const auto* meshed = std::get_if<scenes::MeshedBody>(&body)) return meshed->material;
@@ -177,7 +177,7 @@ std::vector<Scene> named_body_scenes() {
   add_meshes(all);
   add_contacts(all);
   for (Scene& s : conformal_scenes()) all.push_back(std::move(s));
-  // What reaches the edge of a body is said to reach the rim where the frame ends there.
+  // Contact that reaches the edge of a body is said to reach the rim where the frame ends there.
   for (Scene& s : all)
     if (s.right.front() == ROLLCON_OK) s.right.push_back(ROLLCON_RIM_CONTACT);
   return all;

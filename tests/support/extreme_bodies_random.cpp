@@ -23,7 +23,7 @@ double draw_poisson(Draw& d, Kind kind, VolumeType cell) {
   return std::min(nu, stiff ? 0.45 : 0.4999999);
 }
 
-/// Lines of a graded block: towards one end, the middle, or two of them nearly together.
+/// Draws lines of a graded block: towards one end, the middle, or two of them nearly together.
 std::vector<double> draw_lines(Draw& d, int n) {
   std::vector<double> line;
   const double power = d.between(1, 5);
@@ -39,7 +39,7 @@ std::vector<double> draw_lines(Draw& d, int n) {
   return line;
 }
 
-/// Half sizes 1 x 1 times `size`; the meshes are small. frame: its top may be the frame.
+/// Draws a block with half sizes 1 x 1 times `size` and a small mesh; with `frame`, its top may be the frame.
 BlockShape draw_block(Draw& d, Kind kind, std::uint32_t seed, double size, bool frame) {
   BlockShape s;
   s.seed = seed;
@@ -59,7 +59,7 @@ BlockShape draw_block(Draw& d, Kind kind, std::uint32_t seed, double size, bool 
     for (std::size_t c = 0; c < 3; ++c)
       if (d.chance(0.5)) s.line[c] = draw_lines(d, s.n[c]);
   if (d.chance(0.3)) s.distort = d.between(0.02, quadratic ? 0.1 : 0.25);
-  // Walls stay steep: beyond, the top's normals would lean at its edges.
+  // Walls stay steep, because beyond this the top's normals would lean at its edges.
   if (frame && d.chance(0.15)) s.shear = {d.between(-0.8, 0.8), d.between(-0.8, 0.8), d.between(-2, 2)};
   if (frame && d.chance(0.03)) s.shear[2] = d.chance(0.5) ? -30 : 30;
   if (d.chance(0.15)) s.held = {1, 2};
@@ -78,9 +78,9 @@ bool rigid(const AnyBody& body) {
   return std::holds_alternative<scenes::RigidBody>(body);
 }
 
-/// Whether a block held at its ends alone bends so easily beside its own elements that its equations are singular to
-/// rounding. Their condition goes with (length/thickness)^4/(1 - 2 nu) over the factor of the first bending mode of a
-/// beam, clamped at one end or at both; 1500 times that for hex20, less for the others.
+/// Says whether a block held at its ends alone bends so easily beside its own elements that its equations are singular
+/// to rounding. Their condition goes with (length/thickness)^4/(1 - 2 nu) over the factor of the first bending mode of
+/// a beam, clamped at one end or at both; 1500 times that for hex20, less for the others.
 bool bends_beyond_rounding(const BlockShape& s) {
   constexpr double singular = 1e15;  // no digit is left
   if (s.model != Model::fem || std::count(s.held.begin(), s.held.end(), 5) > 0) return false;
@@ -103,12 +103,12 @@ AnyBody draw_body(Draw& d, Kind kind, std::uint32_t seed, double size, double yo
   if (d.chance(0.05)) body.option.emplace_back("edge_angle", d.chance(0.5) ? 1.0 : 80.0);
   if (d.chance(0.1)) body.int_option.emplace_back("keep_factors", 0);
   if (d.chance(0.1)) body.int_option.emplace_back("prepare", 0);
-  if (kind == Kind::fem) d.chance(0.2);  // scenes stay those of their seeds
+  if (kind == Kind::fem) d.chance(0.2);  // keeps the draws of later scenes unchanged
   if (kind == Kind::fem && d.chance(0.1)) body.int_option.emplace_back("hex8", 1);
   return body;
 }
 
-/// A frame of its own within the half width.
+/// Draws a frame of its own within the half width.
 SurfaceMesh draw_laid_frame(Draw& d, std::uint32_t seed, double half) {
   const int n = 4 + d.pick(6), m = n + d.pick(3);
   const auto x = frames::uniform_lines(-half, half, n);
@@ -177,7 +177,7 @@ Scene random_body_scene(std::uint32_t seed) {
   const double young = d.chance(0.3) ? d.log_between(1e-6, 1e15) : 1e4;
   const double ratio = d.chance(0.3) ? d.log_between(1e-12, 1e12) : d.log_between(0.1, 10);
 
-  // The other body is larger than that whose faces are the frame.
+  // The other body is larger than the one whose faces are the frame.
   const bool laid = d.chance(0.4);
   int whose = meshed(first) ? 1 : 2;
   if (meshed(first) && meshed(second) && d.chance(0.5)) whose = 2;
@@ -216,7 +216,7 @@ Scene random_body_scene(std::uint32_t seed) {
   constexpr laws::Scheme schemes[] = {laws::Scheme::characteristic, laws::Scheme::least_squares, laws::Scheme::godunov};
   scene.scheme(d.of(schemes));
   if (g.by_force[0] || g.by_force[1]) scene.right.push_back(ROLLCON_ERR_LOAD);
-  // Folded elements, frames beyond a sheared body, thin bodies of boundary elements.
+  // Folded elements, frames beyond a sheared body, and thin bodies of boundary elements are refused.
   scene.right.push_back(ROLLCON_ERR_MESH);
   return scene;
 }

@@ -119,7 +119,7 @@ Ending solve(scenes::RollingPair& pair, const Scene& scene, bool condition, std:
   e.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   if (e.status < 0) {
     try {
-      pair.solve();  // once more for its text
+      pair.solve();  // once more, for its text
       e.message = "refused once and then not";
     } catch (const std::exception& error) {
       e.message = error.what();
@@ -211,7 +211,7 @@ double load_over_friction(const Scene& scene) {
   const double force = std::hypot(f1, f2), moment = wanted(ROLLCON_SPIN);
   double low = INFINITY, high = -INFINITY;
   for (const Vec3& x : g.frame.node) low = std::min(low, x[0]), high = std::max(high, x[0]);
-  constexpr double fast = 1e6;  // every node slides that way
+  constexpr double fast = 1e6;  // fast enough that every node slides that way
   Scene sliding = scene;
   if (force > 0) sliding.motion(ROLLCON_LONGITUDINAL, -fast * f1 / force).motion(ROLLCON_LATERAL, -fast * f2 / force);
   if (g.by_force[ROLLCON_SPIN - 1])

@@ -1,6 +1,6 @@
 #pragma once
-/// Stiff and extreme scenes, each solved and judged by laws of contact recomputed without the solver
-/// (independent_laws.hpp). For the tests and the bench; the public C API alone is used.
+/// Solves stiff and extreme scenes, and judges each by laws of contact recomputed without the solver
+/// (independent_laws.hpp). It serves the tests and the bench, and uses the public C API alone.
 
 #include <cstdint>
 #include <functional>
@@ -19,21 +19,22 @@ using Setting = std::variant<std::int64_t, double, std::string>;
 
 struct Scene {
   std::string group;  ///< what is stressed: a row of the tables
-  std::string name;   ///< within the group; of random scenes the seed
+  std::string name;   ///< name within the group; the seed of random scenes
   scenes::AnyBody body1 = scenes::HalfspaceBody{}, body2 = scenes::RigidBody{};
-  /// Of frames taken from a body (frame_body 1 or 2, faces with frame_tag) `given.frame` must hold the same faces,
-  /// nodes and elements in the library's order.
+  /// Data that defines the contact. For frames taken from a body (frame_body 1 or 2, faces with frame_tag),
+  /// `given.frame` must hold the same faces, nodes and elements in the library's order.
   laws::Given given;
   int frame_body = 0;
   std::int32_t frame_tag = 0;
   std::vector<std::pair<std::string, Setting>> option;
-  /// Poses and the like, after the frame was given; may be empty.
+  /// Sets poses and the like, after the frame was given; may be empty.
   std::function<void(scenes::RollingPair&)> pose;
   /// Statuses that are right (ROLLCON_OK, ...).
   std::vector<std::int32_t> right{ROLLCON_OK};
-  double turn = 0;  ///< radian: contact must reach normals so far from the axes'
+  double turn = 0;  ///< angle in radian that contact must reach between its normals and the axes'
 
-  /// Whether the status is right. With OK, COARSE is: few nodes in contact are a caveat and no other answer.
+  /// Says whether the status is right. Where OK is, COARSE is too: few nodes in contact are a caveat and no other
+  /// answer.
   bool is_right(std::int32_t status) const;
 
   Scene& motion(std::int32_t direction, double value);
@@ -49,57 +50,57 @@ struct Scene {
 const char* name_of(laws::Scheme scheme);
 
 std::unique_ptr<scenes::RollingPair> make_pair(const Scene& scene, int threads = 1);
-/// Gives a pair all of the scene but bodies and frame / all of it.
+/// Gives a pair all of the scene except bodies and frame, or, below, all of it.
 void give_loads(scenes::RollingPair& pair, const Scene& scene);
 void give_scene(scenes::RollingPair& pair, const Scene& scene);
 
-/// How a solve ended. `law` is set where the library says that it is solved.
+/// Says how a solve ended. `law` is set where the library says that it is solved.
 struct Ending {
   std::int32_t status = 0;
-  std::string message;  ///< of a negative status
+  std::string message;  ///< text of a negative status
   laws::Laws law;
   double iterations = 0, fallbacks = 0, condition = 0, nodes = 0;
-  double residual = 0;  ///< that the iteration stopped at
-  double seconds = 0;   ///< of the solve
-  /// OK, RIM_CONTACT, COARSE, INACCURATE, TOO_DEEP or NO_CONTACT: the library says that the laws hold.
+  double residual = 0;  ///< residual that the iteration stopped at
+  double seconds = 0;   ///< seconds of the solve
+  /// Says whether the library claims that the laws hold: OK, RIM_CONTACT, COARSE, INACCURATE, TOO_DEEP or NO_CONTACT.
   bool solved() const;
-  /// Solved to the bound, or ended with a status that admits failure or names what is impossible.
+  /// Says whether it is solved to the bound, or ended with a status that admits failure or names what is impossible.
   bool honest(double bound) const { return !solved() || law.worst() <= bound; }
   std::vector<double> traction;  ///< three per node, if solved
 };
 
-/// Solves what was given and judges it. most_nodes: of independent_laws.hpp.
+/// Solves what was given and judges it; independent_laws.hpp explains most_nodes.
 Ending solve(scenes::RollingPair& pair, const Scene& scene, bool condition = false, std::size_t most_nodes = 600);
 
-/// The same bodies and frame with everything else wildly different, in way 0, 1 or 2: pressed harder and dragged the
-/// other way; hardly touching, spinning and with little friction; pressed on one side, with a load by force. For warm
-/// starts from afar.
+/// Returns the same bodies and frame with everything else wildly different, in way 0, 1 or 2: pressed harder and
+/// dragged the other way; hardly touching, spinning and with little friction; pressed on one side, with a load by
+/// force. It serves warm starts from afar.
 Scene disturbed(const Scene& scene, int way);
 
-/// Tangential force (or else spin moment) prescribed, over that of the same scene with every node sliding against it:
-/// near 1 or above it, ROLLCON_ERR_LOAD is right. NaN: that was not solved.
+/// Returns the tangential force (or else spin moment) prescribed, over that of the same scene with every node sliding
+/// against it: near 1 or above it, ROLLCON_ERR_LOAD is right. NaN: that was not solved.
 double load_over_friction(const Scene& scene);
 
-/// Likewise of several loads together: the greatest share of them in any direction of motion over what sliding in that
-/// direction carries. Above 1 friction cannot carry them.
+/// Returns for several loads together their greatest fraction, in any direction of motion, of what sliding in that
+/// direction carries. Friction cannot carry them above 1.
 double loads_over_friction(const Scene& scene);
 
-/// Largest difference of tractions, each over the greatest of its kind (normal, tangential) in b.
+/// Returns the largest difference of tractions, each over the greatest of its kind (normal, tangential) in b.
 double traction_difference(const std::vector<double>& a, const std::vector<double>& b);
 
-/// Scenes with names, of half-spaces and rigid bodies; extreme_bodies.hpp has those with meshes.
+/// Returns scenes with names, of half-spaces and rigid bodies; extreme_bodies.hpp has those with meshes.
 std::vector<Scene> named_scenes();
-/// Scene of a seed, likewise.
+/// Returns the scene of a seed, of half-spaces and rigid bodies.
 Scene random_scene(std::uint32_t seed);
-/// Scene of a seed with two or three tangential loads given (forces, spin moment), of shares from 0 to 1.1 of what
-/// friction carries; half of them of equal half-spaces.
+/// Returns the scene of a seed with two or three tangential loads given (forces, spin moment), from 0 to 1.1 of what
+/// friction carries; half of them are of equal half-spaces.
 Scene forces_scene(std::uint32_t seed);
 
-/// A random scene, or one with several loads given, under a law of friction other than Coulomb's whose parameters are
-/// drawn.
+/// Returns a random scene, or one with several loads given, under a law of friction other than Coulomb's whose
+/// parameters are drawn.
 Scene law_scene(const std::string& law, std::uint32_t seed);
 
-/// A single-line description: materials, frame, loads.
+/// Returns a single-line description: materials, frame, loads.
 std::string describe(const Scene& scene);
 
 }  // namespace rollcon::extremes

@@ -1,5 +1,5 @@
 #pragma once
-/// Draws of the random scenes.
+/// Draws the random scenes.
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ class Draw {
   T of(const T (&list)[N]) {
     return list[static_cast<std::size_t>(pick(static_cast<int>(N)))];
   }
-  /// Dense ones for "fft" where the library has none: what is drawn afterwards is the same in all builds.
+  /// Draws dense operators for "fft" where the library has none: what is drawn afterwards is the same in all builds.
   template <std::size_t N>
   std::string operators(const char* const (&list)[N]) {
     const std::string drawn = of(list);

@@ -1,4 +1,4 @@
-// Scenes whose tangential loads are given, several at a time, from none to a tenth more than friction carries.
+// Makes scenes whose tangential loads are given, several at a time, from none to a tenth more than friction carries.
 
 #include <algorithm>
 #include <array>
@@ -75,9 +75,9 @@ Scene forces_scene(std::uint32_t seed) {
     scene.load(hertz.load);
   else
     scene.approach(hertz.approach);
-  // Two or all three of them, the shares of each anywhere on a sphere.
+  // Two or all three of the loads are given, their fractions anywhere on a sphere.
   std::array<double, 3> part{d.between(-1, 1), d.between(-1, 1), d.between(-1, 1)};
-  const int combination = d.pick(4);  // which one is not given; 3: all are
+  const int combination = d.pick(4);  // number of the load that is not given; 3: all are
   for (std::size_t i = 0; i < 3; ++i) {
     if (combination == static_cast<int>(i)) part[i] = 0;
     if (combination != static_cast<int>(i) && d.chance(0.15)) part[i] = 0;
@@ -85,7 +85,7 @@ Scene forces_scene(std::uint32_t seed) {
   constexpr double shares[] = {0, 0.5, 0.8, 0.9, 0.95, 0.99, 1, 1.05, 1.1};
   const double share = d.chance(0.25) ? d.of(shares) : d.between(0, 1.1);
   const double length = std::hypot(part[0], part[1], part[2]);
-  // All of friction turning about the middle is 3 pi / 16 mu Fn times the radius.
+  // Friction that turns about the middle carries 3 pi / 16 mu Fn times the radius.
   const double most = mu * hertz.load, unit[] = {most, most, 0.589 * most * std::sqrt(a * b)};
   for (std::size_t i = 0; i < 3; ++i)
     if (combination != static_cast<int>(i))
@@ -95,7 +95,7 @@ Scene forces_scene(std::uint32_t seed) {
   if (g.regular) {
     constexpr const char* operators[] = {"auto", "dense", "fft"};
     scene.set("operators", d.operators(operators));
-    scene.set("accuracy", 1e-10);  // as the tables have it
+    scene.set("accuracy", 1e-10);  // the accuracy of the tables
   }
   scene.group = std::string("random: several loads, ") + (pairing < 2 ? "unlike bodies" : "like bodies");
   scene.right = {ROLLCON_OK, ROLLCON_COARSE, ROLLCON_RIM_CONTACT, ROLLCON_ERR_LOAD};
@@ -103,7 +103,7 @@ Scene forces_scene(std::uint32_t seed) {
 }
 
 double loads_over_friction(const Scene& scene) {
-  constexpr double fast = 1e6;  // every node slides that way
+  constexpr double fast = 1e6;  // fast enough that every node slides that way
   const laws::Given& g = scene.given;
   const double size = size_of(scene);
   std::array<double, 3> wanted{}, unit{1, 1, 1 / size};
@@ -118,7 +118,7 @@ double loads_over_friction(const Scene& scene) {
     if (given[i]) sliding.motion(tangential[i], 0);
   const auto pair = make_pair(sliding);
   give_scene(*pair, sliding);
-  // Loads wanted over those of sliding in a direction, both in that direction.
+  // The function returns the loads wanted over those of sliding in a direction, both in that direction.
   const auto over = [&](const std::array<double, 3>& to) {
     const double asked = to[0] * wanted[0] + to[1] * wanted[1] + to[2] * wanted[2];
     if (!(asked > 0)) return 0.0;
@@ -131,7 +131,7 @@ double loads_over_friction(const Scene& scene) {
     const double carried = to[0] * s.force[0] + to[1] * s.force[1] + to[2] * s.moment[2] * unit[2];
     return carried > 0 ? asked / carried : double(INFINITY);
   };
-  // The greatest over all directions: steps that shrink, from the loads' own direction.
+  // The greatest ratio over all directions is found by steps that shrink, from the loads' own direction.
   const auto towards = [&](std::array<double, 3> v) {
     for (std::size_t i = 0; i < 3; ++i)
       if (!given[i]) v[i] = 0;

@@ -1,4 +1,4 @@
-// Scenes of the other families under laws of friction other than Coulomb's.
+// Makes scenes of the other families under laws of friction other than Coulomb's.
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ void draw_orthotropic(Draw& d, Scene& scene, double mu) {
   if (d.chance(0.5)) std::swap(scene.given.law.parameter[0], scene.given.law.parameter[1]);
 }
 
-// Speeds from where the least slip feels the fall to where hardly any does. Steeper ones have many solutions.
+// Draws speeds from where the least slip feels the fall to where hardly any does. Steeper ones have many solutions.
 void draw_falling(Draw& d, Scene& scene, double mu) {
   const laws::Given& g = scene.given;
   double creep =

@@ -93,12 +93,12 @@ std::vector<Scene> material_scenes() {
     }
   struct Units {
     const char* name;
-    double length, pressure;  // in m and Pa
+    double length, pressure;  // the units, in m and Pa
   };
   for (const Units& u : {Units{"m, Pa", 1, 1}, Units{"mm, MPa", 1e-3, 1e6}, Units{"um, GPa", 1e-6, 1e9},
                          Units{"inch, psi", 0.0254, 6894.757}})
     for (const Pairing pairing : pairings) {
-      // A sphere of 50 mm and 10 GPa, in the unit's numbers.
+      // The sphere has 50 mm and 10 GPa, in the unit's numbers.
       Scene scene = in_units(base("units", std::string(u.name) + ", " + name_of(pairing), pairing), 1e-3 / u.length,
                              1e6 / u.pressure);
       scenes.push_back(scene);
@@ -157,7 +157,7 @@ std::vector<Scene> load_scenes() {
       }
   for (const double part : {0.1, 0.5, 0.9})
     for (const Pairing pairing : pairings) {
-      // All of friction turning about the middle is 3 pi / 16 mu Fn a.
+      // Friction that turns about the middle carries 3 pi / 16 mu Fn a.
       Scene scene = base("tangential force", label("spin moment over that of sliding", part, pairing), pairing);
       const double load = base_load(scene);
       scenes.push_back(scene.load(load).creep(0, 0, 0).force(ROLLCON_SPIN, part * 0.589 * 0.3 * load));

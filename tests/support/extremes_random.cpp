@@ -12,7 +12,7 @@ namespace {
 using laws::Scheme;
 using scenes::Elastic;
 
-/// Returns E*.
+/// Draws the bodies and returns E*.
 double draw_bodies(Draw& d, Scene& scene, double modulus) {
   constexpr double ratios[] = {-0.9, -0.5, 0, 0.2, 0.3, 0.3, 0.45, 0.49, 0.4999, 0.499999, 0.5};
   const Elastic first = elastic(modulus, d.of(ratios));
@@ -37,7 +37,7 @@ double draw_bodies(Draw& d, Scene& scene, double modulus) {
   return closed_forms::effective_modulus(first, second);
 }
 
-/// A frame over an ellipse of semi-axes a, b.
+/// Draws a frame over an ellipse of semi-axes a, b.
 SurfaceMesh draw_frame(Draw& d, std::uint32_t seed, double a, double b, bool& regular) {
   const double room = d.between(1.1, 1.6);
   const int n = d.chance(0.1) ? 20 + d.pick(12) : 5 + d.pick(11), m = n + d.pick(5);
@@ -62,7 +62,7 @@ SurfaceMesh draw_frame(Draw& d, std::uint32_t seed, double a, double b, bool& re
       return frames::rectangle(d.of(quadratic), half, side);
     }
     case 6: {
-      // Slivers: one family of lines drawn close together.
+      // One family of lines drawn close together makes slivers.
       std::vector<double> lines = x;
       const double narrow = d.log_between(1e-4, 0.3);
       for (std::size_t k = 2; k + 1 < lines.size(); k += 2)
@@ -76,7 +76,7 @@ SurfaceMesh draw_frame(Draw& d, std::uint32_t seed, double a, double b, bool& re
   }
 }
 
-/// Gap as an array: of several bumps, or a ridge; depth: overlap wanted. Nothing: as it was.
+/// Draws a gap as an array, of several bumps or a ridge, or leaves it unchanged; `depth` is the overlap wanted.
 void draw_gap(Draw& d, Scene& scene, double a, double b, double depth) {
   const int kind = d.pick(12);
   if (kind > 5) return;
@@ -116,7 +116,8 @@ void draw_friction(Draw& d, Scene& scene) {
     scene.given.friction.push_back(jumps ? (d.chance(0.5) ? mu : 0.01 * mu) : mu * d.between(0.5, 1.5));
 }
 
-/// scale: creepage that would saturate a contact of friction 1; load: about what will be carried.
+/// Draws the motion; `scale` is the creepage that would saturate a contact of friction 1, `load` about what will be
+/// carried.
 void draw_motion(Draw& d, Scene& scene, double scale, double size, double load) {
   const double mu = *std::max_element(scene.given.friction.begin(), scene.given.friction.end());
   const double amount =
@@ -182,7 +183,7 @@ Scene random_scene(std::uint32_t seed) {
   if (g.regular) {
     constexpr const char* operators[] = {"auto", "auto", "dense", "table", "fft"};
     scene.set("operators", d.operators(operators));
-    scene.set("accuracy", 1e-10);  // as the tables have it
+    scene.set("accuracy", 1e-10);  // the accuracy of the tables
   }
   const bool twins =
       scene.body1.index() == scene.body2.index() && std::get<scenes::HalfspaceBody>(scene.body1).material.shear ==

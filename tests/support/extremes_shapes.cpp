@@ -1,4 +1,4 @@
-// Named scenes: shapes of gaps, and frames.
+// Makes named scenes of shapes of gaps, and of frames.
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ void set_gap(Scene& scene, F h) {
   for (const Vec3& x : scene.given.frame.node) scene.given.gap.push_back(h(x[0], x[1]));
 }
 
-/// Lowest of `count` spheres around the middle; their contacts are apart.
+/// Returns the height of the lowest of `count` spheres around the middle; their contacts are apart.
 double patches(int count, double x, double y) {
   double h = INFINITY;
   for (int k = 0; k < count; ++k) {
@@ -35,7 +35,7 @@ double patches(int count, double x, double y) {
   return 0.1 * h;
 }
 
-/// 1, 1/q, 1/q^2, ... mirrored about 0, down to `smallest`.
+/// Returns lines 1, 1/q, 1/q^2, ... mirrored about 0, down to `smallest`.
 std::vector<double> graded_lines(double reach, double smallest, int n) {
   std::vector<double> lines{0};
   const double q = std::pow(reach / smallest, 1.0 / (n - 1));
@@ -48,7 +48,7 @@ std::vector<double> graded_lines(double reach, double smallest, int n) {
   return lines;
 }
 
-/// Every second line drawn towards its neighbour to this part of the spacing.
+/// Draws every second line towards its neighbour to this fraction of the spacing.
 std::vector<double> paired_lines(double reach, int n, double part) {
   std::vector<double> lines = frames::uniform_lines(-reach, reach, n);
   for (std::size_t k = 2; k + 1 < lines.size(); k += 2) lines[k] = lines[k - 1] + part * (lines[k] - lines[k - 1]);
@@ -144,7 +144,7 @@ std::vector<Scene> frame_scenes() {
     const std::string kind = type == ElementType::quad4 ? "quadrilaterals" : "triangles";
     const SurfaceMesh square = frames::rectangle(type, lines, lines);
     add(kind + ", perturbed", frames::perturb(square, 0.3, 7));
-    const SurfaceMesh few = frames::rectangle(type, coarse, coarse);  // integrals take long there
+    const SurfaceMesh few = frames::rectangle(type, coarse, coarse);  // few elements, because integrals take long there
     add(kind + " 1000 : 1 along", frames::stretch(few, 1000, 1), 1000, 1);
     add(kind + " 1 : 1000 across", frames::stretch(few, 1, 1000), 1, 1000);
     add(kind + ", slivers along", frames::rectangle(type, lines, paired_lines(1.3, 10, 1e-3)));

@@ -1,5 +1,5 @@
-// Whatever floating-point environment a host has, calls compute in the ordinary one and leave its own behind, flags
-// included.
+// Tests that whatever floating-point environment a host has, calls compute in the ordinary one and leave the host's
+// behind, flags included.
 
 #include "support/fpenv.hpp"
 
@@ -44,7 +44,7 @@ std::vector<Host> hosts() {
   return all;
 }
 
-/// Modes and flags, as far as they can be asked for.
+/// Reads modes and flags that can be asked for.
 struct Seen {
   int round = fegetround(), flags = fetestexcept(FE_ALL_EXCEPT), traps = 0;
   unsigned control = 0;
@@ -77,7 +77,7 @@ void expect_ordinary(const char* host) {
 #endif
   volatile double least = std::numeric_limits<double>::denorm_min();
   EXPECT_GT(least * three, 0) << host;
-  compute();  // would trap
+  compute();  // this would trap
 }
 
 TEST(QuietFloatingPoint, computes_in_the_ordinary_environment_and_leaves_the_hosts) {

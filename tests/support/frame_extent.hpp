@@ -1,5 +1,5 @@
 #pragma once
-/// Middle and half widths of a frame.
+/// Returns the middle and half widths of a frame.
 
 #include <algorithm>
 

@@ -43,12 +43,12 @@ bool is_triangle(ElementType type) {
   return corner_count(type) == 3;
 }
 
-/// Linear mesh -> the wanted type, on the same corners.
+/// Turns a linear mesh into the wanted type, on the same corners.
 SurfaceMesh as_type(SurfaceMesh linear, ElementType type) {
   return is_quadratic(type) ? to_quadratic(linear, type) : linear;
 }
 
-/// Corner edges of the mesh with the number of elements on each.
+/// Counts the elements on each corner edge of the mesh.
 std::map<EdgeKey, int> edge_counts(const SurfaceMesh& mesh) {
   std::map<EdgeKey, int> count;
   for (std::int64_t e = 0; e < mesh.elements(); ++e) {
@@ -71,8 +71,8 @@ void recentre(SurfaceMesh& mesh) {
   }
 }
 
-/// Triangles between two rings of nodes, both counter-clockwise; phases are the angles of their first nodes in turns.
-/// Advances on the ring whose next node comes first.
+/// Adds triangles between two rings of nodes, both counter-clockwise; phases are the angles of their first nodes in
+/// turns. Advances on the ring whose next node comes first.
 void stitch(SurfaceMesh& mesh, std::int32_t inner, int inner_count, double inner_phase, std::int32_t outer,
             int outer_count, double outer_phase) {
   int i = 0, o = 0;
@@ -135,7 +135,7 @@ SurfaceMesh rectangle(ElementType type, std::span<const double> x, std::span<con
 SurfaceMesh o_grid(ElementType type, int core, int rings, double ax, double ay, double core_fraction) {
   if (is_triangle(type)) throw std::invalid_argument("o_grid: quadrilaterals only");
   SurfaceMesh mesh;
-  // Half way between a square and a disc: no corner of the core is flat, no element skewed.
+  // The core is half way between a square and a disc: no corner of it is flat, no element skewed.
   for (int j = 0; j <= core; ++j)
     for (int i = 0; i <= core; ++i) {
       const double u = 2.0 * i / core - 1, v = 2.0 * j / core - 1;
@@ -184,7 +184,7 @@ SurfaceMesh ring_disc(ElementType type, std::span<const double> radius, std::spa
   double previous_phase = 0;
   for (std::size_t k = 0; k < radius.size(); ++k) {
     const auto first = static_cast<std::int32_t>(mesh.node.size());
-    // Half a spacing against the ring before, kept within half a spacing of angle zero.
+    // Each ring is turned by half a spacing against the one before, kept within half a spacing of angle zero.
     double phase = k == 0 ? 0 : previous_phase + 0.5 / count[k];
     if (phase >= 0.5 / count[k]) phase -= 1.0 / count[k];
     for (int i = 0; i < count[k]; ++i) {

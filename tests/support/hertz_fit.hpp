@@ -1,7 +1,7 @@
 #pragma once
-/// How peak pressure and semi-axes are read off a discrete pressure: Hertz's form says that p^2 is the linear function
-/// p0^2 (1 - x^2/a^2 - y^2/b^2) of x^2 and y^2, so a least-squares fit over the loaded nodes, each weighted by its p
-/// (which leaves the ragged edge little say), gives p0, a, b.
+/// Reads peak pressure and semi-axes off a discrete pressure: Hertz's form says that p^2 is the linear function p0^2 (1
+/// - x^2/a^2 - y^2/b^2) of x^2 and y^2, so a least-squares fit over the loaded nodes, each weighted by its p (which
+/// leaves the ragged edge little say), gives p0, a, b.
 
 #include <array>
 #include <cmath>
@@ -14,7 +14,7 @@ struct FittedEllipse {
   double p0 = 0, a = 0, b = 0;
 };
 
-/// a, b: rough semi-axes, for scaling only.
+/// Takes rough semi-axes a, b, for scaling only.
 inline FittedEllipse fit_hertz(const Solution& s, double a, double b) {
   double m[3][4] = {};
   for (std::size_t k = 0; k < s.nodes(); ++k) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Laws of friction for the judges of solutions, written from docs/friction.md and not from the library.
+/// Implements laws of friction for the judges of solutions, written from docs/friction.md and not from the library.
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,8 @@
 
 namespace rollcon::laws {
 
-/// A law as rollcon_contact_set_friction has it. Coefficients are over that of the node, the greatest.
+/// Holds a law with the arguments of rollcon_contact_set_friction. Coefficients are over that of the node, the
+/// greatest.
 struct Friction {
   std::string name = "coulomb";
   std::vector<double> parameter;
@@ -19,7 +20,7 @@ struct Friction {
   bool coulomb() const { return name == "coulomb"; }
   bool orthotropic() const { return name.rfind("orthotropic", 0) == 0; }
 
-  /// Over that of no slip; speed: of the slip.
+  /// Returns the coefficient at this speed of slip, over that of no slip.
   double coefficient(double speed) const {
     if (coulomb() || orthotropic()) return 1;
     double at_rest = parameter[0], sum = parameter[0];
@@ -33,14 +34,14 @@ struct Friction {
     return at_rest > 0 ? sum / at_rest : 1;
   }
 
-  /// Length of a traction against mu p.
+  /// Returns the length of a traction, to be compared with mu p.
   double measure(double q1, double q2) const {
     const auto [a, b] = along_axes(q1, q2);
     const auto [r1, r2] = ratios();
     return std::hypot(a / r1, b / r2);
   }
 
-  /// Unit direction against which a node with this traction slides.
+  /// Returns the unit direction against which a node with this traction slides.
   std::array<double, 2> against(double q1, double q2) const {
     auto [a, b] = along_axes(q1, q2);
     if (name == "orthotropic") {
@@ -51,7 +52,7 @@ struct Friction {
     return off_axes(a / length, b / length);
   }
 
-  /// Traction over mu p of a node that slides.
+  /// Returns the traction over mu p of a node that slides.
   std::array<double, 2> sliding(double s1, double s2) const {
     const auto [a, b] = along_axes(s1, s2);
     const auto [r1, r2] = ratios();

@@ -10,7 +10,7 @@
 namespace rollcon::laws {
 namespace {
 
-/// In the projection.
+/// Returns how far upstream each node's material comes from, in the projection.
 std::vector<double> ways(const Given& given, std::size_t nodes, double distance) {
   std::vector<double> way(nodes, distance);
   for (std::size_t k = 0; k < given.triad.size(); ++k) way[k] *= given.triad[k][0][0];
@@ -70,7 +70,7 @@ class Checker {
     for (std::size_t k = 0; k < nodes_; ++k)
       if (used_[k]) (in_contact(k) ? touching : open).push_back(k);
     if (touching.size() + open.size() > most) {
-      // Those nearest to touching, and every so many of those in contact.
+      // The nodes looked at are those nearest to touching, and every so many of those in contact.
       const auto rigid = [&](std::size_t k) { return gap_given() ? undeformed_gap(k) : result_.gap[k]; };
       std::sort(open.begin(), open.end(), [&](std::size_t a, std::size_t b) { return rigid(a) < rigid(b); });
       open.resize(std::min(open.size(), most / 3));
@@ -83,7 +83,7 @@ class Checker {
     looked_at_.insert(looked_at_.end(), open.begin(), open.end());
   }
 
-  /// Of u1 - u2, at the nodes looked at, at what their schemes need.
+  /// Finds u1 - u2 at the nodes looked at, and where their schemes need it.
   void find_displacements() {
     std::vector<double> xy;
     place_.assign(nodes_, -1);
@@ -127,7 +127,7 @@ class Checker {
     }
   }
 
-  /// Of slip: over V, or a shift.
+  /// Returns what turns slip into a velocity: slip is over V, or a shift.
   double velocity() const { return given_.in_time ? 1 / given_.in_time->dt : given_.speed; }
   double u(std::int64_t place, std::size_t c) const { return u_[3 * static_cast<std::size_t>(place) + c]; }
 
@@ -163,7 +163,7 @@ class Checker {
     }
   }
 
-  /// Slip velocity over V, and what rounding may do to it.
+  /// Holds the slip velocity over V, and what rounding may do to it.
   struct Slip {
     std::array<double, 2> rigid{}, elastic{};
     double uncertain = 0;
@@ -202,7 +202,7 @@ class Checker {
     return s;
   }
 
-  /// Given at nodes; where slip is taken half a step upstream it is carried there.
+  /// Adds the creepage field, which is given at nodes; where slip is taken half a step upstream it is carried there.
   void add_creep_field(std::size_t k, Slip& s) const {
     if (!upstream_.empty() && field_rows_.empty()) field_rows_ = least_squares_rows(given_.frame, at_);
     for (std::size_t c = 0; c < 2; ++c) {
@@ -215,8 +215,8 @@ class Checker {
     }
   }
 
-  /// Slip over V that tractions of the size found cause: u0 / p0 per traction, over the radius of a circle of the
-  /// contact's area. Where all sticks, elastic slip itself is the creepage's or none.
+  /// Returns the slip over V that tractions of the size found cause: u0 / p0 per traction, over the radius of a circle
+  /// of the contact's area. Where all sticks, elastic slip itself is the creepage's or none.
   double elastic_slip() const {
     double q = 0, area = 0;
     for (std::size_t k = 0; k < nodes_; ++k) {
@@ -267,7 +267,7 @@ class Checker {
       if (!(mu(k) > 0) || !(s0 > 0)) continue;
       const double q1 = result_.traction[3 * k], q2 = result_.traction[3 * k + 1];
       const double q = std::hypot(q1, q2), speed = std::hypot(s1, s2);
-      // Off the law by what slip would have to change, or what traction would: the lesser.
+      // A node is off the law by what slip would have to change, or what traction would: the lesser counts.
       const double limit = mu(k) * given_.law.coefficient(given_.speed * speed) * pressure(k);
       std::array<double, 2> slides{};
       if (speed > 0) slides = given_.law.sliding(s1, s2);
@@ -276,7 +276,7 @@ class Checker {
       if (result_.state[k] == ROLLCON_STICK)
         laws_.stick = std::max(laws_.stick, relative(speed));
       else if (result_.state[k] != ROLLCON_SLIP)
-        laws_.stick = 1;  // in contact, and said to be open
+        laws_.stick = 1;  // a node in contact that is said to be open
       else if (q > 0) {
         const auto [n1, n2] = given_.law.against(q1, q2);
         laws_.direction =
@@ -298,7 +298,7 @@ class Checker {
         for (std::size_t j = 0; j < 3; ++j)
           force[j] = t[0] * given_.triad[k][0][j] + t[1] * given_.triad[k][1][j] + t[2] * given_.triad[k][2][j];
       const double w = integral[k][0];
-      // Terms count with the node's cell: shape functions and arms may cancel.
+      // The terms count with the node's cell, because shape functions and arms may cancel.
       const double cell = std::max(result_.area[k], std::abs(w));
       for (std::size_t j = 0; j < 3; ++j) {
         sum[j] += w * force[j];
@@ -319,7 +319,7 @@ class Checker {
       compare(sum[d], found[d]);
       if (!given_.by_force[d]) {
         if (motion[d] != value) laws_.motion = std::max(laws_.motion, std::abs(motion[d] - value) / std::abs(value));
-      } else if (p0_ > 0) {  // without contact nothing can be carried
+      } else if (p0_ > 0) {  // nothing can be carried without contact
         compare(d == 2 ? -sum[d] : sum[d], value);
       }
     }
@@ -335,7 +335,7 @@ class Checker {
   Rows rows_;
   mutable Rows field_rows_;
   std::vector<std::size_t> looked_at_;
-  std::vector<std::int64_t> place_, ahead_;  ///< of a node and of its upstream point in u_
+  std::vector<std::int64_t> place_, ahead_;  ///< places in u_ of a node and of its upstream point
   std::vector<double> u_;
   double largest_u_ = 0, p0_ = 0, u0_ = 0;
   Laws laws_;

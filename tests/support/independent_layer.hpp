@@ -1,5 +1,5 @@
 #pragma once
-/// Tractions between the nodes of a frame, as a layer between the bodies sees them: by the shape functions of the
+/// Interpolates tractions between the nodes of a frame, for a layer between the bodies: by the shape functions of the
 /// element over the point, none beside the frame.
 
 #include <algorithm>
@@ -18,7 +18,7 @@ class TractionsBetween {
  public:
   TractionsBetween(const SurfaceMesh& mesh, const Plane& at) : mesh_(mesh), at_(at) {}
 
-  /// The two tangential components, of three for each node.
+  /// Returns the two tangential components of three for each node.
   std::array<double, 2> operator()(const std::vector<double>& traction, double x, double y) const {
     for (std::int64_t e = 0; e < mesh_.elements(); ++e) {
       const auto shape = over(e, x, y);
@@ -35,7 +35,7 @@ class TractionsBetween {
  private:
   static std::size_t at(std::int64_t k) { return static_cast<std::size_t>(k); }
 
-  /// Newton's method from the middle.
+  /// Finds the point in an element by Newton's method from the middle.
   std::optional<Shape> over(std::int64_t e, double x, double y) const {
     const auto nodes = mesh_.element(e);
     const ElementType type = mesh_.type[at(e)];

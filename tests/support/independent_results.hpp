@@ -1,5 +1,5 @@
 #pragma once
-/// What the public functions return of a solve, and where the nodes lie: the raw material of independent_laws.
+/// Collects what the public functions return of a solve, and where the nodes lie: the raw material of independent_laws.
 
 #include <cmath>
 #include <cstdint>
@@ -16,7 +16,7 @@ inline void must(std::int32_t status, const char* what) {
   if (status < 0) throw std::runtime_error(std::string(what) + ": " + rollcon_status_string(status));
 }
 
-/// Results as the public functions return them, local axes.
+/// Holds results of the public functions, in local axes.
 struct Results {
   std::vector<double> traction, gap, slip, weight, area, friction, power;
   std::vector<std::int32_t> state;
@@ -56,7 +56,7 @@ struct Results {
   }
 };
 
-/// Positions in the axes.
+/// Returns positions in the axes.
 inline Plane project(const Given& given) {
   const double scale = 1 / length(given.normal);
   const Vec3 n = scale * given.normal;

@@ -17,7 +17,7 @@ std::size_t at_index(std::int32_t k) {
   return static_cast<std::size_t>(k);
 }
 
-/// A neighbour as seen from a node: s upstream, t across.
+/// Describes a neighbour seen from a node: s upstream, t across.
 struct Seen {
   std::int32_t node;
   double s, t, d;
@@ -43,8 +43,8 @@ Stencil judged(const std::vector<Seen>& from, const std::vector<double>& c) {
   return stencil;
 }
 
-/// Minus the upstream component of the gradient that fits the differences best, each weighted by cos / d with cos^2 >=
-/// 1e-6.
+/// Returns minus the upstream component of the gradient that fits the differences best, each weighted by cos / d with
+/// cos^2 >= 1e-6.
 std::optional<Stencil> fitted(const std::vector<Seen>& upwind) {
   double ss = 0, st = 0, tt = 0;
   const auto weight = [](const Seen& j) { return std::max(j.s * j.s / (j.d * j.d), 1e-6); };
@@ -67,7 +67,7 @@ std::optional<Stencil> fitted(const std::vector<Seen>& upwind) {
   return judged(upwind, c);
 }
 
-/// The pair of neighbours with the path between them that has the least truncation.
+/// Returns the pair of neighbours with the path between them that has the least truncation.
 std::optional<Stencil> pair_around_path(const std::vector<Seen>& seen) {
   std::optional<Stencil> best;
   for (const Seen& right : seen)
@@ -144,7 +144,7 @@ Rows godunov_rows(const SurfaceMesh& mesh, const Plane& at) {
       const double quarter = 0.25 * ((bx - ax) * (gy - ay) - (by - ay) * (gx - ax));
       cell[at_index(a)] += quarter;
       cell[at_index(b)] += quarter;
-      // Flow along -x through the face from the edge's middle to the centroid.
+      // The flow along -x goes through the face from the edge's middle to the centroid.
       const double mx = 0.5 * (ax + bx), my = 0.5 * (ay + by);
       const double flux = -(gy - my);
       if (std::abs(flux) <= 1e-10 * std::hypot(gx - mx, gy - my)) continue;
@@ -234,7 +234,7 @@ void integrate(const SurfaceMesh& mesh, const Plane& at, int degree, F f) {
   }
 }
 
-/// Moments of N^2 about its node along the flow.
+/// Holds moments of N^2 about its node along the flow.
 struct Reach {
   double all = 0, first = 0, second = 0;
 };
@@ -252,7 +252,7 @@ std::vector<Reach> reaches_upstream(const SurfaceMesh& mesh, const Plane& at) {
   return reach;
 }
 
-/// Nodes of edges that belong to one element.
+/// Returns nodes of edges that belong to one element.
 std::vector<bool> on_the_rim(const SurfaceMesh& mesh) {
   std::map<std::pair<std::int32_t, std::int32_t>, int> count;
   const auto cells = linear_cells(mesh);
@@ -282,7 +282,7 @@ std::vector<double> steps(const SurfaceMesh& mesh, const Plane& at, double part_
       high[i] = std::max(high[i], at.y[i] + part * (top - at.y[i]));
     }
   }
-  // Of quadratic quadrilaterals nodes have two thirds of what equally spaced ones stand for.
+  // Nodes of quadratic quadrilaterals have two thirds of what equally spaced ones stand for.
   SurfaceMesh others;
   others.node = mesh.node;
   others.offset = {0};

@@ -17,7 +17,7 @@ const Vec3& position(const SurfaceMesh& mesh, std::int32_t k) {
   return mesh.node[static_cast<std::size_t>(k)];
 }
 
-/// Derivatives of the position in an element.
+/// Holds derivatives of the position in an element.
 struct Tangents {
   Vec3 xi{0, 0, 0}, eta{0, 0, 0};
 };
@@ -32,17 +32,17 @@ Tangents tangents(const SurfaceMesh& mesh, std::int64_t e, const Shape& shape) {
   return t;
 }
 
-/// Parameters of an element's nodes: corners, midsides, centre.
+/// Returns the parameters of an element's nodes: corners, midsides, centre.
 std::vector<std::array<double, 2>> places(ElementType type) {
   if (corner_count(type) == 3) return {{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}};
   return {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, 0}};
 }
 
-/// Angle that the element fills at its node i: at a corner that of the edges, along an edge half a turn.
+/// Returns the angle that the element fills at its node i: between the edges at a corner, half a turn along an edge.
 double angle_at(const SurfaceMesh& mesh, std::int64_t e, std::size_t i, const Tangents& t) {
   const std::size_t corners = static_cast<std::size_t>(corner_count(mesh.type[static_cast<std::size_t>(e)]));
   if (i >= corners) return i < 2 * corners ? std::acos(-1.0) : 2 * std::acos(-1.0);
-  Vec3 a = t.xi, b = t.eta;  // of a triangle its corners 1 and 2 look back along an edge
+  Vec3 a = t.xi, b = t.eta;  // corners 1 and 2 of a triangle look back along an edge
   if (corners == 3 && i == 1) a = -1.0 * t.xi, b = t.eta - t.xi;
   if (corners == 3 && i == 2) a = -1.0 * t.eta, b = t.xi - t.eta;
   if (corners == 4 && (i == 1 || i == 3)) a = -1.0 * a;
@@ -72,7 +72,7 @@ std::vector<Axes3> surface_triads(const SurfaceMesh& mesh, const Axes3& axes) {
   }
   std::vector<Axes3> triad;
   for (const Vec3& normal : sum) {
-    // In the axes; level along the rolling direction.
+    // The normal is taken in the axes, level along the rolling direction.
     const double across = std::hypot(dot(normal, axes[0]), dot(normal, axes[2]));
     const Vec3 n = unit(Vec3{0, dot(normal, axes[1]), across});
     triad.push_back({Vec3{1, 0, 0}, cross(n, Vec3{1, 0, 0}), n});

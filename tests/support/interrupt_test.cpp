@@ -1,4 +1,4 @@
-/// Work that its caller may stop.
+/// Tests work that its caller may stop.
 
 #include "support/interrupt.hpp"
 
@@ -59,7 +59,7 @@ TEST(interrupt, the_host_is_asked_while_its_thread_waits_for_others) {
     ++others;
     while (!interrupt.stop.load()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   };
-  // The second thread may come late: the caller leaves something for it.
+  // The second thread may come late, so the caller leaves something for it.
   const auto patient = [&](std::int64_t i, int t) {
     while (t == 0 && others.load() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     work(i, t);

@@ -1,6 +1,6 @@
 #pragma once
-/// Kalker's linear theory on an ellipse with a b = 1 between identical half-spaces: three motions so small that hardly
-/// anything slips, and the answers that creepage coefficients give to them.
+/// Applies Kalker's linear theory on an ellipse with a b = 1 between identical half-spaces: three motions so small that
+/// hardly anything slips, and the answers that creepage coefficients give to them.
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@ namespace rollcon::scenes::linear_theory {
 
 inline constexpr double mu = 0.3;
 
-/// C23 and C32 are equal in theory; discretised they are two.
+/// Holds C23 and C32, which are equal in theory but two numbers once discretised, and the other coefficients.
 struct Coefficients {
   double c11 = 0, c22 = 0, c23 = 0, c32 = 0, c33 = 0;
 };
@@ -27,7 +27,7 @@ inline Coefficients table(double a_over_b, double poisson) {
   return {listed.c11, listed.c22, listed.c23, listed.c23, listed.c33};
 }
 
-/// A creepage by itself, and the answer over `unit`: what friction would carry under mu times the load.
+/// Holds a creepage by itself, and the answer over `unit`: what friction would carry under mu times the load.
 struct Motion {
   const char* name;
   std::array<double, 3> creep;
@@ -35,8 +35,9 @@ struct Motion {
 
 class Motions {
  public:
-  /// share: of mu P, that a motion would carry without slip by force or by moment, whichever is more. It stands for mu
-  /// P here, in forces and in moments: of what is carried, not of what could be, errors are a part.
+  /// Takes as `share` the fraction of mu P that a motion would carry without slip by force or by moment, whichever is
+  /// more. That load stands for mu P here, in forces and in moments: errors are a fraction of what is carried, not of
+  /// what could be.
   Motions(const Coefficients& table, const closed_forms::Hertz& hertz, const Elastic& body, double share)
       : unit_(share * mu * hertz.load), creep_per_unit_(unit_ / body.shear) {
     all = {{{"longitudinal creepage", {creep_per_unit_ / table.c11, 0, 0}},
@@ -54,7 +55,7 @@ class Motions {
   }
   RollingAnswer found(const Solution& s) const { return found_forces(s, unit_, 1); }
 
-  /// From the answers to all three.
+  /// Returns the coefficients from the answers to all three.
   Coefficients coefficients(const std::array<RollingAnswer, 3>& found) const {
     const double xi = all[0].creep[0] / creep_per_unit_, eta = all[1].creep[1] / creep_per_unit_,
                  phi = all[2].creep[2] / creep_per_unit_;

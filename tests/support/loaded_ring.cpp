@@ -12,11 +12,11 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double none = 0;  ///< not listed, or zero by symmetry
 
-/// At (s, y) = (0,0), (1,0), (2,0), (0,2), (0,3.9), (0,4), and the mean over the patch |s| <= 1.
+/// Lists displacements at (s, y) = (0,0), (1,0), (2,0), (0,2), (0,3.9), (0,4), and the mean over the patch |s| <= 1.
 struct Row {
   Load load;
   double poisson;
-  char component;  ///< n inwards, s, y
+  char component;  ///< component: n inwards, s, y
   std::array<double, 7> value;
 };
 constexpr Row rows[] = {
@@ -29,7 +29,7 @@ constexpr Row rows[] = {
     {Load::axial, 0.3, 'y', {.6098606, .5963578, .5748597, .6144048, .6305889, .6316913, .6120320}},
     {Load::axial, 0.3, 'n', {none, none, none, .0701777, .1630673, .1735673, none}}};
 
-/// How a load is called, the component along it, and the largest displacement it is listed with.
+/// Names a load, the component along it, and the largest displacement it is listed with.
 struct LoadFacts {
   const char* name;
   char component;
@@ -51,7 +51,7 @@ Vec3 around(const Vec3& x) {
   const Vec3 n = outward(x);
   return {n[2], 0, -n[0]};
 }
-/// On the outer surface, at the upper half, no further than s along the circumference.
+/// Says whether a point is on the outer surface, at the upper half, no further than s along the circumference.
 bool near_top(const Vec3& x, double s) {
   return x[2] > 0 && std::abs(std::hypot(x[0], x[2]) - outer) < 1e-9 &&
          std::abs(outer * std::atan2(x[0], x[2])) < s + 1e-9;
@@ -115,7 +115,7 @@ Vec3 Answer::at(double s, double y) const {
     if (std::abs(x[1] - y) < 1e-9) return local(k);
     line[x[1]] = k;
   }
-  // The nodes of the element that holds y.
+  // The nodes sought are those of the element that holds y.
   const std::vector<std::pair<double, std::size_t>> all(line.begin(), line.end());
   const std::size_t steps = is_quadratic(mesh->type.front()) ? 2 : 1;
   std::size_t first = 0;
@@ -130,7 +130,7 @@ Vec3 Answer::at(double s, double y) const {
   return sum;
 }
 
-// By the shape functions of the patch's elements, all of whose nodes are known.
+// Finds the mean by the shape functions of the patch's elements, all of whose nodes are known.
 void Answer::find_mean() {
   std::vector<std::int32_t> patch_node;
   const SurfaceMesh patch = surfaces::part_of(*mesh, patch_of(*mesh), patch_node);

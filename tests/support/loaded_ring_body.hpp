@@ -1,5 +1,5 @@
 #pragma once
-/// The loaded ring as a body by itself, from inside the library.
+/// Makes the loaded ring a body by itself, from inside the library.
 
 #include "support/loaded_ring.hpp"
 #include "support/static_solution.hpp"

@@ -1,4 +1,4 @@
-// Limits of memory: from a folder that looks like that of control groups, and those of a process.
+// Tests limits of memory, from a folder that looks like that of control groups, and those of a process.
 
 #include "support/memory_limit.hpp"
 
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double GiB = 1024.0 * 1024 * 1024;
 
-/// A folder in place of /sys/fs/cgroup, and a file in place of /proc/self/cgroup.
+/// Puts a folder in place of /sys/fs/cgroup, and a file in place of /proc/self/cgroup.
 class Groups : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -62,7 +62,7 @@ TEST_F(Groups, version_2_takes_the_least_of_the_group_and_those_above) {
   EXPECT_STREQ(memory_limit(sources_).what, "the control group of this process leaves");
   limit("user.slice/job/memory.max", "2147483648");
   EXPECT_EQ(bytes(), 2 * GiB);
-  limit("other/memory.max", "1048576");  // of somebody else
+  limit("other/memory.max", "1048576");  // limit of another group
   EXPECT_EQ(bytes(), 2 * GiB);
 }
 
@@ -74,7 +74,7 @@ TEST_F(Groups, a_container_sees_its_limit_at_the_root) {
 
 TEST_F(Groups, version_1) {
   membership("7:cpu,cpuacct:/\n4:memory:/jobs/17\n1:memoryless:/small\n");
-  limit("memory/memory.limit_in_bytes", "9223372036854771712");  // "none"
+  limit("memory/memory.limit_in_bytes", "9223372036854771712");  // this number means "none"
   EXPECT_EQ(bytes(), 64 * GiB);
   limit("memory/jobs/17/memory.limit_in_bytes", "3221225472");
   EXPECT_EQ(bytes(), 3 * GiB);
@@ -82,7 +82,7 @@ TEST_F(Groups, version_1) {
   EXPECT_EQ(bytes(), 3 * GiB);
 }
 
-// Files that were read give way to memory that is asked for.
+// Memory of files that were read can be reclaimed for memory that is asked for.
 TEST_F(Groups, what_is_in_use_is_taken_off_but_for_files_that_were_read) {
   membership("4:memory:/a\n0::/b\n");
   limit("unified/b/memory.max", "4294967296");
@@ -125,7 +125,7 @@ TEST(MemoryLimit, of_this_process_is_that_of_the_machine_or_less) {
 TEST(MemoryLimit, what_fits_passes) {
   EXPECT_NO_THROW(require_memory({1e5, 1e5}, "none", "a matrix needs"));
   EXPECT_NO_THROW(require_memory({2e7, 2e7}, "none", "a matrix needs"));
-  // Not written to: the machine need not have it.
+  // Memory that is not written to need not be on the machine.
   rlimit limit{};
   getrlimit(RLIMIT_AS, &limit);
   if (limit.rlim_cur != RLIM_INFINITY) GTEST_SKIP() << "address space is limited here";
@@ -144,7 +144,7 @@ TEST(MemoryLimit, a_refusal_names_subject_need_limit_and_remedy) {
   }
 }
 
-// In a child: limits that are lowered stay low. Returns the child's exit status.
+// Runs the body in a child, because limits that are lowered stay low. Returns the child's exit status.
 template <class F>
 int in_child(F&& body) {
   const pid_t child = fork();
@@ -158,7 +158,8 @@ TEST(MemoryLimit, limits_of_the_process_count_with_what_is_in_use) {
   for (const auto resource : {RLIMIT_AS, RLIMIT_DATA}) {
     const double before = resource == RLIMIT_AS ? memory_sources().address_space : memory_sources().data;
     EXPECT_GT(before, 2 * GiB);
-    // 1: nothing is in use, 2: the limit is not seen, 3, 4: a wrong refusal or none, 5: its text.
+    // The child returns 1 if nothing is in use, 2 if the limit is not seen, 3 or 4 for a wrong refusal or none, 5 for
+    // its text.
     EXPECT_EQ(in_child([&] {
                 constexpr double limit = 0x1p46;  // sanitizers have mapped most of 2^47 bytes
                 rlimit low{};

@@ -1,5 +1,5 @@
 #pragma once
-/// What is read off the mid-plane y = 0 of rolling rings, and off their contact zone.
+/// Reads results off the mid-plane y = 0 of rolling rings, and off their contact zone.
 
 #include <algorithm>
 #include <cmath>
@@ -10,15 +10,15 @@ namespace rollcon::scenes {
 
 struct MidPlane {
   double p0 = 0, half_width = 0;
-  double side_pressure = 0;  ///< largest at the free sides
+  double side_pressure = 0;  ///< largest pressure at the free sides
   double slip = 0;           ///< largest slip velocity in the zone, its rims left out
-  double gap = 0;            ///< largest on the mid-plane
+  double gap = 0;            ///< largest gap on the mid-plane
 };
 
-/// zone: length of the contact zone; width: of the rings.
+/// Takes as `zone` the length of the contact zone, as `width` that of the rings.
 inline MidPlane mid_plane(const Solution& s, double zone, double width) {
   MidPlane m;
-  double xx = 0, pp = 0, x2 = 0, x4 = 0, count = 0;  // fit of p^2 = p0^2 (1 - x^2/a^2)
+  double xx = 0, pp = 0, x2 = 0, x4 = 0, count = 0;  // sums of the fit p^2 = p0^2 (1 - x^2/a^2)
   for (std::size_t k = 0; k < s.nodes(); ++k) {
     // Godunov's cells end at the outflow rim and double the slip there, well outside the contact.
     if (std::abs(s.x[k]) < 0.45 * zone) m.slip = std::max(m.slip, std::hypot(s.slip[k][0], s.slip[k][1]));

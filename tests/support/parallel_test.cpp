@@ -1,4 +1,4 @@
-/// Loops on threads: every index once, exceptions, the environment in which they run.
+/// Tests loops on threads: every index once, exceptions, the environment in which they run.
 
 #include "support/parallel.hpp"
 
@@ -83,7 +83,7 @@ TEST(parallel, threads_compute_in_the_standard_environment_and_leave_signals_to_
   {
     const rollcon::QuietFloatingPoint quiet;
     parallel_for(100, 1, 4, [&](std::int64_t, int t) {
-      std::this_thread::sleep_for(std::chrono::microseconds(200));  // all come to work
+      std::this_thread::sleep_for(std::chrono::microseconds(200));  // long enough for all threads to come to work
       if (std::fegetround() != FE_TONEAREST) ++wrong;
       if (t == 0) return;
       sigset_t mask;

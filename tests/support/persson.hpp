@@ -1,13 +1,13 @@
 #pragma once
-/// A pin in a hole of a plate, equal materials, without friction: Persson 1964; Ciavarella and Decuzzi, Int. J. Solids
-/// Struct. 38 (2001) 4507-4523.
+/// Solves a pin in a hole of a plate, equal materials, without friction: Persson 1964; Ciavarella and Decuzzi, Int. J.
+/// Solids Struct. 38 (2001) 4507-4523.
 
 #include <cmath>
 #include <numbers>
 
 namespace rollcon {
 
-/// Pressure times radius over load per length, and clearance E / (1 - nu^2) over it.
+/// Relates pressure times radius over load per length, and clearance E / (1 - nu^2) over that load.
 struct Persson {
   double b;  ///< tangent of half the angle of contact
   explicit Persson(double angle) : b(std::tan(angle / 2)) {}

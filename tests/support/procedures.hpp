@@ -1,5 +1,5 @@
 #pragma once
-/// Solution procedures by the options of a contact, for tests of the public interface, validation and benches.
+/// Sets solution procedures by the options of a contact, for tests of the public interface, validation and benches.
 
 #include <cstdint>
 #include <string>
@@ -7,17 +7,17 @@
 
 namespace rollcon::scenes {
 
-/// One way of solving; the standard one.
+/// Names one way of solving; the initial values are the standard one.
 struct Procedure {
   std::string system = "condensed", jacobian = "exact", slip_estimate = "auto";
   std::string linear_solver = "auto", preconditioner = "auto";
-  std::int64_t max_iterations = 0;  ///< 0: as its user has it
+  std::int64_t max_iterations = 0;  ///< 0: not set
 
-  /// The names in this order, blanks between them.
+  /// Returns the names in this order, with blanks between them.
   std::string name() const {
     return system + " " + jacobian + " " + slip_estimate + " " + linear_solver + " " + preconditioner;
   }
-  /// set(option, name) of each.
+  /// Calls set(option, name) for each.
   template <class Set>
   void each(Set&& set) const {
     set("system", system.c_str());
@@ -37,7 +37,7 @@ inline constexpr const char* systems[] = {"condensed", "monolithic"};
 inline constexpr const char* linear_solvers[] = {"lu", "gmres", "gmres_adaptive"};
 inline constexpr const char* slip_estimates[] = {"jacobi", "pseudo_temporal", "extrapolation"};
 
-/// Jacobians, and with reduced unknowns the slip estimates, times the linear solvers.
+/// Returns Jacobians, and with reduced unknowns the slip estimates, times the linear solvers.
 inline std::vector<Procedure> procedures_by_solver(const std::string& system) {
   std::vector<Procedure> all;
   for (const char* jacobian : {"exact", "b_derivative", "simplified"})

@@ -1,6 +1,6 @@
 #pragma once
-/// A pair of bodies in rolling contact, for tests and benches: RAII over the public C API and nothing else. Failures
-/// (status < 0) throw std::runtime_error with the library's message.
+/// Makes a pair of bodies in rolling contact, for tests and benches: RAII over the public C API and nothing else.
+/// Failures (status < 0) throw std::runtime_error with the library's message.
 
 #include <array>
 #include <cstdint>
@@ -20,30 +20,31 @@ namespace rollcon::scenes {
 
 using closed_forms::Elastic;
 
-/// Results of a solve, in the contact's axes.
+/// Holds results of a solve, in the contact's axes.
 struct Solution {
   std::int32_t status = 0;
   std::vector<double> x, y;                     ///< node positions
   std::vector<std::array<double, 3>> traction;  ///< on body 1
   std::vector<std::array<double, 2>> slip;      ///< of body 1 relative to body 2
   std::vector<double> pressure, gap, area, weight;
-  std::vector<std::int32_t> state;  ///< ROLLCON_OPEN, ...
+  std::vector<std::int32_t> state;  ///< state of each node: ROLLCON_OPEN, ...
   std::array<double, 3> force{}, moment{}, creep{};
   double approach = 0;
 
   std::size_t nodes() const { return x.size(); }
 };
 
-/// Largest difference of pressures over the largest one, or of frictional tractions over theirs. NaN: not the same
-/// frame.
+/// Returns the largest difference of pressures over the largest one, or of frictional tractions over theirs. NaN: the
+/// frames differ.
 double traction_difference(const Solution& s, const Solution& reference);
 
-/// Faces whose nodes are held in some directions: bits 1 x, 2 y, 4 z.
+/// Names faces whose nodes are held in some directions: bits 1 x, 2 y, 4 z.
 struct Slide {
   std::int32_t tag = 0, dof_mask = 7;
 };
 
-/// A body of finite elements if it has any, else of boundary elements; without material a rigid surface.
+/// Describes a body of finite elements if it has any, else of boundary elements; without material it is a rigid
+/// surface.
 struct MeshedBody {
   SurfaceMesh mesh;  ///< the surface, with the volume's nodes and its faces' tags
   VolumeElements volume;
@@ -54,7 +55,7 @@ struct MeshedBody {
   std::vector<std::pair<std::string, double>> option;
   std::vector<std::pair<std::string, std::int64_t>> int_option;
 };
-/// Of finite elements.
+/// Makes a body of finite elements.
 MeshedBody meshed(volumes::Mesh mesh, const Elastic& material);
 MeshedBody meshed(SurfaceMesh mesh, const Elastic& material);
 
@@ -62,28 +63,28 @@ struct HalfspaceBody {
   Elastic material;
 };
 struct RigidBody {};
-/// The same body as body 1, with a pose of its own.
+/// Stands for body 1 once more as body 2, with a pose of its own.
 struct TwinBody {};
 using AnyBody = std::variant<HalfspaceBody, RigidBody, MeshedBody, TwinBody>;
-/// No twin. The caller releases it.
+/// Makes a body that is not body 1 itself. The caller releases it.
 rollcon_body* make_body(rollcon_context* context, const AnyBody& body);
 
 class RollingPair {
  public:
   RollingPair(const AnyBody& body1, const AnyBody& body2, int threads);
-  /// No material: rigid.
+  /// Makes half-spaces; without material a body is rigid.
   RollingPair(std::optional<Elastic> body1, std::optional<Elastic> body2, int threads = 1);
   ~RollingPair();
   RollingPair(const RollingPair&) = delete;
   RollingPair& operator=(const RollingPair&) = delete;
 
   RollingPair& frame(const SurfaceMesh& mesh);
-  /// Of nx x ny elements, from -half_x to half_x and from -half_y to half_y in the plane of the axes.
+  /// Sets a frame of nx x ny elements, from -half_x to half_x and from -half_y to half_y in the plane of the axes.
   RollingPair& rectangle(ElementType type, int nx, int ny, double half_x, double half_y);
   RollingPair& frame_from_body(int which, std::int32_t tag);
   RollingPair& pose(int which, const std::array<Vec3, 3>& rotation, const Vec3& translation);
   RollingPair& axes(const Vec3& origin, const Vec3& rolling, const Vec3& normal);
-  /// Rolling direction at `angle` (radian) to the frame's x axis, normal along z.
+  /// Sets the rolling direction at `angle` (radian) to the frame's x axis, the normal along z.
   RollingPair& rolling_at(double angle);
   RollingPair& gap(const std::vector<double>& h);
   RollingPair& gap_quadratic(double A, double B, double C = 0);
@@ -98,11 +99,11 @@ class RollingPair {
   RollingPair& option(const char* name, double value);
   RollingPair& option(const char* name, std::int64_t value);
 
-  /// Status >= 0.
+  /// Solves and returns the status, which is >= 0.
   std::int32_t solve();
   void reset();
   Solution solution() const;
-  /// Displacements (three per point) of body 1 or 2 at (x, y) pairs.
+  /// Returns displacements (three per point) of body 1 or 2 at (x, y) pairs.
   std::vector<double> displacements_at(int body, const std::vector<double>& xy) const;
   double stat(const char* name) const;
   double body_stat(int which, const char* name) const;

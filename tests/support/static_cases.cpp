@@ -9,7 +9,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Outward normals of a brick's tags 1 to 6.
+/// Returns the outward normals of a brick's tags 1 to 6.
 Vec3 face_normal(std::int32_t tag) {
   Vec3 n{0, 0, 0};
   n[static_cast<std::size_t>(tag - 1) / 2] = tag % 2 ? -1 : 1;

@@ -80,7 +80,7 @@ StaticBody& StaticBody::hold_tags(std::initializer_list<std::int32_t> tags, std:
 }
 
 StaticBody& StaticBody::hold_statically(const std::function<Vec3(const Vec3&)>& value) {
-  // Far apart in x, then off that line in y.
+  // The nodes are far apart in x, then off that line in y.
   const auto by_x = [](const Vec3& a, const Vec3& b) { return a[0] < b[0]; };
   const auto [low, high] = std::minmax_element(mesh_.node.begin(), mesh_.node.end(), by_x);
   const Vec3 axis = *high - *low;

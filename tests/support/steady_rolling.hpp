@@ -1,6 +1,6 @@
 #pragma once
-/// Cases (a) and (b): a circular contact of identical steel bodies in steady rolling, with longitudinal creepage, and
-/// with spin as well (tests/data/steady_rolling_limits.csv).
+/// Sets up cases (a) and (b): a circular contact of identical steel bodies in steady rolling, with longitudinal
+/// creepage, and with spin as well (tests/data/steady_rolling_limits.csv).
 
 #include <iterator>
 #include <map>
@@ -17,21 +17,21 @@ inline constexpr double mu = 0.3, radius = 5, creepage = -1.13e-3, spin = 3e-4;
 inline const closed_forms::Hertz hertz =
     closed_forms::hertz_from_axes(radius, radius, 1000, closed_forms::effective_modulus(steel, steel));
 
-/// which: "a" or "b".
+/// Takes the case "a" or "b".
 inline void prepare(RollingPair& pair, const SurfaceMesh& mesh, const std::string& which) {
   pair.frame(mesh).gap_quadratic(hertz.A, hertz.B).load(hertz.load).friction(mu);
   pair.creep(creepage, 0, which == "b" ? spin : 0);
 }
 
-/// N x N nodes at the centres of CONTACT's N x N elements, 90 % of the width in contact.
+/// Returns N x N nodes at the centres of CONTACT's N x N elements, 90 % of the width in contact.
 inline SurfaceMesh grid(int n) {
   const double half = radius / 0.9 * (1 - 1.0 / n);
   const auto lines = frames::uniform_lines(-half, half, n - 1);
   return frames::rectangle(ElementType::quad4, lines, lines);
 }
 
-/// CONTACT's error of the force vector at N: linear in 1/N between the sizes that are known, in proportion to it
-/// beyond.
+/// Returns CONTACT's error of the force vector at N: linear in 1/N between the sizes that are known, in proportion to
+/// it beyond.
 inline double contact_error(const std::string& which, int n) {
   const std::map<int, double> known = closed_forms::steady_rolling_by_size(which, "error");
   const auto finer = known.lower_bound(n);
@@ -42,7 +42,7 @@ inline double contact_error(const std::string& which, int n) {
   return finer->second + share * (coarser->second - finer->second);
 }
 
-/// Forces over mu Fn, moment over mu Fn a.
+/// Returns forces over mu Fn, and the moment over mu Fn a.
 inline RollingAnswer found(const Solution& s) {
   return found_forces(s, mu * hertz.load, radius);
 }

@@ -11,7 +11,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr int quadrature_points = 64;
 
-/// Integral over |s| < a of p(s) f(s): Gauss-Chebyshev of the second kind.
+/// Integrates p(s) f(s) over |s| < a by Gauss-Chebyshev of the second kind.
 template <class F>
 double integrate_pressure(const closed_forms::HertzLine& h, F f) {
   double sum = 0;
@@ -22,7 +22,7 @@ double integrate_pressure(const closed_forms::HertzLine& h, F f) {
   return sum * pi / (quadrature_points + 1) * h.a * h.p0;
 }
 
-/// Integral over |s| < a of p(s) ln|x - s|.
+/// Integrates p(s) ln|x - s| over |s| < a.
 double log_potential(const closed_forms::HertzLine& h, double x) {
   const double t = std::abs(x) / h.a;
   double value = t * t - 0.5 - std::numbers::ln2 + std::log(h.a);
@@ -39,7 +39,7 @@ double trapezoid(const std::vector<double>& x, const std::vector<double>& f) {
 }  // namespace
 
 double Strip::displacement(double x, double y) const {
-  // Inner integral along y: asinh(l/|t|) = ln(l + sqrt(l^2 + t^2)) - ln|t| on either side.
+  // The inner integral along y is asinh(l/|t|) = ln(l + sqrt(l^2 + t^2)) - ln|t| on either side.
   double u = 0;
   for (double l : {half_length - y, half_length + y}) {
     if (l <= 0) continue;

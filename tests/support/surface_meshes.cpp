@@ -12,7 +12,7 @@
 #include "mesh/shape.hpp"
 #include "support/frames.hpp"
 
-// The examples' own meshes; not all that they offer is needed here.
+// The examples offer more meshes than are needed here.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 #include "../../examples/ring_mesh.h"
@@ -39,7 +39,7 @@ SurfaceMesh compact(SurfaceMesh mesh) {
   return mesh;
 }
 
-/// quad9 -> elements of the type wanted for each, on some of its nodes.
+/// Turns quad9 into elements of the type wanted for each, on some of its nodes.
 SurfaceMesh convert(const SurfaceMesh& fine, const std::function<ElementType(std::int64_t)>& want) {
   SurfaceMesh mesh;
   mesh.node = fine.node;
@@ -134,7 +134,7 @@ void append(SurfaceMesh& mesh, const SurfaceMesh& other) {
   }
 }
 
-/// Midside nodes and centres to the middle of their corners.
+/// Moves midside nodes and centres to the middle of their corners.
 void recentre(SurfaceMesh& mesh) {
   for (std::int64_t e = 0; e < mesh.elements(); ++e) {
     const ElementType type = mesh.type[at(e)];
@@ -253,7 +253,7 @@ SurfaceMesh cube_sphere(ElementType type, int n, double radius, std::int32_t tag
   for (auto& line : b.line) line = frames::uniform_lines(-1, 1, n);
   b.tag.fill(tag);
   b.map = [radius](const Vec3& q) {
-    // Equal angles: the elements come out nearly equal.
+    // Equal angles make the elements nearly equal.
     const Vec3 d{std::tan(pi / 4 * q[0]), std::tan(pi / 4 * q[1]), std::tan(pi / 4 * q[2])};
     return radius / length(d) * d;
   };
@@ -285,7 +285,7 @@ SurfaceMesh icosphere(ElementType type, int n, double radius, std::int32_t tag) 
       for (int j = 0; i + j < n; ++j)
         for (const int up : {1, -1}) {
           if (up < 0 && i + j + 1 >= n) continue;
-          // Upright (i, j), (i + 1, j), (i, j + 1), or its neighbour turned by half a turn.
+          // The triangle is upright (i, j), (i + 1, j), (i, j + 1), or its neighbour turned by half a turn.
           const int a = s * (up > 0 ? i : i + 1), b = s * (up > 0 ? j : j + 1), d = s * up;
           if (s == 1)
             add_element(mesh, type, {node(f, a, b), node(f, a + d, b), node(f, a, b + d)}, tag);

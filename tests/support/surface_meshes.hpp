@@ -1,6 +1,6 @@
 #pragma once
-/// Closed surface meshes of bodies for tests and benches: bricks, spheres, rings, wheels, blocks with a fine zone;
-/// every element type, nodes 0-based, normals outwards. Reproducible.
+/// Makes closed surface meshes of bodies for tests and benches: bricks, spheres, rings, wheels, blocks with a fine
+/// zone; every element type, nodes 0-based, normals outwards, all reproducible.
 
 #include <array>
 #include <cstdint>
@@ -24,56 +24,56 @@ inline std::size_t at(std::int64_t i) {
   return static_cast<std::size_t>(i);
 }
 
-/// One more element, on nodes of the mesh.
+/// Adds an element on nodes of the mesh.
 void add_element(SurfaceMesh& mesh, ElementType type, std::span<const std::int32_t> nodes, std::int32_t tag = 0);
 inline void add_element(SurfaceMesh& mesh, ElementType type, std::initializer_list<std::int32_t> nodes,
                         std::int32_t tag = 0) {
   add_element(mesh, type, std::span(nodes.begin(), nodes.size()), tag);
 }
-/// A mesh of one element on its own nodes.
+/// Makes a mesh of one element on its own nodes.
 SurfaceMesh one_element(ElementType type, std::vector<Vec3> nodes);
-/// The reference element under a map.
+/// Makes the reference element under a map.
 SurfaceMesh one_element(ElementType type, const Map& map);
 
-/// n + 1 lines from a to b, the first step of size `first`, the others growing by one factor but not beyond `largest`
-/// (0: no bound).
+/// Returns n + 1 lines from a to b, the first step of size `first`, the others growing by one factor but not beyond
+/// `largest` (0: no bound).
 std::vector<double> graded(int n, double a, double b, double first, double largest = 0);
-/// The same from b to a, listed ascending from a: fine at b.
+/// Returns graded lines from a to b that are fine at b, in ascending order.
 std::vector<double> graded_to(int n, double a, double b, double last, double largest = 0);
 
-/// The surface of a block divided by lines along its three coordinates, bent by a right-handed map.
+/// Describes the surface of a block divided by lines along its three coordinates, bent by a right-handed map.
 struct Block {
   std::array<std::vector<double>, 3> line;
   bool ring = false;                                  ///< the first coordinate runs full circle
-  std::array<std::int32_t, 6> tag{1, 2, 3, 4, 5, 6};  ///< first least, first most, second least...
-  std::array<int, 2> zone_from{0, 0}, zone_to{0, 0};  ///< elements of the last face with ...
-  std::int32_t zone_tag = 0;                          ///< ... this tag
-  Map map;                                            ///< none: as it is
+  std::array<std::int32_t, 6> tag{1, 2, 3, 4, 5, 6};  ///< tags of first least, first most, second least...
+  std::array<int, 2> zone_from{0, 0}, zone_to{0, 0};  ///< elements of the last face that have zone_tag
+  std::int32_t zone_tag = 0;                          ///< tag of those elements
+  Map map;                                            ///< map; none: unbent
 };
 
-/// Triangles halve the quadrilaterals. All nodes lie on the mapped surface.
+/// Makes the block; triangles halve the quadrilaterals. All nodes lie on the mapped surface.
 SurfaceMesh block(const Block& shape, ElementType type);
-/// Triangles and quadrilaterals by turns: tri3 with quad4, or tri6 with quad8 and quad9.
+/// Makes a block of triangles and quadrilaterals by turns: tri3 with quad4, or tri6 with quad8 and quad9.
 SurfaceMesh mixed_block(const Block& shape, bool quadratic);
 
-/// [0, size] in n elements; tags 1 to 6: x = 0, x = size, y = 0, ...
+/// Makes a brick [0, size] in n elements; tags 1 to 6 are x = 0, x = size, y = 0, ...
 Block brick(const std::array<int, 3>& n, const Vec3& size);
 /// Moves every node of a brick at random within the plane or line that it lies in, by up to `fraction` of its shortest
 /// edge: corner nodes first, other nodes follow, then those too by a fifth of it. Faces stay flat.
 SurfaceMesh distort(SurfaceMesh mesh, double fraction, std::uint32_t seed);
 
-/// What distort does to nodes: `edge` is the shortest edge of each; `follow` puts the others between the corners.
+/// Does what distort does to nodes: `edge` is the shortest edge of each; `follow` puts the others between the corners.
 void shake(std::vector<Vec3>& node, std::span<const double> edge, std::span<const std::uint8_t> corner, double fraction,
            std::uint32_t seed, const std::function<void()>& follow);
 
-/// Cubes bent to a sphere around the origin, 6 n^2 quadrilaterals or twice as many triangles.
+/// Bends cubes to a sphere around the origin, of 6 n^2 quadrilaterals or twice as many triangles.
 SurfaceMesh cube_sphere(ElementType type, int n, double radius, std::int32_t tag = 1);
-/// tri3 or tri6 from an icosahedron, every edge cut into n.
+/// Makes a sphere of tri3 or tri6 from an icosahedron, every edge cut into n.
 SurfaceMesh icosphere(ElementType type, int n, double radius, std::int32_t tag = 1);
-/// The body between two closed surfaces: the inner one is turned inside out.
+/// Makes the body between two closed surfaces: the inner one is turned inside out.
 SurfaceMesh with_cavity(SurfaceMesh outer, SurfaceMesh inner);
 
-/// The ring of examples/ring_mesh.h, whose shape this repeats; tags there. Any element type.
+/// Describes the ring of examples/ring_mesh.h, whose shape this repeats, tags included, with any element type.
 struct Ring {
   double inner = 25, outer = 50, width = 8;
   double sector = 0, zone = 2.4;
@@ -81,14 +81,14 @@ struct Ring {
   double largest = 16, top_layer = 1.2, side_grading = 0;
 };
 SurfaceMesh ring(const Ring& shape, ElementType type);
-/// The same as a block.
+/// Returns the ring as a block.
 Block ring_block(const Ring& shape);
-/// The wheel of examples/wheel_mesh.h with its standard shape and counts.
+/// Makes the wheel of examples/wheel_mesh.h with its standard shape and counts.
 SurfaceMesh wheel(double crown, ElementType type);
 
-/// Block [-side/2, side/2]^2 x [-depth, 0] with a fine zone of n x n elements, [-zone/2, zone/2]^2, in the middle of
-/// its top; `grade` elements from there to each side, `deep` downwards. Tags: 1 top outside the zone, 2 zone, 3 bottom,
-/// 4 to 7 the sides at least x, most x, least y, most y.
+/// Describes a block [-side/2, side/2]^2 x [-depth, 0] with a fine zone of n x n elements, [-zone/2, zone/2]^2, in the
+/// middle of its top; `grade` elements from there to each side, `deep` downwards. Tags: 1 top outside the zone, 2 zone,
+/// 3 bottom, 4 to 7 the sides at least x, most x, least y, most y.
 struct ZoneBlock {
   double side = 1, depth = 1, zone = 0.1;
   int n = 8, grade = 4, deep = 4;
@@ -96,31 +96,31 @@ struct ZoneBlock {
 SurfaceMesh zone_block(const ZoneBlock& shape, ElementType type);
 Block with_zone(const ZoneBlock& shape);
 
-/// Every node x -> map(x); the map must keep handedness.
+/// Moves every node x to map(x); the map must keep handedness.
 SurfaceMesh transform(SurfaceMesh mesh, const Map& map);
-/// The same surface seen from the other side.
+/// Returns the surface seen from the other side.
 SurfaceMesh turn_inside_out(SurfaceMesh mesh);
 
-/// Nodes of the elements with one of these tags, ascending.
+/// Returns the nodes of the elements with one of these tags, ascending.
 std::vector<std::int32_t> nodes_with_tag(const SurfaceMesh& mesh, std::span<const std::int32_t> tags);
 std::vector<std::int32_t> nodes_where(const SurfaceMesh& mesh, const std::function<bool(const Vec3&)>& wanted);
-/// The node nearest to a point.
+/// Returns the node nearest to a point.
 std::int32_t node_at(const SurfaceMesh& mesh, const Vec3& x);
 std::vector<std::int64_t> elements_with_tag(const SurfaceMesh& mesh, std::int32_t tag);
 
-/// Some elements as a mesh of their own; node: their nodes' numbers in the whole.
+/// Returns some elements as a mesh of their own; `node` holds their nodes' numbers in the whole.
 SurfaceMesh part_of(const SurfaceMesh& mesh, std::span<const std::int64_t> elements, std::vector<std::int32_t>& node);
 SurfaceMesh part_with_tag(const SurfaceMesh& mesh, std::int32_t tag);
-/// Some elements on the nodes of all.
+/// Returns some elements on the nodes of all.
 SurfaceMesh only(const SurfaceMesh& mesh, const std::function<bool(std::int64_t)>& wanted);
 
-/// Integrals of the shape functions over the surface, by node.
+/// Integrates the shape functions over the surface, by node.
 std::vector<double> nodal_areas(const SurfaceMesh& mesh);
 
-/// What a mesh encloses, by quadrature on its own elements.
+/// Measures what a mesh encloses, by quadrature on its own elements.
 struct Facts {
   double area = 0, volume = 0;
-  Vec3 centroid{0, 0, 0};           ///< of the volume
+  Vec3 centroid{0, 0, 0};           ///< centroid of the volume
   std::int64_t euler = 0;           ///< corners - edges + elements: 2 sphere, 0 torus, 4 shell
   std::int64_t open_edges = 0;      ///< edges of one element
   std::int64_t clashing_edges = 0;  ///< edges run through twice in the same direction

@@ -1,4 +1,4 @@
-// Questions to a surface mesh; the meshes themselves are made in surface_meshes.cpp.
+// Answers questions about a surface mesh; the meshes themselves are made in surface_meshes.cpp.
 
 #include <algorithm>
 #include <cmath>

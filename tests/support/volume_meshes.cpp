@@ -20,7 +20,7 @@ Local middle(const Local& a, const Local& b) {
   return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
 }
 
-/// An element's nodes as lattice points of its cell, from those of its corners.
+/// Returns an element's nodes as lattice points of its cell, from those of its corners.
 std::vector<Local> with_middles(VolumeType type, std::vector<Local> corner) {
   if (!is_quadratic(type)) return corner;
   std::vector<Local> all = corner;
@@ -28,7 +28,7 @@ std::vector<Local> with_middles(VolumeType type, std::vector<Local> corner) {
   return all;
 }
 
-/// The elements of one type that fill a cell. other: along the other diagonal (wedges).
+/// Returns the elements of one type that fill a cell; `other` takes the other diagonal (wedges).
 std::vector<std::vector<Local>> filling_of_cell(VolumeType type, bool other) {
   std::vector<std::vector<Local>> elements;
   switch (corner_count(type)) {
@@ -50,7 +50,7 @@ std::vector<std::vector<Local>> filling_of_cell(VolumeType type, bool other) {
       break;
     }
     default: {
-      // One for each order in which the coordinates go from least to most.
+      // Each row is an order in which the coordinates go from least to most.
       constexpr int order[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
       for (int k = 0; k < 6; ++k) {
         std::vector<Local> corner{{0, 0, 0}};
@@ -73,8 +73,8 @@ class Builder {
   using Key = std::array<int, 4>;
   std::function<Vec3(const Key&)> position;
 
-  /// key: of a lattice point of the cell; side_tag: of its sides (first coordinate least, most, second ...), -1 inside
-  /// the body.
+  /// Adds a cell. The function `key` gives the key of a lattice point; side_tag holds the tags of the sides (first
+  /// coordinate least, most, second ...), -1 inside the body.
   void add_cell(VolumeType type, bool other, const std::function<Key(const Local&)>& key,
                 const std::array<std::int32_t, 6>& side_tag) {
     for (const auto& element : filling_of_cell(type, other)) {
@@ -112,7 +112,7 @@ class Builder {
   std::map<Key, std::int32_t> known_;
 };
 
-/// want(i, j): type of the cells in column (i, j).
+/// Takes the type of the cells in column (i, j) from want(i, j).
 Mesh fill(const Block& shape, const std::function<VolumeType(int, int)>& want) {
   std::array<int, 3> n{};
   for (std::size_t c = 0; c < 3; ++c) n[c] = static_cast<int>(shape.line[c].size()) - 1;

@@ -1,6 +1,6 @@
 #pragma once
-/// A wheelset's oscillation in the track as one of its contacts sees it: wheel load, creepages and spin that change a
-/// little from step to step. Header only, through rollcon.h.
+/// Runs a wheelset's oscillation in the track seen by one of its contacts: wheel load, creepages and spin that change a
+/// little from step to step. It is a header only, and uses rollcon.h alone.
 
 #include <rollcon.h>
 
@@ -10,12 +10,12 @@
 
 namespace rollcon::wheelset_run {
 
-/// Steel (N, mm) on the tread: wheel radius 460, rail crown 300, semi-axes 7.2 and 5.4 at 100 kN.
+/// The scene is steel (N, mm) on the tread: wheel radius 460, rail crown 300, semi-axes 7.2 and 5.4 at 100 kN.
 inline constexpr double young = 210000, poisson = 0.28, friction = 0.3, load = 100000;
 inline constexpr double curvature_along = 0.5 / 460, curvature_across = 0.5 / 300;
 inline constexpr double half_along = 9, half_across = 6.8;
 
-/// Of the option `tolerance`: forces to a millinewton.
+/// The option `tolerance` gives forces to a millinewton.
 inline constexpr double tolerance = 1e-8;
 
 enum class Drive {
@@ -23,13 +23,13 @@ enum class Drive {
   traction   ///< longitudinal force given
 };
 
-/// What is prescribed in one step.
+/// Holds what is prescribed in one step.
 struct Step {
   double load, longitudinal, lateral, spin;
 };
 
-/// 500 steps to a period of the lateral oscillation: a wave of 15 m, 30 m/s, steps of 1 ms. Load and traction have
-/// periods of their own, so that no state returns.
+/// Returns step i, with 500 steps to a period of the lateral oscillation: a wave of 15 m, 30 m/s, steps of 1 ms. Load
+/// and traction have periods of their own, so that no state returns.
 inline Step step(std::int64_t i, Drive drive) {
   const double turn = 2 * std::numbers::pi * static_cast<double>(i) / 500;
   Step s{};
@@ -41,7 +41,7 @@ inline Step step(std::int64_t i, Drive drive) {
   return s;
 }
 
-/// Sets a step's values; the sum of the statuses.
+/// Sets a step's values; returns the sum of the statuses.
 inline std::int32_t prescribe(rollcon_contact* contact, const Step& s, Drive drive) {
   const std::int32_t how = drive == Drive::traction ? ROLLCON_BY_FORCE : ROLLCON_BY_MOTION;
   return rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, s.load) +
@@ -50,7 +50,7 @@ inline std::int32_t prescribe(rollcon_contact* contact, const Step& s, Drive dri
          rollcon_contact_prescribe(contact, ROLLCON_LONGITUDINAL, how, s.longitudinal);
 }
 
-/// Frame of n x n bilinear quadrilaterals, gap, friction and speed; the sum of the statuses.
+/// Sets a frame of n x n bilinear quadrilaterals, gap, friction and speed; returns the sum of the statuses.
 inline std::int32_t set_scene(rollcon_contact* contact, int n) {
   return rollcon_contact_frame_rectangle(contact, ROLLCON_QUAD4, n, n, -half_along, half_along, -half_across,
                                          half_across) +
