@@ -1,4 +1,4 @@
-// Every body model passes the same checks.
+// Runs the same checks on every body model.
 
 #include "support/compliance_suite.hpp"
 
@@ -45,7 +45,7 @@ SurfaceMesh square(ElementType type, int n) {
   return frames::rectangle(type, lines, lines);
 }
 
-/// Of a kind without a mesh.
+/// Makes a case of a kind without a mesh.
 ComplianceCase unmeshed(BodyKind kind, ElementType type, double nu) {
   ComplianceCase c;
   c.name = traits_of(kind).name + (", " + surfaces::name_of(type)) + ", nu " + std::to_string(nu).substr(0, 3);
@@ -64,7 +64,7 @@ ComplianceCase unmeshed(BodyKind kind, ElementType type, double nu) {
   return c;
 }
 
-/// Block [-2, 2]^2 x [-3, 0] held at its bottom, contact zone [-1, 1]^2 on its top.
+/// Describes a block [-2, 2]^2 x [-3, 0] held at its bottom, with the contact zone [-1, 1]^2 on its top.
 surfaces::ZoneBlock zone_shape(int level) {
   return {.side = 4, .depth = 3, .zone = 2, .n = 4 << level, .grade = 1 << level, .deep = 2 << level};
 }
@@ -90,7 +90,7 @@ std::unique_ptr<statics::StaticBody> zone_body(Type type, int level, const Place
   return body;
 }
 
-/// Elements of a frame of its own.
+/// Returns the type of elements of a frame of its own.
 ElementType frame_type(ElementType type) {
   return type;
 }
@@ -108,7 +108,7 @@ PlacedCompliance on_zone(std::unique_ptr<statics::StaticBody> made, const Placem
   return placed({owner, &owner->body()}, owner, std::move(zone), where);
 }
 
-/// own_mesh: a frame of its own is laid on; else the zone's faces are the frame.
+/// Makes a case; with own_mesh a frame of its own is laid on, else the zone's faces are the frame.
 template <class Type>
 ComplianceCase meshed_body(Type type, const std::string& name, bool own_mesh) {
   ComplianceCase c;
@@ -149,7 +149,7 @@ ComplianceCase finite_elements(VolumeType type, bool own_mesh) {
   return c;
 }
 
-/// One case of every kind that deforms.
+/// Returns one case of every kind that deforms.
 std::vector<ComplianceCase> all_models() {
   std::vector<ComplianceCase> all;
   for (const BodyTraits& row : all_kinds()) {
@@ -210,7 +210,7 @@ INSTANTIATE_TEST_SUITE_P(
                       finite_elements(VolumeType::hex20, true)),
     model_name);
 
-// One block, one frame laid on it, finite and boundary elements: the work of smooth loads tends to the same.
+// Finite and boundary elements of one block tend to the same work of smooth loads, under one frame laid on it.
 TEST(SameBody_long, by_finite_and_by_boundary_elements) {
   constexpr int frame_parts = 6;
   const auto works = [&](auto type, int level) {
@@ -230,7 +230,7 @@ TEST(SameBody_long, by_finite_and_by_boundary_elements) {
     EXPECT_LT(e1, 0.75 * e0) << name;
   };
   refine(ElementType::quad4, "quad4", 0.1, 0.04);
-  // Under a frame finer than the faces a half-space helps: the coarse mesh is better than its order.
+  // A half-space helps under a frame finer than the faces: the coarse mesh is better than its order.
   refine(VolumeType::hex8, "hex8", 0.15, 0.04, 2);
   refine(VolumeType::hex20, "hex20", 0.05, 0.01);
   refine(VolumeType::tet10, "tet10", 0.2, 0.03);

@@ -1,4 +1,5 @@
-// Bodies of equal content in one context: prepared once, and held once; different ones are not taken for equal.
+// Tests that bodies of equal content in one context are prepared once and held once, and that different ones are not
+// taken for equal.
 
 #include "bodies/equal_bodies.hpp"
 
@@ -16,7 +17,7 @@ namespace {
 
 using Change = std::function<void(Body&)>;
 
-/// Those of this build.
+/// Returns the kinds with meshes of this build.
 std::vector<BodyKind> meshed_kinds(bool with_rigid) {
   std::vector<BodyKind> kinds;
   if (ROLLCON_BUILD_FEM != 0) kinds.push_back(BodyKind::fem);
@@ -41,7 +42,7 @@ std::vector<std::int32_t> nodes_at_bottom(const std::vector<Vec3>& node) {
   return found;
 }
 
-/// A brick held at its bottom, not prepared.
+/// Makes a brick held at its bottom, not prepared.
 std::shared_ptr<Body> brick(const std::shared_ptr<Context>& context, BodyKind kind, const Change& change = {}) {
   auto body = std::make_shared<Body>(context, static_cast<std::int32_t>(kind));
   if (kind == BodyKind::fem) {
@@ -93,7 +94,7 @@ TEST(EqualBodies, of_other_contexts_do_not) {
   EXPECT_FALSE(second->shared());
 }
 
-// Every setter: what it changes makes another body, and undone the same one.
+// Every setter makes another body by what it changes, and the same one when undone.
 TEST(EqualBodies, every_input_counts) {
   const double pull[3] = {0, 0, 1}, moved[3] = {0, 0, 1e-3};
   const std::int32_t tags[1] = {top};

@@ -1,4 +1,4 @@
-// Pairs of bodies with their unknowns written out: the same displacements as condensed, from matrices that are
+// Tests pairs of bodies with their unknowns written out: the same displacements as condensed, from matrices that are
 // assembled once, and nothing factorised on the way.
 
 #include "bodies/model/expanded_compliance.hpp"
@@ -19,7 +19,7 @@ using statics::StaticBody;
 
 constexpr double curvature = 0.06;
 
-/// Blocks [-2, 2]^2 x [-3, 0] whose tops are domes, of n x n faces on [-1, 1]^2, held below.
+/// Bends the tops of blocks [-2, 2]^2 x [-3, 0] to domes, with n x n faces on [-1, 1]^2; the blocks are held below.
 Vec3 dome(const Vec3& x) {
   return {x[0], x[1], x[2] - curvature * (x[0] * x[0] + 0.5 * x[1] * x[1]) * (1 + x[2] / 3)};
 }
@@ -28,7 +28,7 @@ surfaces::ZoneBlock shape(int n, int deep) {
   return {.side = 4, .depth = 3, .zone = 2, .n = n, .grade = 1, .deep = deep};
 }
 
-/// Not prepared.
+/// Makes the body without preparing it.
 std::shared_ptr<StaticBody> elastic(ElementType type, int n, double poisson = 0.3) {
   auto body =
       std::make_shared<StaticBody>(surfaces::transform(surfaces::zone_block(shape(n, 2), type), dome), 1e4, poisson);
@@ -49,7 +49,7 @@ std::shared_ptr<Body> simple(BodyKind kind) {
   return body;
 }
 
-/// Body 2 is a block of the same axes turned over, above body 1; both stand somewhere.
+/// Holds body 1 and body 2, a block of the same axes turned over, above it; both stand somewhere.
 struct Pair {
   std::array<std::shared_ptr<Body>, 2> body;
   std::vector<std::shared_ptr<const void>> keep;
@@ -68,7 +68,7 @@ Pose turned_over(const Pose& pose) {
   return result;
 }
 
-/// frame_mesh: on body 1, in its axes.
+/// Takes a frame on body 1, in its axes.
 Pair pair_on(std::array<std::shared_ptr<Body>, 2> body, SurfaceMesh frame_mesh) {
   Pair p;
   p.body = std::move(body);
@@ -97,7 +97,7 @@ Pair pair_on(std::array<std::shared_ptr<Body>, 2> body, SurfaceMesh frame_mesh) 
   return p;
 }
 
-/// Frames that are faces of body 1, and such as are laid on.
+/// Returns a frame of faces of body 1; others are laid on it.
 SurfaceMesh zone_of(const StaticBody& body) {
   std::vector<std::int32_t> unused;
   return surfaces::part_of(body.mesh(), surfaces::elements_with_tag(body.mesh(), 2), unused);
@@ -107,7 +107,7 @@ SurfaceMesh laid(ElementType type, int n, double half_width = 0.9) {
   return frames::transform(frames::rectangle(type, lines, lines), dome);
 }
 
-/// A shared body that keeps the StaticBody around it.
+/// Returns a body that owns the StaticBody around it.
 std::shared_ptr<Body> of(const std::shared_ptr<StaticBody>& body) {
   return {body, &body->body()};
 }
@@ -281,7 +281,7 @@ void expect_one_assembly_for_threads(Type type) {
   owner->body().set_int("prepare", 0);
   constexpr std::size_t threads = 4;
   const auto pair = [&] { return pair_on({of(owner), simple(BodyKind::rigid)}, zone_of(*owner)); };
-  const Pair pairs[threads] = {pair(), pair(), pair(), pair()};  // in place: frames stay put
+  const Pair pairs[threads] = {pair(), pair(), pair(), pair()};  // built in place: frames stay put
   std::vector<ExpandedCompliance> expanded(threads);
   std::vector<std::vector<double>> u(threads);
   std::vector<std::thread> pool;

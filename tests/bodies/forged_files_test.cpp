@@ -1,5 +1,5 @@
-// Files of bodies whose checksums are right and whose content is not: refused, or harmless; never read beyond what is
-// there.
+// Tests that files of bodies whose checksums are right and whose content is not are refused, or harmless, and never
+// read beyond what is there.
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using statics::StaticBody;
 
-/// The file with some bytes changed and all checksums made right again.
+/// Returns the file with some bytes changed and all checksums made right again.
 std::string forged(const std::string& good, std::size_t at, const void* bytes, std::size_t count) {
   std::string bad = good;
   std::memcpy(bad.data() + at, bytes, std::min(count, bad.size() - at));
@@ -48,7 +48,7 @@ class ForgedFiles : public ::testing::Test {
   }
   void TearDown() override { fs::remove(path); }
 
-  /// Loads what is written there, and asks it for what it kept.
+  /// Loads what is written there, and asks the body for what it holds.
   void load(const std::string& bytes, std::size_t where) {
     std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes;
     try {

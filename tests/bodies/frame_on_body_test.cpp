@@ -1,4 +1,4 @@
-/// Frames on bodies: whose nodes stand on the body's, all of them or some, in any pose.
+/// Tests frames on bodies, all or some of whose nodes stand on the body's, in any pose.
 
 #include "bodies/frame_on_body.hpp"
 
@@ -27,7 +27,7 @@ void set_pose(Scene& scene, std::int32_t which, const Pose& pose) {
   scene.set_pose(which, rotation, pose.translation.data());
 }
 
-/// `mesh`, given in the coordinates of the scene, as a body standing in this pose.
+/// Makes `mesh`, given in the coordinates of the scene, a body standing in this pose.
 std::shared_ptr<Body> standing(const std::shared_ptr<Context>& context, const SurfaceMesh& mesh, const Pose& pose) {
   auto body = rigid_body(context, frames::transform(mesh, [&](const Vec3& x) { return pose.to_body(x); }));
   body->prepare();
@@ -39,8 +39,7 @@ TEST(frame_on_body, nodes_of_the_other_body_are_recognised_in_any_pose) {
   for (const ElementType type : surfaces::all_types)
     for (const Pose& pose1 : poses)
       for (const Pose& pose2 : poses) {
-        // Caps of different radii that face each other, divided alike as seen along z; as a whole they stand somewhere
-        // too.
+        // The caps have different radii and face each other, divided alike along z; the whole stands somewhere, too.
         const Pose place = turned(0.3, 0.5, {5, 6, -7});
         const auto at_place = [&](const Vec3& x) { return place.place(x); };
         auto context = std::make_shared<Context>();
@@ -102,7 +101,7 @@ TEST(frame_on_body, nodes_as_near_as_rounded_coordinates_are_one) {
     auto body = standing(std::make_shared<Context>(), frames::rectangle(ElementType::quad8, lines, lines), {});
     const Frame frame = build_frame(frames::transform(frames::rectangle(ElementType::quad8, lines, lines),
                                                       [&](const Vec3& x) {
-                                                        // Outwards at the rim too.
+                                                        // The point lies outwards at the rim, too.
                                                         return Vec3{(1 + off) * x[0], (1 + off) * x[1], 0.1};
                                                       }),
                                     {});

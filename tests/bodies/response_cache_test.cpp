@@ -1,4 +1,4 @@
-// Responses that a body keeps: found again without work, bounded in bytes, the least recently used ones dropped.
+// Tests responses that a body caches: found again without work, bounded in bytes, the least recently used ones dropped.
 
 #include "bodies/model/response_cache.hpp"
 
@@ -47,7 +47,7 @@ class Counted final : public ResponseCache {
 
 class Cache : public ::testing::Test {
  protected:
-  /// A face by itself; all have as many rows and columns in the middle of a side.
+  /// Asks for a face by itself; all have as many rows and columns in the middle of a side.
   double ask(Counted& cache, std::int64_t face) const { return cache.rows({{face}, {}, {}}, 1)->u.data()[0]; }
   double lay(Counted& cache, double x) const {
     SurfaceMesh layer;

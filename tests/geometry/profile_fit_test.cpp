@@ -1,4 +1,4 @@
-/// Splines through points: order of their error, smoothing, kinks, and points as they come from measurements.
+/// Tests splines through points: order of their error, smoothing, kinks, and points that come from measurements.
 
 #include "geometry/profile_fit.hpp"
 
@@ -39,7 +39,7 @@ void expect_refused(const std::vector<Vec2>& point, double filter, const std::st
   }
 }
 
-/// Of point and curvature, up to the ends.
+/// Returns the errors of point and curvature, up to the ends.
 std::array<double, 2> errors(const ProfileCurve& curve, double radius) {
   std::array<double, 2> most{0, 0};
   for (int i = 0; i <= 1000; ++i) {
@@ -109,7 +109,7 @@ TEST(profile_fit, order_doubles_and_zigzags_are_made_right) {
   expect_error("two points in the wrong order: radius", errors(mended, 5)[0], 1e-4);
 }
 
-// An arc, a straight line given by its ends alone, and an arc again: as drawings and gaps of measurements have it.
+// An arc, a straight line given by its ends alone, and an arc again occur in drawings and in gaps of measurements.
 TEST(profile_fit, distances_that_jump_leave_the_curve_at_its_points) {
   for (const double radius : {13.0, 80.0})
     for (const double line : {1.0, 20.0, 1e3, 1e6})
@@ -138,7 +138,7 @@ TEST(profile_fit, distances_that_jump_leave_the_curve_at_its_points) {
       }
   const std::vector<Vec2> even = circle(13, -1, 1, 60);
   EXPECT_EQ(through(even).pieces(), spline_through(even)) << "even distances: one spline";
-  // A gap in measured points of a circle, at random distances besides.
+  // The measured points of a circle have a gap, and random distances besides.
   std::mt19937 random(11);
   std::vector<Vec2> gap;
   for (double a = -1; a < 1; a += 0.002 + 0.03 * std::generate_canonical<double, 53>(random))
@@ -175,7 +175,7 @@ TEST(profile_fit, bad_points_are_named) {
   EXPECT_THROW(through(jumbled), Error);
 }
 
-// Noise of 0.02 on a rail-like arc of radius 80: curvature is lost without smoothing.
+// The points are those of a rail-like arc of radius 80 with noise of 0.02: curvature is lost without smoothing.
 TEST(profile_fit, smoothing_brings_the_curvature_back) {
   constexpr double radius = 80, filter = 12;
   std::mt19937 random(7);
@@ -191,8 +191,9 @@ TEST(profile_fit, smoothing_brings_the_curvature_back) {
     inside = std::max(inside, std::abs(p.curvature() * radius - 1));
     off = std::max(off, std::abs(length(p.x) - radius));
   }
-  // By linear theory of the filter, f(w) = 1/(1 + (L w / 2 pi)^6): deviations of the points and of the curvature from
-  // white noise s have the squares s^2 h/pi integral f^2 dw and s^2 h/pi integral w^4 f^2 dw; largest of 400: below 4.
+  // The filter's linear theory, f(w) = 1/(1 + (L w / 2 pi)^6), predicts the squares of the deviations caused by white
+  // noise s: s^2 h/pi integral f^2 dw for the points and s^2 h/pi integral w^4 f^2 dw for the curvature; the largest of
+  // 400 is below 4.
   const double h = 0.8 * radius / 320, w0 = 2 * pi / filter;
   double points = 0, curvatures = 0;
   for (int i = 0; i < 4000; ++i) {
@@ -204,7 +205,8 @@ TEST(profile_fit, smoothing_brings_the_curvature_back) {
   expect_error("smoothed: curvature", inside, 4 * radius * 0.02 * std::sqrt(h / pi * std::pow(w0, 5) * curvatures));
 }
 
-// Halved at the filter's length, kept at 3 times, gone at a third of it; a circle is left as it is up to its ends.
+// Waves are halved at the filter's length, unchanged at 3 times, and gone at a third of it; a circle does not change up
+// to its ends.
 TEST(profile_fit, filter_length_is_where_waves_are_halved) {
   constexpr double filter = 10, height = 1e-3;
   for (const double wave : {filter / 3, filter, 3 * filter}) {
@@ -214,7 +216,7 @@ TEST(profile_fit, filter_length_is_where_waves_are_halved) {
     const double left = point[1000][1] / height, due = 1 / (1 + std::pow(filter / wave, 6));
     expect_error("wave " + std::to_string(wave) + ": what is left less theory", left - due, 1e-3);
   }
-  // At ends the third derivative 1/R^2 is lost over the filter's reach L / 2 pi.
+  // The third derivative 1/R^2 is lost at ends over the filter's reach L / 2 pi.
   constexpr double radius = 80, length = 12, reach = length / (2 * pi) / radius;
   std::vector<Vec2> arc = circle(radius, -0.4, 0.4, 321);
   smooth_points(arc, length);

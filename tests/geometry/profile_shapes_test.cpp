@@ -1,4 +1,4 @@
-/// Profiles in closed form against the formulas that define them, and what is said of wrong parameters.
+/// Compares profiles in closed form with the formulas that define them, and tests what is said of wrong parameters.
 
 #include "geometry/profile_shapes.hpp"
 
@@ -59,7 +59,7 @@ TEST(profile_shapes, arc_line_and_cone) {
   expect_error("half circle: end", length(half.at(half.length()).x - Vec2{7, -7}), 1e-14);
 }
 
-// A cone of half-angle 30 degrees whose tip is a ball of radius 2.
+// A cone of half-angle 30 degrees has a ball of radius 2 as its tip.
 TEST(profile_shapes, chain_of_arcs_is_a_rounded_cone) {
   const double a = pi / 6, radius = 2, flank = 10;
   const ProfileCurve tip = shape("arcs", {0, 0, pi / 2 - a, flank, 0, radius * (pi - 2 * a), -1 / radius, flank, 0});
@@ -72,7 +72,7 @@ TEST(profile_shapes, chain_of_arcs_is_a_rounded_cone) {
 
 TEST(profile_shapes, s1002_is_its_table) {
   const ProfileCurve wheel = shape("s1002", {1});
-  // By Horner's rule in another order than the library's, and square roots.
+  // The formulas follow Horner's rule in another order than the library's, and square roots.
   const auto tread = [](double s) {
     return -3.358537058e-2 * s + 1.565681624e-3 * s * s - 2.810427944e-5 * std::pow(s, 3) +
            5.844240864e-8 * std::pow(s, 4) - 1.562379023e-8 * std::pow(s, 5) + 5.309217349e-15 * std::pow(s, 6) -
@@ -109,7 +109,7 @@ TEST(profile_shapes, s1002_is_its_table) {
   expect_error("S1002 R20, mm", error(-49.662510381, -39.764473993, above(-58.558326413, 8.834924130, 20)), 1e-12);
   expect_error("S1002 R12, mm", error(-62.764705882, -49.662510381, above(-55, 16, 12)), 1e-12);
   expect_error("S1002 R20.5, mm", error(-70, -62.764705882, above(-49.5, 9.519259302, 20.5)), 1e-12);
-  // Slope and curvature of the tread, by differences of the table's formula.
+  // Slope and curvature of the tread come from differences of the table's formula.
   for (const double y : {-20.0, 0.0, 25.0}) {
     const double s = wheel.at_y(y).front(), h = 1e-3;
     const double d1 = (tread(y + h) - tread(y - h)) / (2 * h),
@@ -134,7 +134,7 @@ TEST(profile_shapes, rail_60e1_is_its_circles) {
   const auto side = [](double y, double z) { return std::abs(y) - 36.0 - (z - 14.25977) / 20; };
   expect_error("60E1 side of slope 1 in 20, mm", worst(rail, 36.02, 40, side), 2e-4);
   expect_error("60E1 top, mm", only_z(rail, 0), 1e-12);
-  // Joints: the benchmark's digits, which are those of its file.
+  // The joints have the benchmark's digits, which are those of its file.
   double gap = 0;
   for (std::size_t i = 0; i + 1 < rail.pieces().size(); ++i)
     gap = std::max(gap, length(rail.at(i, rail.pieces()[i].length).x - rail.pieces()[i + 1].start));

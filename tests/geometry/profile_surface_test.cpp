@@ -1,4 +1,4 @@
-/// Profiles as surfaces against closed forms of cylinders, cones, spheres and tori, in any direction.
+/// Compares profiles as surfaces with closed forms of cylinders, cones, spheres and tori, in any direction.
 
 #include "geometry/profile_surface.hpp"
 
@@ -27,13 +27,14 @@ struct Draw {
   Vec3 across(const Vec3& a) { return normalized(cross(a, direction())); }
 };
 
-/// Least |t| at which from + t direction is at distance radius from the centre, of those that `allowed` takes.
+/// Returns the least |t| at which from + t direction is at distance radius from the centre, among those that `allowed`
+/// takes.
 template <class Allowed>
 std::optional<double> least_root(double a, double b, double c, Allowed allowed) {
   const double d = b * b - a * c;
   std::optional<double> best;
   if (d < 0) return best;
-  // Without cancellation.
+  // The formula avoids cancellation.
   const double q = -(b + (b > 0 ? 1 : -1) * std::sqrt(d));
   for (const double t : {q / a, c / q})
     if (allowed(t) && (!best || std::abs(t) < std::abs(*best))) best = t;
@@ -53,7 +54,7 @@ struct Tally {
   }
 };
 
-/// Lines whose distance from the surface changes by more than 1000 times what they are moved are left out.
+/// Compares lines, except those whose distance from the surface changes by more than 1000 times what they are moved.
 void compare(Tally& tally, const Surface& surface, const Vec3& from, const Vec3& direction, std::optional<double> due,
              double size, const Vec3& outward_there) {
   const auto t = surface.distance(from, direction, any);
@@ -120,7 +121,8 @@ TEST(profile_surface, revolved_lines_are_cylinders_and_cones) {
   }
 }
 
-// Every hit is on the torus, and no nearer point of the line is; sampled, as the closed form is a quartic.
+// Every hit is on the torus, and no nearer point of the line is; the line is sampled, because the closed form is a
+// quartic.
 TEST(profile_surface, revolved_arc_is_a_torus) {
   Draw draw;
   constexpr double radius = 10, small = 3;
@@ -130,7 +132,7 @@ TEST(profile_surface, revolved_arc_is_a_torus) {
     const Vec3 origin = draw.direction(), axis = draw.direction();
     const RevolvedProfile torus(shape("arc", {small, small}), origin, axis, radius);
     const double tube = radius - small;
-    // Outer half of the tube alone.
+    // The outer half of the tube alone counts.
     const auto value = [&](const Vec3& x) {
       const Vec3 r = x - origin;
       const double y = dot(r, axis), away = length(r - y * axis);

@@ -1,4 +1,5 @@
-/// Files of meshes: what Gmsh itself wrote (tests/data/meshes), what people write, what is said of files that are none.
+/// Tests files of meshes: what Gmsh itself wrote (tests/data/meshes), what people write, what is said of files that are
+/// none.
 
 #include "io/mesh_file.hpp"
 
@@ -265,7 +266,7 @@ TEST_F(MeshFiles, of_abaqus_that_are_none_are_refused_by_line) {
   }
 }
 
-// What makes or names mesh is read, or told by kind and number.
+// Keywords that make or name mesh are read, or told by kind and number.
 TEST_F(MeshFiles, of_abaqus_tell_what_they_pass_over) {
   const std::string cube =
       "*NODE\n1\n2, 1.\n3,1,1,\n4,0,1,0\n5,0,0,1\n6,1,0,1\n7,1,1,1\n8,0,1,1\n9,0,0,2\n10,1,0,2\n11,1,1,2\n12,0,1,2\n"
@@ -308,7 +309,7 @@ TEST_F(MeshFiles, of_gmsh_may_name_groups_without_their_dimension) {
 }
 
 TEST_F(MeshFiles, cannot_make_the_library_ask_for_more_memory_than_they_have_bytes) {
-  // Sets of sets, twice as many members in each as in the last one.
+  // Sets of sets hold twice as many members in each as in the last one.
   std::string chain = abaqus + "*Elset, elset=s0\n1, 1000\n";
   for (int i = 1; i < 60; ++i)
     chain +=

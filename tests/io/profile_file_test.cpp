@@ -1,4 +1,4 @@
-/// Files of profiles: what is read and written, what is said of files that are none.
+/// Tests files of profiles: what is read and written, what is said of files that are none.
 
 #include "io/profile_file.hpp"
 
@@ -74,7 +74,7 @@ TEST_F(ProfileFiles, three_formats) {
   EXPECT_EQ(difference(read("a.whl", "ColumnDef=A,Y,X\n\n9 1 2\n9 3 4\n").point, {{2, 1}, {4, 3}}), 0);
 }
 
-// What measuring devices and people write.
+// The forms are those that measuring devices and people write.
 TEST_F(ProfileFiles, forms_of_devices_and_people) {
   const Points three{{-2, 4.5}, {0, 0}, {2, 4.5}};
   const auto same = [&](const std::string& name, const std::string& text, const std::string& told = "") {
@@ -115,7 +115,8 @@ TEST_F(ProfileFiles, simpack_keys_in_their_order) {
   EXPECT_EQ(difference(with("point.dist.min = 0.01\n"), {{0, 0}, {1, 0}, {2, 1}}), 0);
   EXPECT_EQ(difference(with("bound.y.min = 0.5\nbound.y.max = 3\n"), {{1, 0}, {2, 1}}), 0);
   EXPECT_EQ(with("bound.y.min = 3\nbound.y.max = 0.5\n").size(), 4U) << "no bound";
-  // Shifted, then turned by a right angle from y to z, then bounded, mirrored, and metres made millimetres.
+  // The points are shifted, then turned by a right angle from y to z, then bounded, mirrored, and metres made
+  // millimetres.
   const Points turned = with(
       "units.len.f = 1\nunits.ang.f = 57.29577951308232\nrotate = 90\nshift.y = 1\npoint.dist.min = 0.01\n"
       "bound.z.min = 1.5\nbound.z.max = 9\nmirror.y = 1\ninversion = 1\n");
@@ -171,7 +172,7 @@ TEST_F(ProfileFiles, bad_files_are_named_with_their_lines) {
   expect_refused("b.ban", "ColumnDef=X,A,Y\n\n1 2\n", "line 3: 2 number(s); needed by ColumnDef: 3");
 }
 
-// Truncated anywhere, or with any byte changed, a file is read or refused, no more.
+// A file truncated anywhere, or with any byte changed, is read or refused, no more.
 TEST_F(ProfileFiles, truncated_and_changed_files_are_read_or_refused) {
   std::mt19937 random(9);
   int refused = 0, read_all = 0;

@@ -1,4 +1,4 @@
-// Files of sections: there and back, and everything that can be wrong with one.
+// Tests files of sections: there and back, and everything that can be wrong with one.
 
 #include "io/section_file.hpp"
 
@@ -40,7 +40,7 @@ class SectionFile : public ::testing::Test {
     file.write("tail", 4);
     file.commit();
   }
-  /// All of it; what was wrong goes to `text`.
+  /// Reads all of it; what was wrong goes to `text`.
   Status read(std::string* text = nullptr, FileKind as = kind) const {
     try {
       SectionReader file(path, as);
@@ -82,7 +82,7 @@ class SectionFile : public ::testing::Test {
       EXPECT_NE(std::string(e.what()).find(to), std::string::npos) << e.what();
     }
   }
-  /// Files in the folder.
+  /// Counts files in the folder.
   std::ptrdiff_t count() const { return std::distance(fs::directory_iterator(folder), fs::directory_iterator()); }
 
   std::vector<double> numbers = std::vector<double>(12, 0.25);
@@ -90,7 +90,7 @@ class SectionFile : public ::testing::Test {
   std::string path;
 };
 
-// Left by a process of the same number that was killed.
+// A killed process of the same number may have left such names.
 TEST_F(SectionFile, names_in_use_are_passed_over) {
   for (int k = 0; k < 100; ++k)
     std::ofstream(path + "." + std::to_string(getpid()) + "-" + std::to_string(k) + ".part") << k;

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A directory of this test's own, removed at its end.
+/// Makes a directory of this test's own, removed at its end.
 class Vtu : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -46,7 +46,7 @@ std::string read(const std::string& path) {
   return text.str();
 }
 
-/// The numbers of one DataArray.
+/// Returns the numbers of one DataArray.
 std::vector<double> array_of(const std::string& text, const std::string& name) {
   std::vector<double> values;
   std::size_t at = text.find("Name=\"" + name + "\"");
@@ -58,7 +58,7 @@ std::vector<double> array_of(const std::string& text, const std::string& name) {
   return values;
 }
 
-/// One element of each type, side by side.
+/// Makes one element of each type, side by side.
 SurfaceMesh all_types() {
   SurfaceMesh all;
   all.offset = {0};
@@ -186,7 +186,7 @@ TEST_F(Vtu, LinksAndPermissionsStay) {
   fs::create_directory(path("away"));
   const SurfaceMesh mesh = all_types();
   for (const bool there : {false, true}) {
-    // First the link leads to nothing, then to a file that nobody else may read.
+    // The link leads first to nothing, then to a file that nobody else may read.
     if (!there) fs::create_symlink("away/frame.vtu", path("frame.vtu"));
     if (there) fs::permissions(path("away/frame.vtu"), fs::perms::owner_read | fs::perms::owner_write);
     write_vtu(path("frame.vtu"), mesh, {});

@@ -1,4 +1,4 @@
-// What is told of a BLAS whose kernels factorise slowly.
+// Tests what is told of a BLAS whose kernels factorise slowly.
 
 #include "linalg/blas_kernels.hpp"
 

@@ -1,4 +1,4 @@
-/// Each of the scopes of BLAS threads within each other has its own number, and the host's comes back.
+/// Tests that each of the scopes of BLAS threads within each other has its own number, and that the host's comes back.
 
 #include "linalg/blas_threads.hpp"
 

@@ -1,4 +1,4 @@
-// Dense factors with an estimate of the condition, against explicit inverses.
+// Compares dense factors with an estimate of the condition with explicit inverses.
 
 #include "linalg/factored_matrix.hpp"
 
@@ -43,7 +43,7 @@ Matrix random_matrix(std::int64_t n, unsigned seed) {
   return a;
 }
 
-/// Nearly dependent: the last column is the sum of the others, but for `distance` of its entries.
+/// Returns a nearly dependent matrix: the last column is the sum of the others, except for `distance` of its entries.
 Matrix nearly_singular(std::int64_t n, double distance, unsigned seed) {
   Matrix a = random_matrix(n, seed);
   for (std::int64_t i = 0; i < n; ++i) {
@@ -141,7 +141,7 @@ TEST(FactoredMatrix, what_has_no_inverse_is_told) {
   }
 }
 
-// Of large matrices the norm is taken from some columns; the others' entries show in the solution.
+// The norm of large matrices is taken from some columns; the others' entries show in the solution.
 TEST(FactoredMatrix, nothing_that_is_not_finite_hides_in_a_large_matrix) {
   FactoredMatrix f;
   const std::int64_t n = 520;
@@ -173,7 +173,7 @@ class StopAt final : public Interrupt {
   int n_;
 };
 
-/// Largest residual of the solution whose right side is ones.
+/// Returns the largest residual of the solution whose right side is ones.
 double residual(const FactoredMatrix& f, const Matrix& a, std::int64_t n) {
   Matrix x(at(n), 1.0), product(at(n), -1.0);
   f.solve(x.data(), 1);
@@ -184,7 +184,7 @@ double residual(const FactoredMatrix& f, const Matrix& a, std::int64_t n) {
   return worst;
 }
 
-// Large enough to be factorised in parts.
+// The matrix is large enough to be factorised in parts.
 TEST(FactoredMatrix, factorisation_asks_between_its_parts_whether_to_go_on) {
   constexpr std::int64_t n = 4800;
   const Matrix a = random_matrix(n, 7);
@@ -197,7 +197,7 @@ TEST(FactoredMatrix, factorisation_asks_between_its_parts_whether_to_go_on) {
   const StopAt never(1000);
   ASSERT_TRUE(factor(f, a, n));
   EXPECT_GE(never.asked, 3);
-  // LAPACK's own takes the same rows and leaves as small a residual.
+  // LAPACK's own routine takes the same rows and leaves as small a residual.
   Matrix whole = a;
   const int order = n;
   std::vector<std::int32_t> pivot(at(n));

@@ -23,7 +23,7 @@ TEST(Fft, SizesAreEvenAndSmooth) {
   for (const std::int64_t n : {64, 128, 256, 512, 1024}) EXPECT_EQ(fft_size(n - 1), n);
 }
 
-/// sum of x[k] exp(sign 2 pi i j k / n), one term after the other.
+/// Returns the sum of x[k] exp(sign 2 pi i j k / n), one term after the other.
 std::vector<std::complex<double>> direct_sum(const std::vector<std::complex<double>>& x, int sign) {
   const std::size_t n = x.size();
   std::vector<std::complex<double>> out(n);
@@ -63,7 +63,7 @@ void expect_direct_sums(std::int64_t n, double bound) {
   real.forward(line.data(), half.data());
   const auto expected = direct_sum(x, -1);
   for (std::size_t k = 0; k <= size / 2; ++k) compare(half.data()[k], expected[k]);
-  for (std::size_t k = 0; k < size; ++k) compare(line.data()[k], x[k]);  // kept
+  for (std::size_t k = 0; k < size; ++k) compare(line.data()[k], x[k]);  // unchanged
   real.inverse(half.data(), line.data());
   for (std::size_t k = 0; k < size; ++k) compare(static_cast<double>(line.data()[k]), static_cast<double>(n) * x[k]);
   std::printf("length %lld: error %.1e, bound %.1e\n", static_cast<long long>(n), error / largest, bound);

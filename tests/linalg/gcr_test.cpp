@@ -1,4 +1,4 @@
-/// Several right sides of one system: all solved, the later ones in fewer iterations.
+/// Tests that several right sides of one system are all solved, the later ones in fewer iterations.
 
 #include "linalg/gcr.hpp"
 
@@ -33,7 +33,7 @@ struct Nothing final : LinearOperator {
   }
 };
 
-// The identity and a part of low rank, unsymmetric: as factors of a neighbouring system leave it.
+// Returns the identity and a part of low rank, unsymmetric, such as factors of a neighbouring system leave it.
 Matrix near_identity(std::size_t n, std::size_t rank) {
   std::mt19937 random(7);
   std::normal_distribution<double> normal;

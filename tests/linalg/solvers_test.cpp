@@ -1,4 +1,4 @@
-/// LU and GMRES against matrices with known solutions.
+/// Compares LU and GMRES with known solutions.
 
 #include "linalg/gmres.hpp"
 #include "linalg/lu.hpp"
@@ -8,7 +8,7 @@
 namespace rollcon {
 namespace {
 
-// Unsymmetric, well conditioned: diagonal plus a decaying random part.
+// Returns an unsymmetric, well conditioned matrix: diagonal plus a decaying random part.
 std::vector<double> test_matrix(std::int64_t n) {
   frames::Random random(7);
   std::vector<double> a(static_cast<std::size_t>(n * n));

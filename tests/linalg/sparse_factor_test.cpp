@@ -1,4 +1,4 @@
-/// The sparse factorisation against LAPACK's dense one.
+/// Compares the sparse factorisation with LAPACK's dense one.
 
 #include "linalg/sparse_factor.hpp"
 
@@ -34,7 +34,7 @@ bool report(const char* what, double error, double bound) {
   return error <= bound;
 }
 
-// Full solutions, condensed ones before and after the factor is dropped: all against LAPACK.
+// Compares full solutions, and condensed ones before and after the factor is dropped, with LAPACK.
 void compare_with_dense(const char* what, const SparseMatrix& a, const Unknowns& condensed, double bound) {
   const std::vector<double> exact = dense_columns(a, condensed);
   const auto count = static_cast<std::int64_t>(condensed.size());
@@ -101,7 +101,7 @@ TEST_F(sparse_factor, no_unknown_at_all) {
   EXPECT_EQ(factor->size(), 0);
 }
 
-// More right sides than are solved at a time, and not a multiple of that.
+// There are more right sides than are solved at a time, and not a multiple of that.
 TEST_F(sparse_factor, many_right_sides) {
   const SparseMatrix a = springs(5, 3, 1);
   const std::int64_t count = 71;
@@ -117,7 +117,7 @@ TEST_F(sparse_factor, many_right_sides) {
   EXPECT_TRUE(report("71 right sides", difference(x, exact), 1e-12));
 }
 
-// Springs of 1e-3 to 1e3 on a soft ground.
+// Springs of 1e-3 to 1e3 stand on a soft ground.
 TEST_F(sparse_factor, ill_conditioned_against_dense) {
   const SparseMatrix a = springs(7, 3, 1e-3, 1e3);
   const auto factor = factor_by_cholmod(a, scattered(a.columns));
@@ -135,7 +135,7 @@ std::int64_t zero_pivot(const SparseMatrix& a, const Unknowns& condensed) {
   return -1;
 }
 
-// A body on the ground and one in the air: rounding may leave the pivots of the latter small and positive.
+// Rounding may leave the pivots of a body in the air, beside one on the ground, small and positive.
 TEST_F(sparse_factor, a_body_in_the_air_is_found) {
   const SparseMatrix held = springs(5, 3, 1);
   for (const std::int64_t n : {2, 3, 5, 8, 12}) {
@@ -161,7 +161,7 @@ TEST_F(sparse_factor, indefinite_matrices_are_refused) {
   SparseMatrix a = springs(4, 3, 1);
   a.value[at(a.start[50])] *= -1;
   EXPECT_EQ(zero_pivot(a, {}), 50);
-  // Positive diagonal, negative eigenvalue.
+  // The diagonal is positive, an eigenvalue negative.
   EXPECT_NE(zero_pivot(two_by_two(1, 2, 1), {}), -1);
 }
 
@@ -187,7 +187,7 @@ TEST_F(sparse_factor, entries_that_are_not_finite_are_named) {
   }
 }
 
-// Finite entries, infinite products.
+// Finite entries have infinite products.
 TEST_F(sparse_factor, overflow_does_not_pass_for_a_solution) {
   SparseMatrix a = springs(4, 3, 1);
   for (double& value : a.value) value *= 1e308;
@@ -210,7 +210,7 @@ TEST_F(sparse_factor, condensed_unknowns_are_checked) {
   }
 }
 
-// A condensed matrix of 8 TB.
+// The condensed matrix would take 8 TB.
 TEST_F(sparse_factor, too_large_a_condensed_matrix_is_refused_with_the_need) {
   SparseMatrix a;
   a.columns = 1000000;

@@ -1,4 +1,4 @@
-/// Groups of unknowns with the same neighbours, their elimination tree and the order made of it.
+/// Tests groups of unknowns with the same neighbours, their elimination tree and the order made of it.
 
 #include "linalg/sparse_groups.hpp"
 
@@ -17,8 +17,8 @@ std::size_t at(std::int64_t i) {
   return static_cast<std::size_t>(i);
 }
 
-/// Pattern of a rectangular grid of points with `fields` unknowns each, nine-point neighbourhoods. Unknown f of point p
-/// is f * points + p: members of a group are far apart.
+/// Returns the pattern of a rectangular grid of points with `fields` unknowns each, nine-point neighbourhoods. Unknown
+/// f of point p is f * points + p, so members of a group are far apart.
 SparseMatrix grid(std::int64_t nx, std::int64_t ny, std::int64_t fields) {
   const std::int64_t points = nx * ny;
   SparseMatrix a;
@@ -37,7 +37,7 @@ SparseMatrix grid(std::int64_t nx, std::int64_t ny, std::int64_t fields) {
   return a;
 }
 
-/// Entries of the factor's graph when groups are eliminated in this order.
+/// Counts the entries of the factor's graph when groups are eliminated in this order.
 std::int64_t fill(const SparseGroups& groups, const Numbers& order) {
   Numbers place(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) place[at(order[k])] = static_cast<std::int64_t>(k);
@@ -88,7 +88,7 @@ TEST(sparse_groups, elimination_trees_of_a_chain) {
   const SparseGroups groups = group_unknowns(grid(5, 1, 1), {});
   ASSERT_EQ(groups.count, 5);
   EXPECT_EQ(elimination_tree(groups, Numbers{0, 1, 2, 3, 4}), (Numbers{1, 2, 3, 4, -1}));
-  // The middle last: two halves.
+  // The middle comes last and leaves two halves.
   EXPECT_EQ(elimination_tree(groups, Numbers{0, 4, 1, 3, 2}), (Numbers{2, 3, 4, 4, -1}));
 }
 
@@ -103,7 +103,7 @@ TEST(sparse_groups, postorder_keeps_the_fill_and_brings_families_together) {
   const SparseGroups groups = group_unknowns(grid(12, 11, 2), Numbers{30, 31, 32, 42, 43, 44});
   Numbers order(at(groups.count));
   std::iota(order.begin(), order.end(), 0);
-  // An order that jumps over the grid: many small subtrees, interleaved.
+  // The order jumps over the grid, which makes many small subtrees, interleaved.
   std::stable_sort(order.begin(), order.end(), [](std::int64_t a, std::int64_t b) { return a * 7 % 10 < b * 7 % 10; });
   move_condensed_last(groups, order);
   const std::int64_t before = fill(groups, order);
@@ -117,7 +117,7 @@ TEST(sparse_groups, postorder_keeps_the_fill_and_brings_families_together) {
     EXPECT_GT(p, k);
     size[at(p)] += size[at(k)];
   }
-  // Members of a subtree stand in a row before its root: so do the parents' intervals nest.
+  // Members of a subtree stand in a row before its root, so the parents' intervals nest.
   for (std::int64_t k = 0; k < groups.count; ++k) {
     if (groups.condensed[at(order[at(k)])]) continue;
     for (std::int64_t i = k - size[at(k)] + 1; i < k; ++i) {
@@ -153,7 +153,7 @@ TEST(sparse_order, permuted_matrix) {
   a.value = {1, 2, 3, 4, 5};
   const SparseMatrix b = permuted(a, Numbers{2, 0, 1});
   EXPECT_EQ(b.start, (Numbers{0, 2, 4, 5}));
-  // Columns 2, 0, 1 of a; entries as they come.
+  // The columns are 2, 0, 1 of a; entries are not sorted.
   EXPECT_EQ(b.row, (Numbers{1, 0, 1, 2, 2}));
   EXPECT_EQ(b.value, (std::vector<double>{3, 5, 1, 2, 4}));
 }

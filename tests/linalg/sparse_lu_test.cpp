@@ -1,4 +1,4 @@
-/// Sparse LU against dense LU, analyses that are kept, and what it refuses.
+/// Compares sparse LU with dense LU; tests analyses that are reused, and what it refuses.
 
 #include "linalg/sparse_lu.hpp"
 
@@ -10,7 +10,7 @@
 namespace rollcon {
 namespace {
 
-/// A grid's Laplacian with values at random and every sixth diagonal entry zero.
+/// Returns a grid's Laplacian with values at random and every sixth diagonal entry zero.
 SparseMatrix grid_matrix(int side, std::uint32_t seed) {
   frames::Random random(seed);
   SparseMatrix a;

@@ -1,5 +1,5 @@
 #pragma once
-/// Symmetric sparse matrices for tests, and their products and solutions without the sparse factors.
+/// Makes symmetric sparse matrices for tests, and their products and solutions without the sparse factors.
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ inline std::size_t at(std::int64_t i) {
   return static_cast<std::size_t>(i);
 }
 
-/// Entries on and below the diagonal; what is added at one place is summed.
+/// Collects entries on and below the diagonal; what is added at one place is summed.
 class Entries {
  public:
   explicit Entries(std::int64_t n) : column_(at(n)) {
@@ -46,8 +46,8 @@ class Entries {
   std::vector<std::map<std::int64_t, double>> column_;
 };
 
-/// Springs between neighbours on a grid of n^3 points with `fields` unknowns each, coupled at every point; `ground`
-/// holds the points of the lowest layer.
+/// Returns springs between neighbours on a grid of n^3 points with `fields` unknowns each, coupled at every point;
+/// `ground` holds the points of the lowest layer.
 inline SparseMatrix springs(std::int64_t n, std::int64_t fields, double ground, double stiffest = 1) {
   const std::int64_t points = n * n * n;
   Entries entries(points * fields);
@@ -73,7 +73,7 @@ inline SparseMatrix springs(std::int64_t n, std::int64_t fields, double ground, 
   return entries.matrix();
 }
 
-/// Random pattern, diagonally dominant.
+/// Returns a random pattern, diagonally dominant.
 inline SparseMatrix random_matrix(std::int64_t n, double density) {
   frames::Random random(11);
   Entries entries(n);
@@ -107,7 +107,7 @@ inline std::vector<double> multiply(const SparseMatrix& a, const std::vector<dou
   return y;
 }
 
-/// Columns of the inverse for these unknowns, by LAPACK.
+/// Returns columns of the inverse for these unknowns, by LAPACK.
 inline std::vector<double> dense_columns(const SparseMatrix& a, const Unknowns& unknowns) {
   FactoredMatrix dense;
   double* entry = dense.prepare(a.columns);
@@ -129,7 +129,7 @@ inline std::vector<double> identity(std::size_t n) {
   return b;
 }
 
-/// Every third unknown backwards, then a few from the front: neither sorted nor together.
+/// Returns every third unknown backwards, then a few from the front: neither sorted nor together.
 inline Unknowns scattered(std::int64_t n) {
   Unknowns list;
   for (std::int64_t u = n - 1; u >= n / 2; u -= 3) list.push_back(u);
@@ -149,7 +149,7 @@ inline double difference(const std::vector<double>& a, const std::vector<double>
   return value / largest(b);
 }
 
-/// Both on the diagonal of one matrix.
+/// Puts both on the diagonal of one matrix.
 inline SparseMatrix side_by_side(const SparseMatrix& a, const SparseMatrix& b) {
   SparseMatrix both = a;
   both.columns += b.columns;

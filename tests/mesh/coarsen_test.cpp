@@ -49,7 +49,7 @@ TEST(Coarsen, TrianglesCoverTheFrameWithFewerNodes) {
       EXPECT_GT(twice, 0) << m.name;
       area += twice / 2;
     }
-    // Straight edges between the corner nodes of a curved rim cut nothing off: all of them stay.
+    // Straight edges between the corner nodes of a curved rim cut nothing off, because all of them stay.
     expect_error(m.name + ": area", area / frame.area - 1, 1e-12);
     const double share = static_cast<double>(coarse.node.size()) / static_cast<double>(frame.nodes());
     std::printf("%-30s %5zu of %5lld nodes, share %.2f (0.2 to 0.5)\n", m.name.c_str(), coarse.node.size(),

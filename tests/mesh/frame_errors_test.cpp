@@ -1,4 +1,4 @@
-/// Every way in which a frame can be wrong, with the words that the caller reads.
+/// Tests every way in which a frame can be wrong, with the words that the caller reads.
 
 #include "mesh/frame.hpp"
 #include "mesh/refusals.hpp"
@@ -77,7 +77,7 @@ TEST(FrameErrors, AreNamed) {
               m.node[3] = {0.3, 0.3, 0};
             },
             "its Jacobian changes sign; 1 such in the frame; first: element 1 (quad4)"},
-           // All sides straight and sound; only the centre of the quad9 is pushed against one of them.
+           // All sides are straight and sound; only the centre of the quad9 is pushed against one of them.
            {grid(ElementType::quad9, 1),
             [](M& m) {
               m.node[8] = {0.5, 0.98, 0};
@@ -156,7 +156,7 @@ TEST(FrameErrors, SheetsOverOneAnother) {
 }
 
 TEST(FrameErrors, SpiralThatReturnsOverItself) {
-  // A strip of squares wound by more than a turn: locally sound everywhere.
+  // A strip of squares is wound by more than a turn, and locally sound everywhere.
   const int n = 40;
   SurfaceMesh mesh = frames::transform(
       frames::rectangle(ElementType::quad4, frames::uniform_lines(0, 7, n), frames::uniform_lines(1, 2, 2)),

@@ -33,14 +33,14 @@ TEST(Frame, SizesOfThePapersThirdExample) {
   EXPECT_EQ(tri6.elements(), 1340);
   EXPECT_EQ(count(tri3.rim), 64);
   EXPECT_EQ(count(tri6.rim), 128);
-  // A regular polygon with 64 sides.
+  // The area is that of a regular polygon with 64 sides.
   const double area = 0.5 * 64 * 1.3 * 1.3 * std::sin(2 * pi / 64);
   for (const Frame* frame : {&quad4, &quad8, &tri3, &tri6})
     expect_error("area of the 64-sided disc", frame->area / area - 1, 1e-13);
 }
 
 TEST(Frame, WeightsIntegrateTheFieldsOfTheirElements) {
-  // sum w_i f(x_i) is exact for f linear on all straight elements, quadratic on quadratic ones.
+  // The sum of w_i f(x_i) is exact for f linear on all straight elements, quadratic on quadratic ones.
   const auto u = frames::uniform_lines(-1, 2, 5);
   for (ElementType type :
        {ElementType::tri3, ElementType::tri6, ElementType::quad4, ElementType::quad8, ElementType::quad9}) {
@@ -57,7 +57,7 @@ TEST(Frame, WeightsIntegrateTheFieldsOfTheirElements) {
 }
 
 TEST(Frame, CurvedElementsApproachTheDisc) {
-  // Midside nodes on the circle: the area's error falls like h^4 from a chord polygon's h^2.
+  // Midside nodes lie on the circle, so the area's error falls like h^4 from a chord polygon's h^2.
   double error[2];
   for (int k = 0; k < 2; ++k) {
     const int core = 4 << k;
@@ -78,7 +78,7 @@ TEST(Frame, CurvedElementsApproachTheDisc) {
 TEST(Frame, ProjectsOnTheAxes) {
   const auto u = frames::uniform_lines(-1, 1, 4);
   const SurfaceMesh flat = frames::rectangle(ElementType::quad8, u, u);
-  // A triad turned about all three axes, and its mesh in space.
+  // The triad is turned about all three axes, and its mesh placed in space.
   Axes axes;
   const double s = std::sqrt(0.5);
   axes.origin = {10, -20, 5};
@@ -137,7 +137,7 @@ TEST(Frame, NodesOfNoElementCarryNothing) {
 
 TEST(Frame, AHoleIsAllowed) {
   const auto u = frames::uniform_lines(0, 3, 3);
-  // A ring of eight squares with a rim inside.
+  // The mesh is a ring of eight squares with a rim inside.
   const SurfaceMesh ring =
       surfaces::only(frames::rectangle(ElementType::quad4, u, u), [](std::int64_t e) { return e != 4; });
   const Frame frame = build_frame(ring, Axes{});
@@ -152,7 +152,7 @@ TEST(Frame, GeneratorsAreReproducible) {
   const SurfaceMesh c = frames::bend_midsides(frames::perturb(disc, 0.2, 7), 0.05, 6);
   EXPECT_EQ(a.node, b.node);
   EXPECT_NE(a.node, c.node);
-  // First number of the generator, so that meshes do not change with the platform.
+  // The generator's first number is checked, so that meshes do not change with the platform.
   EXPECT_EQ(frames::Random(1)(), -0.34276425093412399);
 }
 

@@ -15,7 +15,7 @@ Frame frame_of(SurfaceMesh mesh) {
   return build_frame(std::move(mesh), Axes{});
 }
 
-/// Nodes renumbered, elements in another order, each beginning at another corner.
+/// Renumbers nodes, and puts elements in another order, each beginning at another corner.
 SurfaceMesh shuffled(const SurfaceMesh& mesh) {
   SurfaceMesh out = mesh;
   const auto n = static_cast<std::size_t>(mesh.nodes()), m = static_cast<std::size_t>(mesh.elements());
@@ -73,7 +73,7 @@ TEST(Lattice, TurnedAndRenumbered) {
   for (const double angle : {0.0, 0.3, 0.7, 0.78539816339744831, 1.0, 1.6, 3.0, -0.5, -2.2}) {
     SCOPED_TRACE(angle);
     const Frame frame = frame_of(shuffled(frames::rotate(grid(11, 6, 0.03, 0.05), angle)));
-    // Which side is closer to t1 depends on the angle.
+    // The angle decides which side is closer to t1.
     const bool swapped = std::abs(std::cos(angle)) < std::abs(std::sin(angle)) - 1e-9;
     const bool tie = std::abs(std::abs(std::cos(angle)) - std::abs(std::sin(angle))) < 1e-9;
     const std::optional<Lattice> found = find_lattice(frame);
@@ -89,7 +89,7 @@ TEST(Lattice, TurnedAndRenumbered) {
 }
 
 TEST(Lattice, SpacingAlongFlowIsThatOfTurnedCells) {
-  // By half a right angle, squares meet the flow along their diagonals.
+  // Squares turned by half a right angle meet the flow along their diagonals.
   const Frame frame = frame_of(frames::rotate(grid(5, 5, 0.2, 0.2), 0.78539816339744831));
   EXPECT_NEAR(find_lattice(frame)->spacing_along_flow(), 0.2 / std::sqrt(2.0), 1e-12);
 }
@@ -152,7 +152,7 @@ void erase_element(SurfaceMesh& mesh, std::size_t e) {
 
 TEST(Lattice, CellsMayLackAndNodesLieLoose) {
   SurfaceMesh mesh = grid(6, 5, 0.5, 0.4);
-  // Four cells around node (2, 2), the corner cell, one inside.
+  // The cells removed are the four around node (2, 2), the corner cell, and one inside.
   for (const std::size_t gone : {15u, 14u, 13u, 8u, 7u, 0u}) erase_element(mesh, gone);
   mesh.node.push_back({20, 20, 0});
   const std::optional<Lattice> found = find_lattice(frame_of(mesh));
@@ -171,7 +171,7 @@ TEST(Lattice, CellsMayLackAndNodesLieLoose) {
   EXPECT_EQ(cells(6, 5), Lattice::low_low);
   EXPECT_EQ(cells(1, 1), Lattice::high_low | Lattice::low_high);
   EXPECT_NEAR(found->dx, 0.5, 1e-15);
-  // A grid of too few nodes.
+  // The grid has too few nodes.
   SurfaceMesh ring = grid(40, 40, 1, 1);
   for (std::size_t e = 1600; e-- > 0;) {
     const std::size_t i = e % 40, j = e / 40;
@@ -184,7 +184,7 @@ TEST(Lattice, CellsMayLackAndNodesLieLoose) {
 
 TEST(Lattice, RefusesWhatIsNone) {
   const auto found = [](SurfaceMesh mesh) { return find_lattice(frame_of(std::move(mesh))).has_value(); };
-  // One node off its place; one line off its place; graded; sheared.
+  // These grids have one node off its place, one line off its place, graded lines, or sheared cells.
   EXPECT_FALSE(found(frames::perturb(grid(6, 6, 1, 1), 0.01, 1)));
   SurfaceMesh corner = grid(6, 6, 1, 1);
   corner.node[0] = {corner.node[0][0] - 1e-3, corner.node[0][1], 0};
@@ -195,7 +195,7 @@ TEST(Lattice, RefusesWhatIsNone) {
   EXPECT_FALSE(found(frames::transform(grid(6, 6, 1, 1), [](const Vec3& x) {
     return Vec3{x[0] + 1e-3 * x[1], x[1], x[2]};
   })));
-  // Other elements.
+  // Other elements make no lattice.
   for (const ElementType type : {ElementType::quad8, ElementType::quad9, ElementType::tri3, ElementType::tri6})
     EXPECT_FALSE(found(frames::rectangle(type, even, even)));
   EXPECT_FALSE(found(frames::o_grid(ElementType::quad4, 4, 2, 1, 1)));

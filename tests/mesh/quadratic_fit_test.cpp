@@ -24,7 +24,7 @@ Cloud cloud(int n, double width, double height, std::uint32_t seed) {
   return c;
 }
 
-// Slender clouds far from the origin, too.
+// The clouds are slender and far from the origin, too.
 TEST(quadratic_fit, a_quadratic_field_is_found_again) {
   double worst = 0, worst_curvature = 0;
   for (std::uint32_t seed = 1; seed <= 50; ++seed) {

@@ -19,7 +19,7 @@ TEST(Quadrature, GaussLegendreIntegratesMonomials) {
 }
 
 TEST(Quadrature, GaussLegendreIsNotExactBeyondItsDegree) {
-  // The error of x^2n: 2^(2n+1) (n!)^4 / ((2n+1) ((2n)!)^2).
+  // The error of x^2n is 2^(2n+1) (n!)^4 / ((2n+1) ((2n)!)^2).
   const LineRule rule = gauss_legendre(3);
   double sum = 0;
   for (std::size_t i = 0; i < 3; ++i) sum += rule.w[i] * std::pow(rule.x[i], 6);
@@ -27,7 +27,7 @@ TEST(Quadrature, GaussLegendreIsNotExactBeyondItsDegree) {
 }
 
 TEST(Quadrature, GaussJacobiIntegratesItsWeight) {
-  // int (1 - x) x^k = 2/(k+1) for even k, -2/(k+2) for odd k.
+  // The integral of (1 - x) x^k is 2/(k+1) for even k, -2/(k+2) for odd k.
   for (int n : {1, 2, 5, 12}) {
     const LineRule rule = gauss_jacobi(n, 1);
     double error = 0;

@@ -1,5 +1,5 @@
 #pragma once
-/// What checks of meshes say: that a mesh is refused with these words, or accepted.
+/// Expects of checks of meshes that a mesh is refused with these words, or accepted.
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 namespace rollcon {
 
-/// check() throws an Error of this status whose text contains the words.
+/// Expects check() to throw an Error of this status whose text contains the words.
 template <class Check>
 void expect_error_text(Check&& check, const std::string& words, Status status = Status::err_mesh) {
   try {

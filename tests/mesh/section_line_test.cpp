@@ -1,4 +1,4 @@
-/// Arc lengths and angles along the section of a conformal contact.
+/// Tests arc lengths and angles along the section of a conformal contact.
 
 #include "mesh/section_line.hpp"
 
@@ -35,7 +35,7 @@ TEST(section_line, goes_on_straight_beyond_its_ends) {
 }
 
 TEST(section_line, arcs_between_places_of_other_curves_are_of_fourth_order) {
-  // A parabola: its arc length in closed form.
+  // A parabola's arc length has a closed form.
   const auto length = [](double y) { return 0.5 * (y * std::hypot(1, y) + std::asinh(y)); };
   double before = 0;
   for (const int n : {8, 16}) {

@@ -1,4 +1,4 @@
-// Shape functions of surface and of volume elements.
+// Tests shape functions of surface and of volume elements.
 
 #include "mesh/shape.hpp"
 
@@ -10,7 +10,7 @@
 namespace rollcon {
 namespace {
 
-/// At a point; of surface elements the third coordinate is nothing.
+/// Holds the functions at a point; surface elements do not use the third coordinate.
 struct Functions {
   std::vector<double> value;
   std::vector<Vec3> d;
@@ -46,7 +46,8 @@ std::vector<Vec3> nodes_of(AnyElement type) {
   return nodes;
 }
 
-/// Random points of the reference element: triangles and tetrahedra have no negative coordinates, and a sum below 1.
+/// Returns random points of the reference element: triangles and tetrahedra have no negative coordinates, and a sum
+/// below 1.
 std::vector<Vec3> points_of(AnyElement type) {
   const int corners = std::visit([](auto t) { return corner_count(t); }, type);
   const std::size_t simplex = is_finite_element(type) ? (corners == 4   ? 3

@@ -1,4 +1,4 @@
-/// Lines across frames: each covers its width once, through every kind of element, and meets the nodes on it.
+/// Tests that lines across frames cover the width once, through every kind of element, and meet the nodes on them.
 
 #include "mesh/stream_lines.hpp"
 
@@ -63,7 +63,7 @@ TEST(stream_lines, have_every_node_once) {
         lines.cut(lines.y(i), pieces);
         for (const std::int32_t k : lines.nodes(i)) {
           ++met[static_cast<std::size_t>(k)];
-          // A piece ends there, but for corners of a frame that is turned.
+          // A piece ends there, except at corners of a frame that is turned.
           const bool ends = std::any_of(pieces.begin(), pieces.end(), [&](const LinePiece& piece) {
             return std::abs(piece.upstream.x - lines.x(k)) < 1e-9 || std::abs(piece.downstream.x - lines.x(k)) < 1e-9;
           });

@@ -1,5 +1,5 @@
-/// Every way in which a body's surface can be wrong, with the words that the caller reads; and good surfaces, however
-/// slender, small or large.
+/// Tests every way in which a body's surface can be wrong, with the words that the caller reads; and good surfaces,
+/// however slender, small or large.
 
 #include "mesh/surface_check.hpp"
 
@@ -23,7 +23,7 @@ void expect_accepted(const SurfaceMesh& mesh, const std::string& what, SurfaceKi
   expect_no_error([&] { check_surface(mesh, kind); }, what);
 }
 
-/// The same nodes, corners and midsides, in the other sense round.
+/// Reverses an element on unchanged nodes, corners and midsides, to the other sense round.
 void reverse(SurfaceMesh& mesh, std::size_t e) {
   const auto corners = corner_count(mesh.type[e]);
   auto at = mesh.connectivity.begin() + mesh.offset[e];
@@ -83,7 +83,7 @@ TEST(SurfaceCheck, CavitiesLookInwards) {
     const SurfaceMesh one = surfaces::with_cavity(cube(type, 3, 4), moved(cube(type), {1, 1, 1}));
     expect_accepted(one, "cavity");
     expect_accepted(surfaces::with_cavity(one, moved(cube(type, 1, 0.5), {3, 3, 3})), "two cavities side by side");
-    // Thin wall: a sphere in a sphere, closer than the sagitta of the elements' facets.
+    // The wall is thin: a sphere in a sphere, closer than the sagitta of the elements' facets.
     if (is_quadratic(type))
       expect_accepted(surfaces::with_cavity(surfaces::cube_sphere(type, 3, 1), surfaces::cube_sphere(type, 3, 0.99)),
                       "thin wall");
@@ -95,10 +95,10 @@ TEST(SurfaceCheck, SlenderSmallAndLargeBodiesPass) {
     for (double unit : {1e-9, 1e-3, 1.0, 1e3, 1e9}) {
       for (const Vec3& size : {Vec3{1, 1, 1}, Vec3{1e4, 1, 1}, Vec3{1, 1e4, 1e4}, Vec3{1, 1e2, 1e4}})
         expect_accepted(surfaces::block(surfaces::brick({2, 2, 2}, unit * size), type), "slender brick");
-      // A sheared brick: slender in no direction of the axes.
+      // The brick is sheared: slender in no direction of the axes.
       const auto sheared = [unit](const Vec3& x) { return unit * Vec3{x[0] + 1e4 * x[1], x[1], x[2]}; };
       expect_accepted(surfaces::transform(cube(type), sheared), "sheared cube");
-      // Far from the origin: the rounding of coordinates is 1e-10 of the size.
+      // The rounding of coordinates far from the origin is 1e-10 of the size.
       expect_accepted(moved(surfaces::cube_sphere(type, 3, 1), {1e6, -1e6, 1e6}, unit), "far away");
     }
 }
@@ -139,7 +139,7 @@ TEST(SurfaceCheck, NodesOfNoElement) {
 
 TEST(SurfaceCheck, TwoNodesAtOnePlace) {
   for (double unit : {1e-9, 1.0, 1e9}) {
-    // Six faces meshed one by one, not merged: 8 corners with three nodes each.
+    // The six faces are meshed one by one, not merged: 8 corners with three nodes each.
     const SurfaceMesh whole = moved(cube(ElementType::quad4, 1), {0, 0, 0}, unit);
     SurfaceMesh mesh;
     for (std::int64_t e = 0; e < whole.elements(); ++e) {
@@ -150,7 +150,7 @@ TEST(SurfaceCheck, TwoNodesAtOnePlace) {
     expect_refused(
         mesh,
         "two nodes lie at the same place: give the elements one node there; 24 such in the surface; first: nodes ");
-    // As far apart as the digits of a text file leave them.
+    // The nodes are as far apart as the digits of a text file leave them.
     for (std::size_t k = 0; k < mesh.node.size(); ++k) mesh.node[k][k % 3] *= 1 + 3e-7;
     expect_refused(mesh, "two nodes lie at the same place");
   }
@@ -159,7 +159,7 @@ TEST(SurfaceCheck, TwoNodesAtOnePlace) {
 }
 
 TEST(SurfaceCheck, ManyNodesInOnePlaneTakeNoTime) {
-  // 60,000 nodes, a sixth of them with the same x: comparing all of those would take minutes.
+  // The mesh has 60,000 nodes, a sixth of them with equal x: comparing all of those would take minutes.
   expect_accepted(cube(ElementType::quad4, 100), "fine cube");
 }
 
@@ -173,7 +173,8 @@ TEST(SurfaceCheck, ElementsWithoutArea) {
       one_element(ElementType::tri3, {{0, 0, 0}, {1, 0, 0}, {1, 1e-15, 0}}),
       "degenerate element: two of its nodes coincide; 1 such in the surface; first: element 0 (tri3), nodes 1 and 2",
       open);
-  // A corner of 180 degrees: a linear element, and a disc's four arcs as one quadratic element.
+  // A corner of 180 degrees makes a linear element degenerate, and so does a quadratic element made of a disc's four
+  // arcs.
   expect_refused(one_element(ElementType::quad4, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}}),
                  "element 0 (quad4) at node 1", open);
   const double c = std::numbers::sqrt2 / 2;
@@ -216,9 +217,9 @@ TEST(SurfaceCheck, FoldedElements) {
                  "degenerate element: its normal turns over within it (folded, concave, or ", open);
   expect_refused(one_element(ElementType::quad4, {{0, 0, 0}, {1, 0, 0}, {0.2, 0.2, 0}, {0, 1, 0}}),
                  "first: element 0 (quad4) at node 2", open);
-  // A warped element is none of these.
+  // A warped element has none of these faults.
   expect_accepted(one_element(ElementType::quad4, {{0, 0, 0}, {1, 0, 0.5}, {1, 1, 0}, {0, 1, 0.5}}), "warped", open);
-  // One quadratic element half round a cylinder: coarse, but sound.
+  // One quadratic element half round a cylinder is coarse, but sound.
   const auto half_round = [](const Vec3& r) {
     const double angle = 0.5 * std::numbers::pi * r[0];
     return Vec3{std::sin(angle), r[1], std::cos(angle)};
@@ -227,7 +228,7 @@ TEST(SurfaceCheck, FoldedElements) {
 }
 
 TEST(SurfaceCheck, MoreThanTwoElementsOnAnEdge) {
-  // Two cubes with a common edge; and a fin on a cube.
+  // Two cubes have a common edge; a fin stands on a cube.
   SurfaceMesh mesh = cube(ElementType::quad4, 1);
   mesh.node.push_back({-1, -1, -1});
   add_element(mesh, ElementType::tri3, {mesh.element(0)[0], mesh.element(0)[1], 8});
@@ -237,20 +238,20 @@ TEST(SurfaceCheck, MoreThanTwoElementsOnAnEdge) {
 
 TEST(SurfaceCheck, EdgesShareAllTheirNodes) {
   for (SurfaceKind kind : {SurfaceKind::closed, SurfaceKind::open}) {
-    // A second midside node at the place of the first, moved aside a little.
+    // A second midside node lies at the place of the first, moved aside a little.
     SurfaceMesh mesh = cube(ElementType::quad8, 1);
     mesh.node.push_back(mesh.node[static_cast<std::size_t>(mesh.connectivity[4])] + Vec3{0.01, 0.01, 0.01});
     mesh.connectivity[4] = static_cast<std::int32_t>(mesh.node.size() - 1);
     expect_refused(mesh, "two elements share an edge but not its midside node; 1 such in the surface; first: edge ",
                    kind);
-    // One face linear: its four edges.
+    // One face is linear, which leaves its four edges.
     mesh = cube(ElementType::quad8, 1);
     const std::vector<std::int32_t> corners(mesh.connectivity.begin(), mesh.connectivity.begin() + 4);
     drop(mesh, 0);
     add_element(mesh, ElementType::quad4, corners);
     expect_refused(mesh, "two elements share an edge but not its midside node; 4 such in the surface", kind);
     expect_refused(mesh, "(quad4)", kind);
-    // One face of four linear elements: its edges only look closed.
+    // One face has four linear elements: its edges only look closed.
     mesh = cube(ElementType::quad9, 1);
     const std::vector<std::int32_t> n(mesh.connectivity.begin(), mesh.connectivity.begin() + 9);
     drop(mesh, 0);
@@ -274,7 +275,7 @@ TEST(SurfaceCheck, FlippedElementsAreCounted) {
     expect_refused(mesh,
                    "flipped element: its normal looks into the body; reverse the order of its nodes (counter-clockwise "
                    "seen from outside); 13 such in the surface; first: element 18 (");
-    // Most of them: it is not the majority that decides.
+    // The majority is turned, but does not decide.
     mesh = sound;
     for (std::size_t e = 2; e < n; ++e) reverse(mesh, e);
     expect_refused(mesh, std::to_string(n - 2) + " such in the surface; first: element 2 (");
@@ -283,7 +284,7 @@ TEST(SurfaceCheck, FlippedElementsAreCounted) {
                    "(counter-clockwise seen from outside); " +
                        std::to_string(n) + " such");
   }
-  // Without an inside, the majority does.
+  // The majority decides without an inside.
   SurfaceMesh open = cube(ElementType::quad4, 2);
   drop(open, 0);
   reverse(open, 4);
@@ -330,7 +331,7 @@ TEST(SurfaceCheck, BodiesHangTogether) {
 }
 
 TEST(SurfaceCheck, PartsThatTouchAtANode) {
-  // Two cubes, corner at corner.
+  // Two cubes meet corner at corner.
   for (ElementType type : all_types) {
     SurfaceMesh mesh = join(cube(type, 1), cube(type, 1), {1, 1, 1});
     mesh.index_base = 1;
@@ -356,7 +357,7 @@ TEST(SurfaceCheck, ClosedPartsWithoutVolume) {
 }
 
 TEST(SurfaceCheck, OneSidedSurfaces) {
-  // A Moebius strip of 9 quadrilaterals.
+  // The surface is a Moebius strip of 9 quadrilaterals.
   SurfaceMesh mesh;
   constexpr int n = 9;
   for (int i = 0; i < n; ++i)

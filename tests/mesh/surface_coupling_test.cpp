@@ -1,5 +1,5 @@
-/// From tractions on one mesh to loads on another: patch test, force and moment, curved bodies, layers that match, are
-/// finer, coarser or larger than the faces under them.
+/// Tests the way from tractions on one mesh to loads on another: patch test, force and moment, curved bodies, layers
+/// that match, are finer, coarser or larger than the faces under them.
 
 #include "geometry/surface_coupling.hpp"
 
@@ -39,7 +39,7 @@ double one(const Vec3&) {
   return 1;
 }
 
-/// int N_i field over the mesh.
+/// Computes int N_i field over the mesh.
 std::vector<double> integrals(const SurfaceMesh& mesh, const Field& field) {
   std::vector<double> f(at(mesh.nodes()), 0.0);
   integrate_surface(mesh, [&](std::int64_t e, const Shape& s, const Vec3& x, double area) {
@@ -61,14 +61,14 @@ double difference(const std::vector<double>& a, const std::vector<double>& b) {
   return most;
 }
 
-/// A layer on all faces of a body.
+/// Couples a layer with all faces of a body.
 struct Coupled {
   SurfaceMesh body, layer;
   SurfaceCoupling m;
   Coupled(SurfaceMesh below, SurfaceMesh above)
       : body(std::move(below)), layer(std::move(above)), m(couple_layer(body, all_of(body), layer)) {}
 
-  /// M t, by nodes of the body.
+  /// Returns M t, by nodes of the body.
   std::vector<double> loads(const std::vector<double>& traction) const {
     std::vector<double> f(at(body.nodes()), 0.0);
     for (std::size_t r = 0; r < m.node.size(); ++r)
@@ -76,12 +76,12 @@ struct Coupled {
         f[at(m.node[r])] += m.value[at(k)] * traction[at(m.row[at(k)])];
     return f;
   }
-  /// Of a field's loads against int N_i of it over the body, over the largest.
+  /// Returns the difference of a field's loads from int N_i of it over the body, over the largest.
   double load_error(const Field& field = one) const {
     const std::vector<double> own = integrals(body, field);
     return difference(loads(nodal(layer, field)), own) / largest(own);
   }
-  /// The same of 1 all over, where wanted(x) alone.
+  /// Returns that error for a field of 1, where wanted(x) alone.
   template <class Wanted>
   double load_error_where(Wanted&& wanted) const {
     const std::vector<double> f = loads(nodal(layer, one)), own = integrals(body, one);
@@ -90,15 +90,15 @@ struct Coupled {
       if (wanted(body.node[i])) error = std::max(error, std::abs(f[i] - own[i]));
     return error / largest(own);
   }
-  /// Sum over i of M_ij against int N_j over the layer, over the largest.
+  /// Returns the difference of the sum over i of M_ij from int N_j over the layer, over the largest.
   double column_error() const {
     const std::vector<double> expected = integrals(layer, one);
     std::vector<double> sum(at(layer.nodes()), 0.0);
     for (std::size_t k = 0; k < m.value.size(); ++k) sum[at(m.row[k])] += m.value[k];
     return difference(sum, expected) / largest(expected);
   }
-  /// Force and moment about the origin of the layer's traction, constant along (1, -2, 3), against those of the loads,
-  /// over area times size.
+  /// Returns the difference of force and moment about the origin of the layer's traction, constant along (1, -2, 3),
+  /// from those of the loads, over area times size.
   double moment_error() const {
     const std::vector<double> f = loads(nodal(layer, one));
     Vec3 first{0, 0, 0}, expected{0, 0, 0};
@@ -113,7 +113,7 @@ struct Coupled {
   }
 };
 
-/// [-w, w]^2 in nx x ny elements.
+/// Makes [-w, w]^2 in nx x ny elements.
 SurfaceMesh square(ElementType type, int nx, int ny, double w = 1) {
   return rectangle(type, uniform_lines(-w, w, nx), uniform_lines(-w, w, ny));
 }
@@ -154,7 +154,7 @@ TEST(SurfaceCoupling, PatchTestOnFlatMeshesOfAllTypes) {
 }
 
 TEST(SurfaceCoupling, LinearTractionsAreExactWhereTheLayerHoldsThem) {
-  // Every layer interpolates them exactly.
+  // Every layer interpolates these fields exactly.
   double flat = 0, distorted = 0;
   for_all_pairs([&](ElementType below, ElementType above, const std::string&) {
     for (const double fraction : {0.0, 0.2}) {
@@ -169,7 +169,7 @@ TEST(SurfaceCoupling, LinearTractionsAreExactWhereTheLayerHoldsThem) {
 
 TEST(SurfaceCoupling, MatchingMeshesGiveTheFacesOwnMatrix) {
   for (const ElementType type : all_types) {
-    // Curved, with its nodes numbered backwards and the elements starting at another corner.
+    // The body is curved, with its nodes numbered backwards and the elements starting at another corner.
     const SurfaceMesh body = surfaces::cube_sphere(type, 3, 1);
     SurfaceMesh layer = body;
     const auto n = static_cast<std::int32_t>(body.nodes());
@@ -195,7 +195,7 @@ TEST(SurfaceCoupling, MatchingMeshesGiveTheFacesOwnMatrix) {
         worst = std::max(worst, std::abs(m.value[at(k)] - own.value[at(found - own.row.begin())]));
       }
     expect_error("matching " + name_of(type) + " on a sphere", worst / largest(own.value), 1e-14);
-    // Symmetric, and its rows are int N_i.
+    // The matrix is symmetric, and its rows are int N_i.
     c.m = own;
     c.layer = body;
     expect_error("its row sums", c.load_error(), 1e-14);
@@ -203,7 +203,7 @@ TEST(SurfaceCoupling, MatchingMeshesGiveTheFacesOwnMatrix) {
 }
 
 TEST(SurfaceCoupling, APartThatMatchesIsCoupledLikeTheRest) {
-  // The layer shares half of its elements with the body; the other half is divided otherwise.
+  // Half of the layer's elements are the body's; the other half is divided otherwise.
   for (const ElementType type : all_types) {
     const std::vector<double> half = uniform_lines(-1, 0, 4), fine = uniform_lines(0, 1, 7),
                               coarse = uniform_lines(0, 1, 5);
@@ -219,7 +219,7 @@ TEST(SurfaceCoupling, APartThatMatchesIsCoupledLikeTheRest) {
 
 TEST(SurfaceCoupling, LayersSmallerAndLargerThanAnElement) {
   for_all_pairs([](ElementType below, ElementType above, const std::string& name) {
-    // Within one face, across four, and one layer element over a hundred faces.
+    // Layer elements lie within one face, across four, and one over a hundred faces.
     const SurfaceMesh body = square(below, 10, 10);
     const auto patch = [&](double x, double y, double w) {
       return rectangle(above, uniform_lines(x - w, x + w, 1), uniform_lines(y - w, y + w, 1));
@@ -235,7 +235,7 @@ TEST(SurfaceCoupling, LayersSmallerAndLargerThanAnElement) {
 }
 
 TEST(SurfaceCoupling, SliversLoseNothing) {
-  // Lines of the layer next to those of the faces, down to the last bit.
+  // Lines of the layer lie next to those of the faces, down to the last bit.
   for (const double aside : {1e-16, 1e-14, 1e-12, 1e-9, 1e-6}) {
     double faces = 0, columns = 0;
     for_all_pairs([&](ElementType below, ElementType above, const std::string&) {
@@ -265,7 +265,7 @@ TEST(SurfaceCoupling, WhatSticksOutGoesToTheNearestFace) {
     for (std::size_t k = 0; k < f.size(); ++k) first += f[k] * body.node[k][0];
     expect_error("first moment", first - 1.5 * (0.5 * (1 - 0.81) + 0.3), 1e-12);
   }
-  // Wholly beside the body, and with nothing but walls under it.
+  // The layer lies wholly beside the body, and over nothing but walls.
   const Coupled away(body, rectangle(ElementType::quad4, uniform_lines(3, 4, 2), uniform_lines(-0.5, 0.5, 2)));
   expect_error("beside the body: int N_j", away.column_error(), 1e-13);
   const std::vector<double> f = away.loads(nodal(away.layer, one));
@@ -276,7 +276,7 @@ TEST(SurfaceCoupling, WhatSticksOutGoesToTheNearestFace) {
 }
 
 TEST(SurfaceCoupling, FacesThatLookAwayOrLieDeepAreNotCoupled) {
-  // A thin plate: its lower side looks away.
+  // The lower side of a thin plate looks away.
   const SurfaceMesh plate = surfaces::block(surfaces::brick({4, 4, 1}, {1, 1, 0.02}), ElementType::quad4);
   const auto lines = uniform_lines(0, 1, 3);
   Coupled c(plate, frames::transform(rectangle(ElementType::tri6, lines, lines), [](const Vec3& p) {
@@ -290,7 +290,7 @@ TEST(SurfaceCoupling, FacesThatLookAwayOrLieDeepAreNotCoupled) {
   expect_error("loads", difference(f, top) / largest(top), 1e-12);
 }
 
-/// A square of a cylinder or a sphere of radius 3.
+/// Bends a square to a cylinder or a sphere of radius 3.
 Vec3 bent(bool sphere, const Vec3& p) {
   constexpr double r = 3;
   if (!sphere) return {r * std::sin(p[0] / r), p[1], r * std::cos(p[0] / r) - r};
@@ -314,7 +314,7 @@ TEST(SurfaceCoupling_long, CurvedBodiesConverge) {
         const Coupled c(body, layer);
         EXPECT_LE(c.column_error(), 1e-12);
         const std::vector<double> f = c.loads(nodal(layer, one)), own = integrals(body, one);
-        // Root of the mean square, away from the rim, where both meshes end otherwise.
+        // The error is the root of the mean square, away from the rim, where both meshes end otherwise.
         double sum = 0, reference = 0;
         for (std::size_t i = 0; i < f.size(); ++i)
           if (std::abs(body.node[i][0]) < 0.7 * w && std::abs(body.node[i][1]) < 0.7 * w) {
@@ -363,7 +363,7 @@ TEST(SurfaceCoupling, SkewLayersOnWarpedFaces) {
   });
 }
 
-// Linear tractions on the corners of quadratic faces: exact, wherever the midside nodes are.
+// Linear tractions on the corners of quadratic faces are exact, wherever the midside nodes are.
 TEST(SurfaceCoupling, corners_of_quadratic_faces) {
   for (const ElementType type : {ElementType::tri6, ElementType::quad8, ElementType::quad9}) {
     const auto lines = uniform_lines(0, 2, 3);
@@ -371,7 +371,7 @@ TEST(SurfaceCoupling, corners_of_quadratic_faces) {
     const Coupled c(body, corner_elements(body));
     EXPECT_TRUE(c.m.in_faces) << name_of(type);
     EXPECT_EQ(c.layer.type[0], linear_type(type));
-    // By the face's own coordinates, as its shape functions are.
+    // The tractions follow the face's own coordinates, like its shape functions.
     std::vector<double> traction(body.node.size(), 0.0), expected(body.node.size(), 0.0);
     for (const std::int32_t k : c.layer.connectivity) traction[at(k)] = 1 + 0.3 * k;
     integrate_surface(body, [&](std::int64_t e, const Shape& s, const Vec3&, double area) {

@@ -1,4 +1,4 @@
-/// Points, angles, areas and volumes of curved elements against closed forms.
+/// Compares points, angles, areas and volumes of curved elements with closed forms.
 
 #include "mesh/surface_geometry.hpp"
 
@@ -30,8 +30,8 @@ TEST(SurfaceGeometry, BrickHasItsAreaAndVolumeWhereverItStands) {
 }
 
 TEST(SurfaceGeometry, VolumeIsThatOfThePolynomialsThemselves) {
-  // A bump xi^2 eta^2 on a quad9 face, and a bulge 4 xi (1 - xi - eta) of one edge of a tri6: cones from a far apex
-  // less those of the flat element are the volume under the bump.
+  // A quad9 face has a bump xi^2 eta^2, a tri6 a bulge 4 xi (1 - xi - eta) of one edge: cones from a far apex less
+  // those of the flat element are the volume under the bump.
   const auto bump = surfaces::one_element(ElementType::quad9, [](const Vec3& r) {
     return Vec3{r[0], r[1], r[0] * r[0] * r[1] * r[1]};
   });
@@ -40,7 +40,7 @@ TEST(SurfaceGeometry, VolumeIsThatOfThePolynomialsThemselves) {
   const auto bulge = surfaces::one_element(ElementType::tri6, [](const Vec3& r) {
     return Vec3{r[0], r[1], 4 * r[0] * (1 - r[0] - r[1])};
   });
-  // z = 4 x (1 - x - y): the cone from (0, 0, -h) has h A/3 + int z = h/6 + 1/6.
+  // The bulge is z = 4 x (1 - x - y), so the cone from (0, 0, -h) has h A/3 + int z = h/6 + 1/6.
   expect_error("tri6 z = 4 x (1 - x - y), cone from (0, 0, -3)", cone_volume(bulge, 0, {0, 0, -3}) - (3.0 + 1) / 6,
                1e-15);
 }

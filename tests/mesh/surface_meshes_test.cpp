@@ -1,4 +1,4 @@
-// The surface meshes of tests, benches and examples: closed, oriented, of the right shape and count.
+// Tests the surface meshes of tests, benches and examples: closed, oriented, of the right shape and count.
 
 #include "support/surface_meshes.hpp"
 
@@ -12,7 +12,8 @@ using surfaces::name_of;
 
 constexpr double pi = std::numbers::pi;
 
-/// Closed, of this Euler characteristic and volume, every node of a face in its place: off(tag, node) is 0.
+/// Expects a closed mesh of this Euler characteristic and volume, with every node of a face in its place: off(tag,
+/// node) is 0.
 void expect_made(const SurfaceMesh& mesh, const std::string& what, std::int64_t euler, double volume, double bound,
                  const std::function<double(std::int32_t, const Vec3&)>& off) {
   const surfaces::Facts f = surfaces::facts(mesh);
@@ -38,7 +39,7 @@ TEST(SurfaceMeshes, BricksStayBricksWhenDistorted) {
   const Vec3 size{1.5, 1, 2};
   const auto shape = surfaces::brick({3, 2, 4}, size);
   const auto check = [&](const SurfaceMesh& mesh, const std::string& what) {
-    // On its plane: x = 0, x = 1.5, y = 0, ...
+    // Each node is on its plane: x = 0, x = 1.5, y = 0, ...
     expect_made(mesh, what, 2, 3, 1e-13, [&](std::int32_t tag, const Vec3& x) {
       const std::size_t axis = surfaces::at(tag - 1) / 2;
       return x[axis] - (tag % 2 ? 0 : size[axis]);
@@ -80,7 +81,7 @@ TEST(SurfaceMeshes, RingOfTheFirstExample) {
                   EXPECT_TRUE(tag != 2 || std::abs(50 * std::atan2(x[0], x[2])) <= 1.2 + 1e-9);
                   return std::hypot(x[0], x[2]) - (tag == 3 ? 25 : 50);
                 });
-  // The paper's counts.
+  // The counts are the paper's.
   const SurfaceMesh full = surfaces::ring({}, ElementType::quad4);
   EXPECT_EQ(full.nodes(), 1472);
   EXPECT_EQ(full.elements(), 1472);

@@ -1,4 +1,5 @@
-/// Points on surfaces: against closed forms, against a sweep over all elements, through edges and nodes, near and far.
+/// Compares points on surfaces with closed forms and with a sweep over all elements, through edges and nodes, near and
+/// far.
 
 #include "geometry/surface_search.hpp"
 
@@ -22,7 +23,7 @@ Vec3 random_direction(std::mt19937& random) {
   return normalized({normal(random), normal(random), normal(random)});
 }
 
-/// Where a line meets the surface, which it must.
+/// Returns where a line meets the surface, which it must.
 SurfacePoint met(const SurfaceSearch& search, const Vec3& from, const Vec3& direction, const Vec3& facing = any) {
   const auto hit = search.along(from, direction, facing);
   EXPECT_TRUE(hit);
@@ -35,8 +36,8 @@ bool within(const SurfaceMesh& mesh, const SurfacePoint& p) {
   return std::abs(p.xi) <= 1 && std::abs(p.eta) <= 1;
 }
 
-/// What every answer must satisfy of itself: point and normal are those of the element there, on the line at that
-/// distance. Returns the largest error over the element's size.
+/// Checks what every answer must satisfy of itself: point and normal are those of the element there, on the line at
+/// that distance. Returns the largest error over the element's size.
 double own_error(const SurfaceMesh& mesh, const SurfacePoint& p, const Vec3& from, const Vec3& direction) {
   EXPECT_TRUE(within(mesh, p));
   const SurfaceFrame f = evaluate_surface(mesh, p.element, p.xi, p.eta);
@@ -45,7 +46,7 @@ double own_error(const SurfaceMesh& mesh, const SurfacePoint& p, const Vec3& fro
                    length(normalized(f.normal) - p.normal)});
 }
 
-/// A sphere with every node moved at random, midside nodes too.
+/// Returns a sphere with every node moved at random, midside nodes too.
 SurfaceMesh rough_ball(ElementType type, int n, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> bump(-0.15, 0.15);
@@ -55,7 +56,7 @@ SurfaceMesh rough_ball(ElementType type, int n, unsigned seed) {
   return mesh;
 }
 
-/// Elements cut finely into facets, and where a line meets those: no Newton, no tree.
+/// Cuts elements finely into facets, and finds where a line meets those, without Newton's method and tree.
 class Facets {
  public:
   Facets(const SurfaceMesh& mesh, int n) {
@@ -73,7 +74,7 @@ class Facets {
     }
   }
 
-  /// Ascending.
+  /// Returns the cuts in ascending order.
   std::vector<double> cuts(const Vec3& from, const Vec3& direction) const {
     std::vector<double> found;
     for (const auto& [a, b, c] : facet_) {
@@ -116,7 +117,7 @@ TEST(SurfaceSearch, LinesMeetWhatASweepOverAllFacetsMeets) {
           if (i % 2 == 1 && leaving != (i % 4 == 1)) continue;
           if (std::abs(all[k]) < std::abs(least)) least = all[k];
         }
-        // Where a line grazes the surface, facets and surface may differ in what they meet.
+        // Facets and surface may differ in what they meet where a line grazes the surface.
         if (all.size() % 2 != 0 || closest_pair < 0.02) {
           ++near_misses;
           continue;
@@ -158,7 +159,7 @@ TEST(SurfaceSearch, NearestPointIsNoFartherThanAnyOther) {
         const double size = element_diameter(mesh, p.element);
         own = std::max({own, length(f.x - p.x) / size, std::abs(length(x - p.x) - p.distance),
                         length(normalized(f.normal) - p.normal)});
-        // Inside an element the way to the point is along the normal.
+        // The way to the point is along the normal inside an element.
         const bool triangle = corner_count(mesh.type[static_cast<std::size_t>(p.element)]) == 3;
         const double edge =
             triangle ? std::min({p.xi, p.eta, 1 - p.xi - p.eta}) : 1 - std::max(std::abs(p.xi), std::abs(p.eta));
@@ -207,8 +208,8 @@ TEST(SurfaceSearch, PointsOfTheSurfaceFindThemselves) {
 }
 
 TEST(SurfaceSearch, NothingSlipsThroughEdgesAndNodes) {
-  // Lines from within through every node, and through points of every edge: along the axis exactly representable, then
-  // turned, so that both elements miss by rounding.
+  // Lines from within go through every node, and through points of every edge: along the axis exactly representable,
+  // then turned, so that both elements miss by rounding.
   for (ElementType type : all_types)
     for (double turn : {0.0, 0.7}) {
       SurfaceMesh mesh = surfaces::transform(surfaces::cube_sphere(type, 4, 1), [turn](const Vec3& x) {
@@ -220,7 +221,7 @@ TEST(SurfaceSearch, NothingSlipsThroughEdgesAndNodes) {
       auto shoot = [&](const Vec3& target, double size) {
         for (const Vec3& from : {Vec3{0, 0, 0}, Vec3{0.1, -0.2, 0.05}, 3.0 * target}) {
           const Vec3 d = normalized(target - from);
-          // Outwards from within, inwards from outside: the hit is the target.
+          // The hit is the target, outwards from within and inwards from outside.
           error = std::max(error, length(met(search, from, d, target).x - target) / size);
           ++lines;
         }
@@ -242,7 +243,7 @@ TEST(SurfaceSearch, NothingSlipsThroughEdgesAndNodes) {
 }
 
 TEST(SurfaceSearch, ToleranceBeyondAnEdgeIsThatOfTheHeader) {
-  // One square alone: a line 1e-10 beyond its edge meets it, one 1e-8 beyond does not.
+  // A line 1e-10 beyond the edge of a single square meets it, one 1e-8 beyond does not.
   for (double unit : {1e-9, 1.0, 1e9})
     for (ElementType type : all_types) {
       const bool triangle = corner_count(type) == 3;
@@ -271,16 +272,16 @@ TEST(SurfaceSearch, CubesAreMetExactly) {
     // The least |t| may lie behind; facing asks for the one in front or the one behind.
     expect_error("down to the bottom", met(search, low, up).distance + 0.2, 1e-15);
     expect_error("the one that looks up", met(search, low, up, up).distance - 0.8, 1e-15);
-    // A line within the top face, and one along an edge of the cube: met at the ends.
+    // A line within the top face, and one along an edge of the cube, are met at the ends.
     expect_error("in the plane of a face", length(met(search, {-1, 0.3, 1}, along, against).x - Vec3{0, 0.3, 1}),
                  1e-15);
     expect_error("along an edge", length(met(search, {-1, 0, 1}, along, against).x - Vec3{0, 0, 1}), 1e-15);
     EXPECT_FALSE(search.along({-1, 0.3, 1.001}, along, any));
-    // At an edge between faces the one that looks best towards `facing`.
+    // The face that looks best towards `facing` is taken at an edge between faces.
     const Vec3 down = normalized({0, 1, -1});
     EXPECT_NEAR(met(search, {0.5, -1, 2}, down, {0, -0.1, 1}).normal[2], 1, 1e-12);
     EXPECT_NEAR(met(search, {0.5, -1, 2}, down, {0, -1, 0.1}).normal[1], -1, 1e-12);
-    // Nearest: face, edge, corner.
+    // The nearest point lies on a face, an edge, or a corner.
     expect_error("nearest on a face", search.nearest({0.3, 0.4, 1.5}).distance - 0.5, 1e-15);
     expect_error("nearest on an edge", length(search.nearest({0.3, 2, 2}).x - Vec3{0.3, 1, 1}), 1e-14);
     expect_error("nearest at a corner", length(search.nearest({2, 2, 2}).x - Vec3{1, 1, 1}), 1e-15);
@@ -288,7 +289,7 @@ TEST(SurfaceSearch, CubesAreMetExactly) {
 }
 
 TEST(SurfaceSearch, ABulgeIsMetOnBothItsSides) {
-  // One strongly curved element, met twice by lines across it: all intersections are known.
+  // One strongly curved element is met twice by lines across it: all intersections are known.
   const auto mesh = surfaces::one_element(ElementType::quad9, [](const Vec3& r) {
     return Vec3{r[0], r[1], 2 * (1 - r[0] * r[0])};
   });
@@ -302,13 +303,13 @@ TEST(SurfaceSearch, ABulgeIsMetOnBothItsSides) {
     }
   }
   expect_error("both sides of a parabola", error, 1e-12);
-  // Touching at the top, and just above it.
+  // The line touches at the top, or passes just above it.
   expect_error("touching, square of the error", std::pow(met(search, {-3, 0.2, 2}, {1, 0, 0}).x[0], 2), 1e-12);
   EXPECT_FALSE(search.along({-3, 0.2, 2.00001}, {1, 0, 0}, any));
 }
 
 TEST(SurfaceSearch, ASaddleIsMetTwice) {
-  // z = xy over a square, cut along its diagonal at height s^2: at x = y = s and -s.
+  // The surface z = xy over a square, cut along its diagonal at height s^2, is met at x = y = s and -s.
   for (ElementType type : {ElementType::quad4, ElementType::quad8, ElementType::quad9}) {
     const auto mesh = surfaces::one_element(type, [](const Vec3& r) { return Vec3{r[0], r[1], r[0] * r[1]}; });
     const SurfaceSearch search(mesh, {});
@@ -370,7 +371,7 @@ TEST(SurfaceSearch, ThreadsAgree) {
 }
 
 TEST(SurfaceSearch_long, AHundredThousandElements) {
-  // Time per query grows with the logarithm of the size: a search through all would take a hundredfold.
+  // The time per query grows with the logarithm of the size: a search through all would take a hundredfold.
   double line[2], nearest[2];
   for (std::size_t k = 0; k < 2; ++k) {
     const SurfaceMesh mesh = surfaces::cube_sphere(ElementType::quad8, k == 0 ? 13 : 130, 1);

@@ -1,4 +1,4 @@
-/// Tractions at edges and corners: one value per smooth fan of elements.
+/// Tests tractions at edges and corners: one value per smooth fan of elements.
 
 #include <map>
 
@@ -16,7 +16,7 @@ using std::numbers::pi;
 using surfaces::all_types;
 using surfaces::name_of;
 
-/// What holds for every mesh and angle.
+/// Checks what holds for every mesh and angle.
 void expect_consistent(const SurfaceMesh& mesh, const TractionNodes& t) {
   ASSERT_EQ(t.of.size(), mesh.connectivity.size());
   ASSERT_EQ(t.start.size(), mesh.node.size() + 1);
@@ -70,14 +70,14 @@ TEST(TractionNodes, SphereHasOnePerNodeWithTheRadialNormal) {
     double error = 0;
     for (std::size_t k = 0; k < t.normal.size(); ++k)
       error = std::max(error, length(t.normal[k] - normalized(mesh.node[k])));
-    // A mean of facets: less good than the quadratic elements' own normals.
+    // A mean of facets is less good than the quadratic elements' own normals.
     expect_error("sphere of 6 elements to a quarter, nodal normals, " + name_of(type), error,
                  is_quadratic(type) ? 0.02 : 0.06);
   }
 }
 
 TEST(TractionNodes, NormalsDoNotDependOnHowAFaceIsCut) {
-  // A corner of a cube cut into 1, 2 and many slivers: the fan's mean is that of angles.
+  // A corner of a cube is cut into 1, 2 and many slivers: the fan's mean is that of angles.
   SurfaceMesh mesh;
   mesh.node = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
   const auto triangle = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
@@ -85,7 +85,7 @@ TEST(TractionNodes, NormalsDoNotDependOnHowAFaceIsCut) {
   };
   triangle(0, 2, 1);  // y = 0
   triangle(0, 1, 3);  // x = 0
-  // z = 0, cut into 30 unequal slivers.
+  // The side z = 0 is cut into 30 unequal slivers.
   std::int32_t last = 3;
   for (int i = 1; i < 30; ++i) {
     const double a = 0.5 * pi * std::pow(i / 30.0, 2);
@@ -105,7 +105,7 @@ TEST(TractionNodes, NormalsDoNotDependOnHowAFaceIsCut) {
 TEST(TractionNodes, TagsSplitSmoothSurfaces) {
   for (ElementType type : all_types) {
     SurfaceMesh mesh = surfaces::cube_sphere(type, 4, 1);
-    // Upper half: nodes on the equator have two fans.
+    // The upper half has another tag, so nodes on the equator have two fans.
     for (std::int64_t e = 0; e < mesh.elements(); ++e) {
       double z = 0;
       for (std::int32_t k : mesh.element(e)) z += mesh.node[static_cast<std::size_t>(k)][2];
@@ -124,8 +124,8 @@ TEST(TractionNodes, TagsSplitSmoothSurfaces) {
 }
 
 TEST(TractionNodes, EdgeAngleDecidesOnAPrism) {
-  // A ring's outer and inner cylinders in n pieces: neighbours differ by 360/n degrees when linear, by the kink between
-  // arcs when quadratic.
+  // A ring's outer and inner cylinders are cut in n pieces: neighbours differ by 360/n degrees when linear, by the kink
+  // between arcs when quadratic.
   for (ElementType type : {ElementType::quad4, ElementType::tri3}) {
     surfaces::Block shape = surfaces::brick({12, 1, 1}, {1, 1, 1});
     shape.ring = true;
@@ -145,13 +145,13 @@ TEST(TractionNodes, EdgeAngleDecidesOnAPrism) {
 }
 
 TEST(TractionNodes, ASharpEdgeThatEndsLeavesOneFan) {
-  // A square pyramid's surface without base, flattened on one side: around its apex the fan is broken only where two
+  // A square pyramid's surface without base is flattened on one side: around its apex the fan is broken only where two
   // sharp edges meet.
   SurfaceMesh mesh;
   mesh.node = {{0, 0, 0.0}, {1, 0, 0.0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0.7, 0.7, 1}};
   const std::int32_t ring[] = {1, 5, 2, 3, 4};
   for (std::size_t i = 0; i < 5; ++i) surfaces::add_element(mesh, ElementType::tri3, {0, ring[i], ring[(i + 1) % 5]});
-  // Angles at the edges from the apex: to 1 and 2 like each other, to 5 the sharpest.
+  // The angles at the edges from the apex are equal at 1 and 2, and sharpest at 5.
   const double at_1 = angle_between(unit_normal(mesh, 0, 0, 0), unit_normal(mesh, 4, 0, 0));
   const double at_5 = angle_between(unit_normal(mesh, 0, 0, 0), unit_normal(mesh, 1, 0, 0));
   ASSERT_GT(at_5, at_1 + 0.1);

@@ -1,4 +1,4 @@
-/// Boundaries of volume meshes, and the surface meshes made of them.
+/// Tests boundaries of volume meshes, and the surface meshes made of them.
 
 #include "mesh/volume_boundary.hpp"
 
@@ -24,7 +24,7 @@ SurfaceMesh boundary_of(const volumes::Mesh& mesh) {
   return surface;
 }
 
-/// Without the nodes of no element.
+/// Drops nodes of no element.
 SurfaceMesh compact(const SurfaceMesh& mesh) {
   std::vector<std::int64_t> all(mesh.type.size());
   for (std::size_t e = 0; e < all.size(); ++e) all[e] = static_cast<std::int64_t>(e);
@@ -93,7 +93,7 @@ TEST(VolumeBoundary, CavitiesBelongToIt) {
 }
 
 TEST(VolumeBoundary, TractionNodesAndSearchPassOverInnerNodes) {
-  // The same surface, with and without the nodes inside the body.
+  // The surface is compared with and without the nodes inside the body.
   for (const VolumeType type : {VolumeType::tet4, VolumeType::tet10, VolumeType::hex8, VolumeType::hex20}) {
     const auto mesh = volumes::distort(volumes::block(surfaces::brick({3, 3, 3}, {1, 1, 1}), type), 0.1, 5);
     SurfaceMesh surface = boundary_of(mesh);
@@ -120,7 +120,7 @@ TEST(VolumeBoundary, TractionNodesAndSearchPassOverInnerNodes) {
 }
 
 TEST(VolumeBoundary, EdgesOfMoreThanTwoFacesAreRefused) {
-  // Two bricks that meet along an edge only, hanging together by a bridge of bricks beside it.
+  // Two bricks meet along an edge only, and are connected by a bridge of bricks beside it.
   const auto whole = volumes::block(surfaces::brick({2, 2, 2}, {1, 1, 1}), VolumeType::hex8);
   const auto mesh = volumes::part_of(whole, [&whole](std::int64_t e) {
     const Vec3 mean = volumes::mean_corner(whole, e);

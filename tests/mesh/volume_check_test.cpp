@@ -1,5 +1,5 @@
-/// Every way in which a volume mesh can be wrong, with the words that the caller reads; and good ones, however slender,
-/// small or large.
+/// Tests every way in which a volume mesh can be wrong, with the words that the caller reads; and good ones, however
+/// slender, small or large.
 
 #include "mesh/refusals.hpp"
 #include "mesh/volume_boundary.hpp"
@@ -33,7 +33,7 @@ Mesh cube(VolumeType type, int n = 2, double size = 1) {
   return volumes::block(surfaces::brick({n, n, n}, {size, size, size}), type);
 }
 
-/// The reference element in space.
+/// Puts the reference element in space.
 Mesh alone(VolumeType type) {
   Mesh mesh;
   const auto nodes = reference_nodes(type);
@@ -44,7 +44,7 @@ Mesh alone(VolumeType type) {
   return mesh;
 }
 
-/// b beside a, its nodes on a's where they coincide.
+/// Puts b beside a, its nodes on a's where they coincide.
 Mesh join(Mesh a, const Mesh& b, const Vec3& shift = {0, 0, 0}) {
   std::vector<std::int32_t> number;
   const std::size_t own = a.surface.node.size();
@@ -63,7 +63,7 @@ Mesh join(Mesh a, const Mesh& b, const Vec3& shift = {0, 0, 0}) {
   return a;
 }
 
-/// Element e seen in a mirror, as a caller with the other convention would give it.
+/// Mirrors element e into the form that a caller with the other convention would give.
 void mirror(Mesh& mesh, std::int64_t e) {
   const VolumeType type = mesh.volume.type[at(e)];
   const auto nodes = mesh.volume.element(e);
@@ -160,7 +160,7 @@ TEST(VolumeCheck, FlatElements) {
     expect_refused(
         mesh, "degenerate element: it has no volume; 1 such in the volume; first: element 1 (" + name_of(type) + ")");
   }
-  // Four corners nearly in a plane: a sliver is allowed until rounding decides.
+  // Four corners lie nearly in a plane: a sliver is allowed until rounding decides.
   Mesh mesh = alone(VolumeType::tet4);
   mesh.surface.node[3] = {0.4, 0.3, 1e-8};
   expect_accepted(mesh, "sliver");
@@ -177,7 +177,7 @@ TEST(VolumeCheck, CoincidingNodes) {
     expect_refused(mesh, "first: element 1 (" + name_of(type) + "), nodes " + std::to_string(nodes[1] + 1) + " and " +
                              std::to_string(nodes[3] + 1));
   }
-  // Two cubes side by side, each with its own nodes.
+  // Two cubes stand side by side, each with its own nodes.
   const Mesh one = cube(VolumeType::hex8, 1);
   Mesh two = one;
   const auto n = static_cast<std::int32_t>(one.surface.node.size());
@@ -194,18 +194,18 @@ const std::string folded =
     "wrong order, or a midside node at or beyond the quarter of its edge); 1 such in the volume; first: element 1 (";
 
 TEST(VolumeCheck, FoldedElements) {
-  // A corner pushed through the element.
+  // A corner is pushed through the element.
   for (const VolumeType type : {VolumeType::wedge6, VolumeType::hex8}) {
     Mesh mesh = alone(type);
     mesh.surface.node.back() = {0.1, 0.1, -0.9};
     expect_refused(mesh, folded + name_of(type) + ") at node ");
   }
-  // Top corners that begin at the wrong one.
+  // The top corners begin at the wrong one.
   Mesh mesh = alone(VolumeType::hex8);
   auto top = mesh.volume.connectivity.begin() + 4;
   std::rotate(top, top + 2, top + 4);
   expect_refused(mesh, folded + "hex8)");
-  // A midside node beyond the quarter of its edge; at the third it is good.
+  // A midside node lies beyond the quarter of its edge; at the third it is good.
   for (const VolumeType type : {VolumeType::tet10, VolumeType::wedge15, VolumeType::hex20}) {
     const auto edge = edges_of(type)[0];
     for (const double place : {0.2, 0.25, 0.26, 1.0 / 3}) {
@@ -220,7 +220,7 @@ TEST(VolumeCheck, FoldedElements) {
   }
 }
 
-/// Smallest Jacobian at the nodes and at the points of the stiffness's rule.
+/// Returns the smallest Jacobian at the nodes and at the points of the stiffness's rule.
 double least_jacobian(const Mesh& mesh) {
   const VolumeType type = mesh.volume.type[0];
   std::vector<Vec3> points = volume_rule(type, is_quadratic(type) ? 5 : 2).point;
@@ -242,8 +242,8 @@ double least_jacobian(const Mesh& mesh) {
 }
 
 TEST(VolumeCheck, ElementsThatFoldInside) {
-  // Sound at all nodes and at the points of the stiffness's rule, but not between them.
-  // A bar twisted by half a turn has no width at its middle.
+  // The element is sound at all nodes and at the points of the stiffness's rule, but not between them: a bar twisted by
+  // half a turn has no width at its middle.
   for (const double angle : {2.8, 3.14159265358979}) {
     Mesh mesh = alone(VolumeType::hex8);
     for (std::size_t i = 4; i < 8; ++i) {
@@ -257,7 +257,7 @@ TEST(VolumeCheck, ElementsThatFoldInside) {
     else
       expect_refused(mesh, folded + "hex8) at xi = ");
   }
-  // Found among many: nodes displaced at random.
+  // These elements were found among many with nodes displaced at random.
   const std::pair<VolumeType, std::uint32_t> found[] = {{VolumeType::hex20, 613}, {VolumeType::wedge15, 568}};
   for (const auto& [type, seed] : found) {
     Mesh mesh = alone(type);
@@ -270,7 +270,7 @@ TEST(VolumeCheck, ElementsThatFoldInside) {
 }
 
 TEST(VolumeCheck, FacesOfMoreThanTwoElements) {
-  // Tetrahedra on one triangle: two on the same side, then one on the other too.
+  // Tetrahedra lie on one triangle: two on the same side, then one on the other too.
   Mesh mesh = alone(VolumeType::tet4);
   mesh.surface.node.push_back({0.2, 0.2, 2});
   add(mesh, VolumeType::tet4, {0, 1, 2, 4});
@@ -285,26 +285,26 @@ TEST(VolumeCheck, FacesOfMoreThanTwoElements) {
 
 TEST(VolumeCheck, FacesThatDoNotMatch) {
   const auto column = [](VolumeType type) { return volumes::block(surfaces::brick({1, 1, 1}, {1, 1, 1}), type); };
-  // Linear on quadratic: the corners are shared, the midside nodes are not.
+  // Linear elements stand on quadratic ones: the corners are common, the midside nodes are not.
   expect_refused(join(column(VolumeType::hex8), column(VolumeType::hex20), {0, 0, 1}),
                  "two elements share a face but not its midside nodes; 1 such in the volume; first: face 5-6-7-8 of "
                  "elements 1 (hex8) and 2 (hex20)");
   expect_refused(join(column(VolumeType::tet10), column(VolumeType::tet4), {0, 0, 1}),
                  "two elements share a face but not its midside nodes; 2 such in the volume");
-  // One midside node of a shared face given twice.
+  // One midside node of a common face is given twice.
   Mesh mesh = join(column(VolumeType::hex20), column(VolumeType::hex20), {0, 0, 1});
   const std::int32_t own = mesh.volume.element(0)[12];
   mesh.surface.node.push_back(mesh.surface.node[at(own)] + Vec3{0, 0, 0.05});
   mesh.volume.connectivity[12] = static_cast<std::int32_t>(mesh.surface.node.size()) - 1;
   expect_refused(mesh, "two elements share a face but not its midside nodes; 1 such in the volume");
-  // A quadrilateral on the two triangles of wedges or tetrahedra.
+  // A quadrilateral stands on the two triangles of wedges or tetrahedra.
   for (const VolumeType other : {VolumeType::wedge6, VolumeType::tet4})
     expect_refused(join(column(VolumeType::hex8), column(other), {0, 0, 1}),
                    "a quadrilateral face lies on triangles of its neighbours: elements on both sides of a face must "
                    "share all of its nodes; 1 such in the volume; first: face 5-6-7-8 of element 1 (hex8) on element ");
   expect_refused(join(column(VolumeType::hex20), column(VolumeType::wedge15), {0, 0, 1}),
                  "a quadrilateral face lies on triangles of its neighbours");
-  // A quadratic face on four linear ones.
+  // A quadratic face stands on four linear ones.
   expect_refused(join(column(VolumeType::hex20),
                       volumes::block(surfaces::brick({2, 2, 2}, {1, 1, 1}), VolumeType::hex8), {0, 0, 1}),
                  "a midside node of one element is a corner of another: elements on both sides of a face must share "
@@ -312,7 +312,7 @@ TEST(VolumeCheck, FacesThatDoNotMatch) {
 }
 
 TEST(VolumeCheck, TwistedNeighbours) {
-  // The four corners of a skew face in another order round: both elements are sound by themselves.
+  // The four corners of a skew face come in another order round: both elements are sound by themselves.
   Mesh mesh = alone(VolumeType::hex8);
   auto& node = mesh.surface.node;
   for (std::size_t i = 4; i < 8; ++i) node[i][2] = i % 2 == 0 ? 0.2 : 1.8;
@@ -338,7 +338,7 @@ TEST(VolumeCheck, PartsThatShareNoFace) {
   }
 }
 
-// 6e9 pairs of nodes: looked at one by one, they would outlast the test's limit of time.
+// The mesh has 6e9 pairs of nodes: looked at one by one, they would outlast the test's limit of time.
 TEST(VolumeCheck, DoesNotCompareAllNodes) {
   const Mesh mesh = volumes::distort(cube(VolumeType::hex20, 30), 0.1, 3);
   EXPECT_NO_THROW(check_volume(mesh.surface.node, mesh.volume, 0));

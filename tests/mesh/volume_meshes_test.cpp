@@ -1,4 +1,4 @@
-// The volume meshes of tests and benches: sound, full, with the boundary that they say.
+// Tests the volume meshes of tests and benches: sound, full, with the boundary that they claim.
 
 #include "support/volume_meshes.hpp"
 
@@ -16,7 +16,7 @@ using volumes::name_of;
 
 using surfaces::at;
 
-/// Nodes of every element in its order, elements sorted by their corners.
+/// Returns the nodes of every element in its order, elements sorted by their corners.
 std::vector<std::vector<std::int32_t>> faces_of_surface(const SurfaceMesh& mesh) {
   std::vector<std::vector<std::int32_t>> all;
   for (std::int64_t e = 0; e < mesh.elements(); ++e) {
@@ -27,7 +27,7 @@ std::vector<std::vector<std::int32_t>> faces_of_surface(const SurfaceMesh& mesh)
   return all;
 }
 
-/// What holds for every mesh.
+/// Checks what holds for every mesh.
 void expect_sound(const Mesh& mesh, const std::string& what, std::int64_t euler = 2) {
   try {
     check_volume(mesh.surface.node, mesh.volume, 0);
@@ -55,8 +55,8 @@ double area_with_tag(const Mesh& mesh, std::int32_t tag) {
   return surfaces::facts(surfaces::part_with_tag(mesh.surface, tag)).area;
 }
 
-/// Largest distance of a node of the surface's elements with these tags to the nearest node of those of the other
-/// surface.
+/// Returns the largest distance of a node of the surface's elements with these tags to the nearest node of those of the
+/// other surface.
 double farthest_apart(const SurfaceMesh& a, const SurfaceMesh& b, std::initializer_list<std::int32_t> tags) {
   double largest = 0;
   const auto of_b = surfaces::nodes_with_tag(b, {tags.begin(), tags.size()});
@@ -79,7 +79,7 @@ TEST(VolumeMeshes, Bricks) {
     const double area[] = {0.5, 0.5, 1, 1, 2, 2};
     for (std::int32_t tag = 1; tag <= 6; ++tag) {
       expect_error("face " + std::to_string(tag), area_with_tag(mesh, tag) - area[tag - 1], 1e-13);
-      // On its plane: x = 0, x = 2, y = 0, ...
+      // Each node is on its plane: x = 0, x = 2, y = 0, ...
       const std::size_t axis = at(tag - 1) / 2;
       for (const std::int32_t k : surfaces::nodes_with_tag(mesh.surface, std::array{tag}))
         EXPECT_EQ(mesh.surface.node[at(k)][axis], tag % 2 == 1 ? 0 : size[axis]);
@@ -137,7 +137,7 @@ TEST(VolumeMeshes, Rings) {
         }
       expect_error("nodes on the true surfaces, " + what, radius, 1e-13);
     }
-    // Node for node those of the surface meshes, also by tag.
+    // The nodes are those of the surface meshes one for one, also by tag.
     const std::pair<VolumeType, ElementType> pairs[] = {{VolumeType::hex8, ElementType::quad4},
                                                         {VolumeType::hex20, ElementType::quad8}};
     for (const auto& [type, face] : pairs) {

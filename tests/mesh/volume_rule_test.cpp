@@ -1,4 +1,4 @@
-/// Quadrature of volume elements: exact to the degree asked for, inside, positive.
+/// Tests quadrature of volume elements: exact to the degree asked for, inside, positive.
 
 #include "mesh/volume_shape.hpp"
 #include "support/testing.hpp"
@@ -20,7 +20,7 @@ double on_line(int k) {
   return k % 2 == 1 ? 0 : 2.0 / (k + 1);
 }
 
-/// Integral of xi^i eta^j zeta^k over the reference element.
+/// Returns the integral of xi^i eta^j zeta^k over the reference element.
 double exact(VolumeType type, int i, int j, int k) {
   switch (corner_count(type)) {
     case 4:
@@ -103,7 +103,7 @@ TEST(VolumeRule, PointsInsideWeightsPositive) {
 }
 
 TEST(VolumeRule, NumbersOfPoints) {
-  // The cost of a stiffness is proportional to them.
+  // The cost of a stiffness is proportional to the number of points.
   const auto points = [](VolumeType type, int degree) { return volume_rule(type, degree).size(); };
   EXPECT_EQ(points(VolumeType::tet10, 1), 1u);
   EXPECT_EQ(points(VolumeType::tet10, 2), 4u);
@@ -119,7 +119,7 @@ TEST(VolumeRule, NumbersOfPoints) {
 }
 
 TEST(VolumeRule, VolumesOfDistortedElements) {
-  // Of one element of each type, against the cones over its own faces.
+  // The volume of one element of each type is compared with the cones over its own faces.
   for (const VolumeType type : volumes::all_types) {
     const auto mesh = volumes::transform(
         volumes::distort(volumes::block(surfaces::brick({2, 2, 2}, {1, 1.3, 0.8}), type), 0.1, 5), [](const Vec3& x) {

@@ -1,4 +1,4 @@
-// Edges, faces and numbering of volume elements; that their functions are right is shape_test.
+// Tests edges, faces and numbering of volume elements; shape_test tests their functions.
 
 #include "mesh/volume_shape.hpp"
 

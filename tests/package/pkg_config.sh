@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A makefile user: pkg_config.sh <prefix> <shared|static> <c|fortran> <compiler> <work folder>
+# Builds with a makefile's means: pkg_config.sh <prefix> <shared|static> <c|fortran> <compiler> <work folder>
 set -euo pipefail
 prefix=$1 kind=$2 language=$3 compiler=$4 work=$5
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)

@@ -78,7 +78,7 @@ class Pictures(Scene):
         ax = wheel.plot_patches()
         self.assertEqual([line.get_label() for line in ax.lines], ["wheel", "rail"])
         self.assertEqual(len(ax.patches), wheel.patch_count)
-        # Where pressures are drawn, the patch is; y and z of its reference.
+        # The patch is where pressures are drawn; y and z count from its reference.
         for k, drawn in enumerate(ax.patches):
             corners = drawn.get_xy()
             self.assertLess(corners[:, 0].min(), wheel.patch_stat(k, "y"))
@@ -148,7 +148,7 @@ class Words(Scene):
             packages = pathlib.Path(place).resolve() / "lib/python3/dist-packages"
             shutil.copytree(PACKAGE, packages / "rollcon")
             run = self.imported(packages)
-            if run.returncode:  # none is installed in this system
+            if run.returncode:  # no library is installed in this system
                 for word in ("finds no library librollcon.so", "ROLLCON_LIBRARY=", "pip install"):
                     self.assertIn(word, run.stderr)
             lib = packages.parents[1] / f"librollcon.so.{rc._api.ABI}"

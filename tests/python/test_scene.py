@@ -26,7 +26,7 @@ class Results(Scene):
         np.testing.assert_array_equal(contact.error_function()[:, 1], rows[:, 7])
         self.assertTrue(contact.plan())
         self.assertTrue(all(np.isfinite(contact.stat(name)) for name in rc.stat_names()))
-        self.assertEqual(rc.version_string().replace("-", ""), rc.__version__)  # as PEP 440 writes it
+        self.assertEqual(rc.version_string().replace("-", ""), rc.__version__)  # in the form of PEP 440
 
     def test_a_mesh_of_ones_own_does_what_the_rectangle_does(self):
         made, given = self.contact(), self.contact()
@@ -67,7 +67,7 @@ class Results(Scene):
         cases = contact.solve_many([rc.LATERAL], [[0], [LOAD]])
         self.assertEqual((cases.worst, cases.status.tolist()), (rc.NOT_CONVERGED, [rc.OK, rc.ERR_LOAD]))
         self.assertTrue(np.isnan(cases.force[1]).all() and not np.isnan(cases.force[0]).any())
-        # Names are counted as the library counts them.
+        # Names are counted in the way of the library.
         many = contact.solve_many([rc.LATERAL], [[0.0]], names=["iterations " * 3])
         self.assertEqual(many.statistics.shape, (1, 3))
 

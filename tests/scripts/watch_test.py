@@ -22,7 +22,7 @@ SUMMARY_OF_THREE = END.format(3) + (
 CRASHES = BEGIN.format("crash") + "print('last words', flush=True)\nimport os; os.abort()\n"
 SPINS = BEGIN.format("spin") + "while True: pass\n"
 SLEEPS = BEGIN.format("sleep") + "import time; time.sleep(60)\n"
-# Little of a processor, and nothing for a while, is no hang.
+# A program that uses little of a processor, and nothing for a while, does not hang.
 SLOW = PASSES + "import time; time.sleep(1)\n" + PASSES + END.format(2)
 
 

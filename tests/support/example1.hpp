@@ -1,6 +1,6 @@
 #pragma once
-/// The first example of Rodriguez-Tembleque and Abascal (Int. J. Solids Struct. 47, 2010): two equal rings roll on each
-/// other. N, mm, MPa, s.
+/// Sets up the first example of Rodriguez-Tembleque and Abascal (Int. J. Solids Struct. 47, 2010): two equal rings roll
+/// on each other. Units are N, mm, MPa, s.
 
 #include <algorithm>
 #include <cmath>

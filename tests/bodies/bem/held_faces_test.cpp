@@ -1,4 +1,5 @@
-// A frame may lie on a face whose supports leave it free along its normal, and on no other: on every side of a block.
+// Tests that a frame may lie on a face whose supports leave it free along its normal, and on no other, on every side of
+// a block.
 
 #include "bodies/frame_on_body.hpp"
 #include "support/error.hpp"
@@ -11,7 +12,7 @@ namespace {
 
 constexpr std::int32_t all_components = 7;
 
-/// The face with this tag as a frame, its normal outwards: component `normal`, of the sign given.
+/// Returns the face with this tag as a frame, its normal outwards: component `normal`, with the sign given.
 Frame on_face(const SurfaceMesh& block, std::int32_t tag, std::size_t normal, double sign) {
   std::vector<std::int32_t> node;
   Axes axes;
@@ -22,7 +23,7 @@ Frame on_face(const SurfaceMesh& block, std::int32_t tag, std::size_t normal, do
   return build_frame(surfaces::part_of(block, surfaces::elements_with_tag(block, tag), node), axes);
 }
 
-/// Empty: the frame was accepted.
+/// Returns the text of the refusal; empty: the frame was accepted.
 std::string refusal(const SurfaceMesh& block, std::int32_t tag, std::int32_t held) {
   statics::StaticBody body(block, 1e4, 0.3);
   const std::size_t normal = static_cast<std::size_t>(tag - 1) / 2;

@@ -1,5 +1,5 @@
-// Fields inside boundary elements, by Somigliana's identities: uniform stresses on bricks of all elements, Lame's thick
-// cylinder at all depths, what is outside.
+// Tests fields inside boundary elements, by Somigliana's identities: uniform stresses on bricks of all elements, Lame's
+// thick cylinder at all depths, and what is outside.
 
 #include "bodies/body_results.hpp"
 #include "mesh/surface_geometry.hpp"
@@ -25,7 +25,7 @@ Fields fields_at(StaticBody& body, const std::vector<Vec3>& x) {
   return f;
 }
 
-/// Plane strain, around the y axis.
+/// Returns Lame's stresses in plane strain, around the y axis.
 Stress lame(const Vec3& x, double poisson) {
   const double r2 = x[0] * x[0] + x[2] * x[2], a2 = walls::inner * walls::inner, b2 = walls::outer * walls::outer;
   const double k = walls::pressure * a2 / (b2 - a2), radial = k * (1 - b2 / r2), hoop = k * (1 + b2 / r2);
@@ -33,7 +33,7 @@ Stress lame(const Vec3& x, double poisson) {
   return {radial * c * c + hoop * s * s, 2 * poisson * k, radial * s * s + hoop * c * c, 0, (radial - hoop) * c * s, 0};
 }
 
-/// Points of the surface, moved inwards by `depth`, away from the edges between faces with different tags.
+/// Returns points of the surface, moved inwards by `depth`, away from the edges between faces with different tags.
 std::vector<Vec3> below(const SurfaceMesh& mesh, double depth, std::initializer_list<std::int32_t> tags) {
   std::vector<Vec3> x;
   for (std::int64_t e = 0; e < mesh.elements(); ++e) {
@@ -48,7 +48,7 @@ std::vector<Vec3> below(const SurfaceMesh& mesh, double depth, std::initializer_
   return x;
 }
 
-// Anywhere, as near to the surface as wanted and on it.
+// The points lie anywhere, near the surface and on it.
 TEST(BemInside, uniform_stresses_are_exact) {
   double worst = 0, worst_u = 0;
   for (const ElementType type : surfaces::all_types)
@@ -82,11 +82,11 @@ TEST(BemInside, uniform_stresses_are_exact) {
 }
 
 struct LameError {
-  double stress = 0, mean = 0;  ///< over the pressure: greatest, root of the mean square
-  double displacement = 0;      ///< over the largest
+  double stress = 0, mean = 0;  ///< greatest error over the pressure, and root of the mean square
+  double displacement = 0;      ///< error over the largest displacement
 };
 
-/// In Lame's cylinder at a depth below its curved faces.
+/// Returns the errors in Lame's cylinder at a depth below its curved faces.
 LameError lame_error(StaticBody& body, double depth) {
   const std::vector<Vec3> x = below(body.mesh(), depth, {5, 6});
   const Fields f = fields_at(body, x);
@@ -123,7 +123,7 @@ TEST_P(BemLame, stresses_converge_at_all_depths) {
     body->solve();
   }
   for (const double depth : {0.0, 1e-7, 1e-3, 0.02, 0.1, 0.3}) {
-    if (depth > 0.2 && !is_quadratic(b.type)) continue;  // below tilted faces points leave the quarter
+    if (depth > 0.2 && !is_quadratic(b.type)) continue;  // points below tilted faces leave the quarter
     char text[80];
     std::snprintf(text, sizeof text, "%s, depth %g", surfaces::name_of(b.type).c_str(), depth);
     const auto first = lame_error(coarse, depth), second = lame_error(fine, depth);

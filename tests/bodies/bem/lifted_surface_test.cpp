@@ -1,4 +1,4 @@
-// Linear elements whose displacements are quadratic, by midside nodes that are no unknowns.
+// Tests linear elements whose displacements are quadratic, by midside nodes that are no unknowns.
 
 #include "bodies/bem/lifted_surface.hpp"
 
@@ -23,7 +23,7 @@ std::int64_t parts_of(const LiftedSurface& lifted, std::size_t m) {
   return lifted.start[m + 1] - lifted.start[m];
 }
 
-/// Part of the midside nodes that are more than the mean of their edge's ends.
+/// Returns the fraction of the midside nodes that are more than the mean of their edge's ends.
 double bent_part(const LiftedSurface& lifted) {
   double bent = 0;
   const std::size_t all = lifted.start.size() - 1;
@@ -32,7 +32,7 @@ double bent_part(const LiftedSurface& lifted) {
   return bent / static_cast<double>(all);
 }
 
-/// Largest difference at bent midside nodes between a field and what the body's nodes say of it.
+/// Returns the largest difference at bent midside nodes between a field and what the body's nodes say of it.
 double midside_error(const LiftedSurface& lifted, const std::function<double(const Vec3&)>& field) {
   double error = 0;
   for (std::size_t m = 0; m + 1 < lifted.start.size(); ++m) {
@@ -84,7 +84,7 @@ TEST(LiftedSurface, curved_faces_are_nearer_to_the_sphere_and_turn_rigidly) {
   }
 }
 
-/// Elements of length L beside elements of length 1 along x.
+/// Makes elements of length L beside elements of length 1 along x.
 SurfaceMesh graded_block(ElementType type, double ratio, double unit) {
   return surfaces::transform(surfaces::block(surfaces::brick({2, 2, 2}, {2, 2, 2}), type), [&](const Vec3& x) {
     const double along = std::min(x[0], 1.0) * (ratio - 1) + x[0];
@@ -92,7 +92,7 @@ SurfaceMesh graded_block(ElementType type, double ratio, double unit) {
   });
 }
 
-// Weights in sum 1 at a ratio of 2 and 2 at one of 4: no limit on them lets rounding choose.
+// Weights have the sum 1 at a ratio of 2 and 2 at one of 4: no limit on them lets rounding choose.
 TEST(LiftedSurface, graded_meshes_do_not_hang_on_rounding) {
   const auto differ = [](const LiftedSurface& a, const LiftedSurface& b) {
     if (a.start != b.start) return 1.0;
@@ -115,7 +115,8 @@ TEST(LiftedSurface, graded_meshes_do_not_hang_on_rounding) {
     }
 }
 
-// Twice as long as the body is thick, and two elements through it: they were too stiff by half.
+// The elements are twice as long as the body is thick, with two through it: without the midside nodes they were too
+// stiff by half.
 TEST(LiftedSurface, thin_bodies_of_linear_elements_bend_exactly) {
   constexpr double young = 1000, poisson = 0.3;
   const auto bent = [](const Vec3& x) {

@@ -1,5 +1,5 @@
-// Reactions of nodes that are held alone, without a held face, on elements with nodes between their corners: the same
-// whichever corner an element's list of nodes begins at.
+// Tests that reactions of nodes that are held alone, without a held face, on elements with nodes between their corners
+// do not depend on the corner at which an element's list of nodes begins.
 
 #include "support/static_solution.hpp"
 #include "support/surface_meshes.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 using statics::StaticBody;
 
-/// Every element begins at another one of its corners.
+/// Makes every element begin at another one of its corners.
 SurfaceMesh begun_elsewhere(SurfaceMesh mesh) {
   for (std::int64_t e = 0; e < mesh.elements(); ++e) {
     const auto k = static_cast<std::size_t>(e);
@@ -25,7 +25,7 @@ SurfaceMesh begun_elsewhere(SurfaceMesh mesh) {
 
 class NodeHeldAlone : public ::testing::TestWithParam<ElementType> {};
 
-// A block on three single nodes, pushed sideways: the supports have to react.
+// A block on three single nodes is pushed sideways, so the supports have to react.
 TEST_P(NodeHeldAlone, moves_alike_whichever_corner_elements_begin_at) {
   constexpr double accuracy = 1e-8, bound = 1e-6;
   const SurfaceMesh block = surfaces::block(surfaces::brick({3, 2, 2}, {3, 2, 2}), GetParam());

@@ -1,5 +1,5 @@
-// What holds for every elastic body at rest: equilibrium, linearity, independence of axes and units; supports that do
-// not hold it; edges where held faces meet.
+// Tests what holds for every elastic body at rest: equilibrium, linearity, independence of axes and units; supports
+// that do not hold it; edges where held faces meet.
 
 #include "support/error.hpp"
 #include "support/static_solution.hpp"
@@ -44,7 +44,7 @@ TEST_P(Statics, reactions_balance_the_load_as_the_mesh_refines) {
   expect_error(what + " ring, moment, fine", error[1][1], quadratic ? 0.001 : 0.1);
 }
 
-// Up to the integrals' accuracy: which tractions are wanted decides over shared rules.
+// The bound is the integrals' accuracy: which tractions are wanted decides over rules used for several.
 TEST_P(Statics, loads_superpose) {
   const SurfaceMesh mesh = small_ring(GetParam(), 0);
   const auto given = [](const Vec3& x) { return Vec3{1e-3 * x[1], 2e-3, -1e-4 * x[0]}; };
@@ -61,7 +61,7 @@ TEST_P(Statics, loads_superpose) {
   expect_error(surfaces::name_of(GetParam()) + " ring, superposition", error / size, 1e-7);
 }
 
-// Turned, shifted far away, in other units: the same displacements in the body's own terms.
+// A body turned, shifted far away, and in other units has the same displacements in its own terms.
 TEST_P(Statics, axes_and_units_do_not_matter) {
   const SurfaceMesh mesh = small_ring(GetParam(), 0);
   const auto solve = [](const SurfaceMesh& m, double e, const Vec3& load) {
@@ -126,7 +126,7 @@ TEST_P(Statics, the_error_of_the_integrals_follows_the_accuracy_asked_for) {
   }
 }
 
-// Reactions of all held faces where two and three of them meet in edges and corners.
+// All held faces react where two and three of them meet in edges and corners.
 TEST_P(Statics, clamped_edges_and_corners_are_well_conditioned) {
   const SurfaceMesh brick =
       surfaces::distort(surfaces::block(surfaces::brick({4, 3, 3}, {2, 1, 1}), GetParam()), 0.15, 4);
@@ -160,7 +160,7 @@ INSTANTIATE_TEST_SUITE_P(Bodies_long, Statics,
                                            ElementType::quad9),
                          [](const auto& param) { return surfaces::name_of(param.param); });
 
-/// The message, after checking the status.
+/// Returns the message, after checking the status.
 std::string refusal(StaticBody& body) {
   try {
     body.solve();

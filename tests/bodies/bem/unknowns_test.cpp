@@ -1,4 +1,4 @@
-// The order of a boundary-element body's unknowns: what frames ask for stands at the end, so that only the end of
+// Tests the order of a boundary-element body's unknowns: what frames ask for stands at the end, so that only the end of
 // solutions is worked out.
 
 #include "bodies/bem/unknowns.hpp"
@@ -12,7 +12,7 @@
 namespace rollcon::bem {
 namespace {
 
-/// A block that is held at its bottom, with a fine zone of tag 2 on top.
+/// Makes a block that is held at its bottom, with a fine zone of tag 2 on top.
 BodyMesh block_with_zone(ElementType type) {
   BodyMesh body;
   body.surface = surfaces::zone_block({10, 5, 2, 6, 4, 4}, type);
@@ -23,7 +23,7 @@ BodyMesh block_with_zone(ElementType type) {
   return body;
 }
 
-/// Part of the unknowns from the first one on that a frame of these faces asks for.
+/// Returns the fraction of the unknowns from the first one on that a frame of these faces asks for.
 double asked_part(const BodyMesh& body, std::int32_t tag) {
   const Unknowns u = choose_unknowns(body, split_at_edges(body.surface, 40));
   std::int32_t first = static_cast<std::int32_t>(u.columns);
@@ -46,7 +46,7 @@ TEST(unknowns, of_a_fine_zone_are_the_last) {
     const double named = asked_part(body, 2);
     std::printf("%s: nodes of the zone %.2f, unknowns from the first of them on %.2f, named %.2f\n",
                 surfaces::name_of(type).c_str(), wanted, found, named);
-    EXPECT_LE(found, 2 * wanted);  // others are as fine
+    EXPECT_LE(found, 2 * wanted);  // other faces are as fine
     EXPECT_LE(named, 1.01 * wanted);
   }
 }

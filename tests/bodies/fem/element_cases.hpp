@@ -1,5 +1,5 @@
 #pragma once
-/// Elements of every formulation in awkward shapes, and what one computes with their stiffness.
+/// Makes elements of every formulation in awkward shapes, and computes with their stiffness.
 
 #include <array>
 #include <cmath>
@@ -52,7 +52,7 @@ inline const std::array<Formulation, 3> quadratic{{{VolumeType::tet10}, {VolumeT
 using Nodes = std::vector<Vec3>;
 using Map = std::function<Vec3(const Vec3&)>;
 
-/// The reference element under a map; curved where the map is.
+/// Returns the reference element under a map; it is curved where the map is.
 inline Nodes mapped(VolumeType type, const Map& map) {
   Nodes x;
   for (const Vec3& node : reference_nodes(type)) x.push_back(map(node));
@@ -63,7 +63,7 @@ inline Nodes box(VolumeType type, const Vec3& edge) {
   return mapped(type, [&](const Vec3& r) { return Vec3{edge[0] * r[0], edge[1] * r[1], edge[2] * r[2]}; });
 }
 
-/// A parallelepiped of no special shape.
+/// Returns a parallelepiped of no special shape.
 inline Nodes slanted(VolumeType type) {
   return mapped(type, [](const Vec3& r) {
     return Vec3{1 + 2 * r[0] + 0.5 * r[1] - 0.3 * r[2], 0.4 * r[0] + 1.5 * r[1] + 0.6 * r[2],
@@ -71,7 +71,7 @@ inline Nodes slanted(VolumeType type) {
   });
 }
 
-/// Corners moved at random, edges straight.
+/// Moves corners at random; edges stay straight.
 inline Nodes distorted(VolumeType type) {
   Nodes x = slanted(type);
   std::mt19937 random(7);
@@ -86,7 +86,7 @@ inline Nodes distorted(VolumeType type) {
   return x;
 }
 
-/// Every node moved at random, midside ones too.
+/// Moves every node at random, midside ones too.
 inline Nodes curved(VolumeType type) {
   Nodes x = distorted(type);
   std::mt19937 random(11);
@@ -127,7 +127,7 @@ inline Stiffness stiffness(const Formulation& f, const Nodes& x, double poisson)
   return result;
 }
 
-/// Nodal values of a field.
+/// Returns the nodal values of a field.
 inline std::vector<double> at_nodes(const Nodes& x, const Map& field) {
   std::vector<double> u;
   for (const Vec3& node : x)
@@ -135,14 +135,14 @@ inline std::vector<double> at_nodes(const Nodes& x, const Map& field) {
   return u;
 }
 
-/// " nu 0.4999999"
+/// Returns text like " nu 0.4999999".
 inline std::string with(double poisson) {
   char text[32];
   std::snprintf(text, sizeof text, ", nu %.9g", poisson);
   return text;
 }
 
-/// Largest difference of entries over the largest entry of `b`; NaN passes on.
+/// Returns the largest difference of entries over the largest entry of `b`; NaN passes on.
 inline double difference(std::span<const double> a, std::span<const double> b) {
   double most = 0, size = 0;
   for (std::size_t i = 0; i < b.size(); ++i) {

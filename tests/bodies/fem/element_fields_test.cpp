@@ -1,4 +1,4 @@
-// What one element makes of known fields: patch test, quadratic fields, bending.
+// Tests what one element makes of known fields: patch test, quadratic fields, bending.
 
 #include "bodies/fem/element_cases.hpp"
 #include "mesh/quadrature.hpp"
@@ -14,7 +14,7 @@ using elements::Stiffness;
 
 using Matrix = std::array<Vec3, 3>;
 
-/// Hooke's law for E = 1; gradient[a][b] = du_a / dx_b.
+/// Applies Hooke's law for E = 1; gradient[a][b] = du_a / dx_b.
 Matrix stress(const Matrix& gradient, double poisson) {
   const double shear = 1 / (2 * (1 + poisson));
   const double lame = 2 * shear * poisson / (1 - 2 * poisson);
@@ -26,7 +26,7 @@ Matrix stress(const Matrix& gradient, double poisson) {
   return result;
 }
 
-/// Consistent nodal loads of sigma n on all faces.
+/// Returns the consistent nodal loads of sigma n on all faces.
 std::vector<double> boundary_loads(VolumeType type, const Nodes& x, const Matrix& sigma) {
   std::vector<double> load(3 * x.size(), 0.0);
   for (const VolumeFace& face : faces_of(type)) {
@@ -76,7 +76,7 @@ TEST_P(ElementPatch, constant_shear_at_nearly_one_half) {
   const Nodes x = elements::curved(type);
   const double poisson = 0.499999;
   const auto force = elements::stiffness(GetParam(), x, poisson).times(elements::at_nodes(x, field));
-  // Rounding of the nodes' displacements is magnified by the bulk modulus.
+  // The bulk modulus magnifies the rounding of the nodes' displacements.
   expect_error(GetParam().name() + " sheared, nu 0.499999",
                elements::difference(force, boundary_loads(type, x, stress(gradient, poisson))), 4e-9);
 }
@@ -84,7 +84,7 @@ TEST_P(ElementPatch, constant_shear_at_nearly_one_half) {
 INSTANTIATE_TEST_SUITE_P(Fem, ElementPatch, ::testing::ValuesIn(elements::all),
                          [](const auto& param) { return param.param.name(); });
 
-/// Integral of sigma : grad u of a field over a parallelepiped.
+/// Integrates sigma : grad u of a field over a parallelepiped.
 double strain_energy(const Formulation& f, const Nodes& x, const std::function<Matrix(const Vec3&)>& gradient,
                      double poisson) {
   const VolumeRule rule = volume_rule(f.type, 6);
@@ -105,7 +105,7 @@ double strain_energy(const Formulation& f, const Nodes& x, const std::function<M
   return sum;
 }
 
-/// Component a is x.h[a].x / 2 with symmetric h[a].
+/// Is a field whose component a is x.h[a].x / 2 with symmetric h[a].
 struct QuadraticField {
   std::array<Matrix, 3> h{};
 
@@ -150,7 +150,7 @@ TEST_P(QuadraticElement, stores_the_energy_of_quadratic_fields) {
   }
 }
 
-// u = curl of a cubic potential: linear strain, no dilatation.
+// The field u is the curl of a cubic potential, with linear strain and no dilatation.
 TEST_P(QuadraticElement, does_not_lock_in_quadratic_fields_without_dilatation) {
   const Nodes x = elements::slanted(GetParam().type);
   QuadraticField field;
@@ -169,7 +169,7 @@ TEST_P(QuadraticElement, does_not_lock_in_quadratic_fields_without_dilatation) {
 INSTANTIATE_TEST_SUITE_P(Fem, QuadraticElement, ::testing::ValuesIn(elements::quadratic),
                          [](const auto& param) { return param.param.name(); });
 
-// Bulk moduli of the dilatation's constant and varying part, told apart by their energies.
+// The bulk moduli of the dilatation's constant and varying part are told apart by their energies.
 TEST(ElementDilatation, its_varying_part_is_capped_where_it_would_lock) {
   for (const Formulation& f : elements::quadratic) {
     const double cap = f.type == VolumeType::tet10 ? 4 : f.type == VolumeType::wedge15 ? 8 : INFINITY;
@@ -177,13 +177,13 @@ TEST(ElementDilatation, its_varying_part_is_capped_where_it_would_lock) {
     QuadraticField field;
     field.h[0][0][0] = 1;  // u = (x^2 / 2, 0, 0), dilatation x
     const auto gradient = [&](const Vec3& p) { return field.gradient(p); };
-    // Energies of G and of K alone follow from two Poisson's ratios below every cap.
+    // The energies of G and of K alone follow from two Poisson's ratios below every cap.
     const auto shear = [](double nu) { return 1 / (2 * (1 + nu)); };
     const auto bulk = [](double nu) { return 1 / (3 * (1 - 2 * nu)); };
     const double e0 = strain_energy(f, x, gradient, 0) / shear(0), e1 = strain_energy(f, x, gradient, 0.3) / shear(0.3);
     const double k0 = bulk(0) / shear(0), k1 = bulk(0.3) / shear(0.3);
     const double per_bulk = (e1 - e0) / (k1 - k0), per_shear = e0 - k0 * per_bulk;
-    // The constant part: the mean of x.
+    // The constant part is the mean of x.
     double volume = 0, moment = 0;
     const VolumeRule rule = volume_rule(f.type, 3);
     for (std::size_t q = 0; q < rule.size(); ++q) {
@@ -205,7 +205,7 @@ TEST(ElementDilatation, its_varying_part_is_capped_where_it_would_lock) {
   }
 }
 
-// Pure bending of one brick with free sides: u = (x z, -nu y z, ...). Deflections and contraction along z, quadratic,
+// A brick with free sides in pure bending has u = (x z, -nu y z, ...). Deflections and contraction along z, quadratic,
 // are left to the incompatible modes. Twice its energy is E I per length.
 TEST(ElementBending, of_one_enhanced_hexahedron_is_exact) {
   const Formulation enhanced{VolumeType::hex8}, b_bar{VolumeType::hex8, Hex8::b_bar};
@@ -216,7 +216,7 @@ TEST(ElementBending, of_one_enhanced_hexahedron_is_exact) {
       const auto u = elements::at_nodes(x, [&](const Vec3& p) { return Vec3{p[0] * p[2], -poisson * p[1] * p[2], 0}; });
       char what[64];
       std::snprintf(what, sizeof what, " bent, aspect %g, nu %.9g", aspect, poisson);
-      // Shear of a slender brick, (aspect)^2 times as stiff, cancels in the condensation.
+      // The shear of a slender brick, (aspect)^2 times as stiff, cancels in the condensation.
       expect_error(std::string("hex8") + what, relative(elements::stiffness(enhanced, x, poisson).energy(u), exact),
                    1e-8);
       report(std::string("hex8_b_bar") + what + ": energy over exact",
@@ -224,7 +224,7 @@ TEST(ElementBending, of_one_enhanced_hexahedron_is_exact) {
     }
 }
 
-// Right prism: u = (x z, 0, 0) bends it as a plate, whose sides y cannot contract, and shears it.
+// A right prism under u = (x z, 0, 0) bends like a plate, whose sides y cannot contract, and shears.
 TEST(ElementBending, of_one_wedge_through_its_thickness) {
   const Formulation wedge{VolumeType::wedge6};
   const Nodes x = elements::mapped(VolumeType::wedge6, [](const Vec3& r) {

@@ -1,4 +1,4 @@
-// Stiffness of one element: rigid motions, rank, symmetry, invariance, units.
+// Tests the stiffness of one element: rigid motions, rank, symmetry, invariance, units.
 
 #include "bodies/fem/element_cases.hpp"
 #include "bodies/model/mesh_models.hpp"
@@ -109,7 +109,7 @@ TEST_P(Element, turns_with_its_nodes) {
   }
 }
 
-/// Numberings of the corners that describe the same element: those of two rotations of it.
+/// Returns numberings of the corners that describe the same element: those of two rotations of it.
 std::vector<std::vector<int>> renumberings(VolumeType type) {
   switch (corner_count(type)) {
     case 4:
@@ -121,7 +121,7 @@ std::vector<std::vector<int>> renumberings(VolumeType type) {
   }
 }
 
-/// Midside nodes follow their edges.
+/// Returns all nodes; midside nodes follow their edges.
 std::vector<std::size_t> all_nodes(VolumeType type, const std::vector<int>& corner) {
   std::vector<std::size_t> node(corner.begin(), corner.end());
   if (!is_quadratic(type)) return node;
@@ -170,7 +170,7 @@ TEST_P(Element, is_as_stiff_in_any_unit_and_place) {
   }
   expect_error(GetParam().name() + " in other units", worst, 1e-13);
   Nodes far;
-  for (const Vec3& node : x) far.push_back(node + Vec3{4096, -2048, 1024});  // costs 12 bits
+  for (const Vec3& node : x) far.push_back(node + Vec3{4096, -2048, 1024});  // this costs 12 bits
   expect_error(GetParam().name() + " far from the origin",
                elements::difference(elements::stiffness(GetParam(), far, 0.3).k, k.k), 1e-11);
 }

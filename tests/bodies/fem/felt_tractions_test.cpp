@@ -1,4 +1,4 @@
-// Tractions as coarse faces feel them: constants stay, the rest becomes smoother with the share.
+// Tests tractions as coarse faces feel them: constants stay, the rest becomes smoother with the weight of smoothing.
 
 #include "bodies/fem/felt_tractions.hpp"
 
@@ -10,11 +10,11 @@ namespace rollcon {
 namespace {
 
 struct Felt {
-  std::vector<double> traction;  ///< at the nodes
+  std::vector<double> traction;  ///< tractions at the nodes
   double force = 0;
 };
 
-/// What is felt of tractions at the nodes of the faces themselves.
+/// Returns what is felt of tractions at the nodes of the faces themselves.
 Felt felt(const SurfaceMesh& surface, double share, const std::vector<double>& t) {
   std::vector<std::int64_t> face(static_cast<std::size_t>(surface.elements()));
   std::iota(face.begin(), face.end(), 0);
@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(types, FeltTractionsOf,
                                            ElementType::quad8),
                          [](const auto& info) { return std::to_string(node_count(info.param)); });
 
-// A frame with four spaces on a face: of its area the frame's nodes have 1/16 each, the face's own 1/1 or 1/4.
+// A frame with four spaces on a face gives its nodes 1/16 of the area each, and the face's own nodes 1/1 or 1/4.
 TEST(SmoothingShares, follow_the_frames_spacing_over_the_faces_in_any_unit) {
   for (const auto& [type, fine] : {std::pair{ElementType::quad4, 15.0 / 16}, {ElementType::quad8, 3.0 / 4 / 2}})
     for (const double unit : {1e-6, 1.0, 1e4}) {

@@ -1,5 +1,5 @@
-// Displacements off a frame that is made of the body's own faces: they go down as those of a half-space do, and agree
-// with those under a frame that reaches as far.
+// Tests displacements off a frame that is made of the body's own faces: they go down like those of a half-space, and
+// agree with those under a frame that reaches as far.
 
 #include "support/frames.hpp"
 #include "support/scene.hpp"
@@ -14,10 +14,10 @@ using scenes::RollingPair;
 
 const closed_forms::Elastic material{.shear = 1, .poisson = 0.3};
 constexpr double width = 0.5, rim = width / 2;
-/// On the rim, then one and two of the frame's widths away from it, straight and along a diagonal.
+/// The points lie on the rim, then one and two of the frame's widths away from it, straight and along a diagonal.
 const std::vector<double> points{rim, 0, rim + width, 0, rim + 2 * width, 0, 0, rim + width, rim + 0.35, rim + 0.35};
 
-/// Displacements of body `which` at the points under a rigid ball without friction.
+/// Returns displacements of body `which` at the points under a rigid ball without friction.
 std::vector<double> pressed(RollingPair& pair, int which) {
   pair.axes({0, 0, 0}, {1, 0, 0}, {0, 0, 1}).gap_quadratic(0.1, 0.1).friction(0);
   pair.approach(0.005).solve();
@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(Types_long, OffFrame, ::testing::Values(Case{VolumeType
                            return volumes::name_of(param.param.type) + "_body_" + std::to_string(param.param.body);
                          });
 
-// A block so small that its supports and sides are felt.
+// The block is so small that its supports and sides are felt.
 TEST(OffFrameOfSmallBlock_long, a_larger_frame_shows_the_same) {
   std::vector<double> u[2];
   for (const int larger : {0, 1}) {

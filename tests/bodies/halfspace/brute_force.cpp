@@ -53,7 +53,7 @@ void shape(ElementType type, Point p, Real* n, Real* nu, Real* nv) {
       }
       const int count = node_count(type);
       for (int i = 0; i < count; ++i) {
-        // Serendipity: the centre's function goes to the corners by -1/4, to the middles by 1/2.
+        // The serendipity functions take the centre's function to the corners by -1/4, to the middles by 1/2.
         const Real share = count == 9 ? 0 : i < 4 ? -0.25 : 0.5;
         n[i] = m[i] + share * m[8], nu[i] = mu[i] + share * mu[8], nv[i] = mv[i] + share * mv[8];
       }
@@ -62,7 +62,7 @@ void shape(ElementType type, Point p, Real* n, Real* nu, Real* nv) {
   }
 }
 
-/// Gauss-Legendre on [0, 1] by Newton's method.
+/// Computes Gauss-Legendre rules on [0, 1] by Newton's method.
 struct Line {
   std::vector<Real> x, w;
   explicit Line(int n) {
@@ -97,7 +97,7 @@ class Adaptive {
         py_ += n[i] * e.y[static_cast<std::size_t>(i)];
       }
     }
-    // The integrals' scale: the longer diagonal of the nodes' box, if the observer is near.
+    // The integrals' scale is the longer diagonal of the nodes' box, if the observer is near.
     const auto [x0, x1] = std::minmax_element(e.x.begin(), e.x.end());
     const auto [y0, y1] = std::minmax_element(e.y.begin(), e.y.end());
     const Real distance = std::hypot(px_ - (*x0 + *x1) / 2, py_ - (*y0 + *y1) / 2);
@@ -108,7 +108,7 @@ class Adaptive {
     const bool triangle = corner_count(e.type) == 3;
     const std::vector<Point> corner =
         triangle ? std::vector<Point>{{0, 0}, {1, 0}, {0, 1}} : std::vector<Point>{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-    // Triangles apex, a, b with points apex + s (a + t (b - a) - apex).
+    // Triangles apex, a, b have the points apex + s (a + t (b - a) - apex).
     for (std::size_t i = 0; i < corner.size(); ++i) {
       const Point apex = on ? Point{on->xi, on->eta} : corner[0];
       if (!on && (i == 0 || i + 1 == corner.size())) continue;
@@ -150,8 +150,8 @@ class Adaptive {
     return sum;
   }
 
-  /// Rays from the observer to an edge that may be very close: the edge is cut at the foot of the observer, and towards
-  /// it into halves; along the rays everything is smooth.
+  /// Integrates along rays from the observer to an edge that may be very close: the edge is cut at the foot of the
+  /// observer, and towards it into halves; everything is smooth along the rays.
   void graded() {
     Real n[9], nu[9], nv[9], xu = 0, xv = 0, yu = 0, yv = 0;
     shape(e_.type, apex_, n, nu, nv);

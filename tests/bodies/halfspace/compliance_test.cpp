@@ -1,5 +1,5 @@
-// The half-space compliance as the contact sees it: block against apply, threads, instruction sets, what is computed
-// and what is not.
+// Tests the half-space compliance that the contact sees: block against apply, threads, instruction sets, what is
+// computed and what is not.
 
 #include "bodies/model/compliance.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 
 using Blocks = std::vector<std::vector<double>>;
 
-/// A disc with triangles and quadrilaterals of several kinds: quad8 bent, its copy shifted as tri6.
+/// Makes a disc with triangles and quadrilaterals of several kinds: quad8 bent, its copy shifted as tri6.
 Frame mixed_frame() {
   SurfaceMesh mesh = frames::bend_midsides(frames::o_grid(ElementType::quad8, 4, 2, 1, 1), 0.05, 3);
   const SurfaceMesh other[] = {
@@ -36,7 +36,7 @@ Frame mixed_frame() {
   return build_frame(std::move(mesh), Axes{});
 }
 
-/// Nodes and some points between and away from them.
+/// Holds nodes and some points between and away from them.
 struct Observers {
   std::vector<double> x, y;
   explicit Observers(const Frame& frame) {
@@ -215,7 +215,7 @@ TEST(halfspace_constants, follow_the_materials) {
   EXPECT_EQ(halfspace_constants(1e4, 0.0, 1).cv, 0);
 }
 
-// Whatever the caller's array has held.
+// The results do not depend on what the caller's array held.
 TEST(halfspace_constants, displacements_are_written_and_not_added) {
   const std::vector<double> lines = frames::uniform_lines(0, 2, 2);
   const Frame frame = build_frame(frames::rectangle(ElementType::quad4, lines, lines), Axes{});

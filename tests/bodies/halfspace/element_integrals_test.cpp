@@ -1,5 +1,5 @@
-// The five integrals over single elements of every type, for observers on, near and far from them, against adaptive
-// brute force.
+// Compares the five integrals over single elements of every type, for observers on, near and far from them, with
+// adaptive brute force.
 
 #include "bodies/halfspace/brute_force.hpp"
 #include "support/testing.hpp"
@@ -41,7 +41,7 @@ Element curved_quad9() {
   e.y.push_back(0.49);
   return e;
 }
-Element ring_quad8() {  // a sixth of a ring, as at the rim of a disc
+Element ring_quad8() {  // a sixth of a ring, such as at the rim of a disc
   Element e{ElementType::quad8, {}, {}};
   const double r[8] = {0.8, 1, 1, 0.8, 0.9, 1, 0.9, 0.8};
   const double a[8] = {0, 0, 1, 1, 0, 0.5, 1, 0.5};
@@ -59,7 +59,7 @@ struct Case {
 
 class ElementIntegrals : public ::testing::TestWithParam<Case> {
  protected:
-  /// Worst errors at the two tolerances over the observers added.
+  /// Holds the worst errors at the two tolerances over the observers added.
   struct Worst {
     double loose = 0, tight = 0;
   };

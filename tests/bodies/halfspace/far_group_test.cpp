@@ -1,4 +1,4 @@
-// Groups of elements seen from afar: their scale and their choice of rules, against the formulas.
+// Compares groups of elements seen from afar, their scale and their choice of rules, with the formulas.
 
 #include "bodies/halfspace/far_field.hpp"
 #include "support/frames.hpp"
@@ -11,7 +11,7 @@ using halfspace::FarGroup;
 using quadrature::CellShape;
 using quadrature::MapKind;
 
-/// Rectangles of different sizes, far from the origin.
+/// Makes rectangles of different sizes, far from the origin.
 FarGroup group_off_the_origin() {
   const double x[] = {3, 3.5, 4.4, 6}, y[] = {-7, -6.2, -5};
   const Frame frame = build_frame(frames::rectangle(ElementType::quad4, x, y), Axes{});
@@ -71,7 +71,7 @@ TEST(FarGroup, the_first_rule_within_the_tolerance_is_taken) {
       ++taken[static_cast<std::size_t>(expected)];
     }
   }
-  for (const int count : taken) EXPECT_GT(count, 0);  // near, and every rule
+  for (const int count : taken) EXPECT_GT(count, 0);  // near elements, and every rule
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Hertz's pressure, interpolated on rings graded to the contact's edge, must leave a paraboloid.
+// Tests that Hertz's pressure, interpolated on rings graded to the contact's edge, leaves a paraboloid.
 
 #include "bodies/halfspace/halfspace.hpp"
 #include "support/frames.hpp"
@@ -7,7 +7,7 @@
 namespace rollcon {
 namespace {
 
-/// Largest error of u_n inside the contact circle, relative to its centre value.
+/// Returns the largest error of u_n inside the contact circle, relative to its centre value.
 double surface_error(ElementType type, int rings) {
   const auto radius = frames::contact_radii(1, rings, 1);
   const auto count = frames::ring_counts(radius);
@@ -23,7 +23,7 @@ double surface_error(ElementType type, int rings) {
     const double r = 0.95 * i / 39, a = 0.4 + 1.7 * i;
     x.push_back(r * std::cos(a));
     y.push_back(r * std::sin(a));
-    // u_n = -(1 - nu) pi p0 (2 a^2 - r^2) / (8 G a)
+    // The exact displacement is u_n = -(1 - nu) pi p0 (2 a^2 - r^2) / (8 G a).
     exact.push_back(-(1 - nu) * std::numbers::pi * p0 * (2 - r * r) / (8 * g));
   }
   std::vector<double> u(3 * x.size());

@@ -33,7 +33,7 @@ Integrals row(const LatticeIntegrals& lattice, std::int64_t j, std::int64_t firs
   return out;
 }
 
-/// Offsets, in cells, at which rows are compared.
+/// Rows are compared at these offsets, in cells.
 const int samples[] = {-80, -40, -21, -13, -8, -5, -4, -3, -2, -1, 0, 1, 2, 3, 4, 6, 10, 30, 79};
 constexpr int reach = 80;
 
@@ -46,8 +46,8 @@ const Kind kinds[] = {
     {Hat::whole, Hat::after, 4, 0},  {Hat::whole, Hat::before, 4, 8}, {Hat::after, Hat::after, 0, 0},
     {Hat::before, Hat::after, 8, 0}, {Hat::after, Hat::before, 0, 8}, {Hat::before, Hat::before, 8, 8}};
 
-/// Largest difference over the largest integral; the compliance of a frame gives the five integrals when its constants
-/// pick them out.
+/// Returns the largest difference over the largest integral; the compliance of a frame gives the five integrals when
+/// its constants pick them out.
 double error_against_compliance(double dx, double dy, double shift_x, double shift_y) {
   const Frame frame = build_frame(
       frames::rectangle(ElementType::quad4, frames::uniform_lines(0, 8 * dx, 8), frames::uniform_lines(0, 8 * dy, 8)),
@@ -168,7 +168,7 @@ TEST(LatticeKernel, HatRulesIntegratePolynomials) {
       for (int degree = 0; degree < 2 * n; ++degree) {
         double sum = 0;
         for (std::size_t q = 0; q < rule.x.size(); ++q) sum += rule.w[q] * std::pow(rule.x[q], degree);
-        // integral of x^d (1 - x) on [0, 1], and of its mirror image
+        // The expected values are the integral of x^d (1 - x) on [0, 1], and that of its mirror image.
         const double half = 1.0 / ((degree + 1) * (degree + 2)), mirror = degree % 2 == 0 ? 1 : -1;
         const double expected = hat == Hat::after ? half : hat == Hat::before ? mirror * half : (1 + mirror) * half;
         EXPECT_NEAR(sum, expected, 1e-15) << n << " " << degree;

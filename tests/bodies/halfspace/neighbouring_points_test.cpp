@@ -1,5 +1,5 @@
-/// Integrals of points that differ by rounding alone: at the corners of slender elements and on the nodes of grids,
-/// where rules change, slip divides their difference by a short step.
+/// Tests integrals of points that differ by rounding alone, at the corners of slender elements and on the nodes of
+/// grids, where rules change: slip divides their difference by a short step.
 
 #include "bodies/halfspace/halfspace.hpp"
 #include "support/frames.hpp"
@@ -8,7 +8,7 @@
 namespace rollcon {
 namespace {
 
-// Lines whose spacing grows threefold from the middle on, to both sides.
+// Returns lines whose spacing grows threefold from the middle on, to both sides.
 std::vector<double> graded() {
   std::vector<double> half{0}, lines;
   for (double step = 1; half.size() < 10; step *= 3) half.push_back(half.back() + step);
@@ -17,7 +17,7 @@ std::vector<double> graded() {
   return lines;
 }
 
-/// At points neither of whose coordinates is below the least: a quarter of them with 0.
+/// Compares at points neither of whose coordinates is below the least: a quarter of them with 0.
 void expect_the_same_integrals(double least) {
   constexpr double bound = 1e-9;
   for (const ElementType type : {ElementType::tri3, ElementType::quad4})

@@ -1,4 +1,4 @@
-// Love's rectangle: uniform and bilinear loads, closed forms.
+// Compares Love's rectangle under uniform and bilinear loads with closed forms.
 
 #include "bodies/halfspace/brute_force.hpp"
 #include "bodies/halfspace/halfspace.hpp"
@@ -7,13 +7,13 @@
 namespace rollcon {
 namespace {
 
-/// log(a + r) where a may be close to -r = -sqrt(a^2 + b^2).
+/// Returns log(a + r) where a may be close to -r = -sqrt(a^2 + b^2).
 double log_sum(double a, double b) {
   const double r = std::hypot(a, b);
   return a >= 0 ? std::log(a + r) : 2 * std::log(std::abs(b)) - std::log(r - a);
 }
 
-/// Second antiderivatives in u and v of 1/r, u^2/r^3, uv/r^3, u/r^2, v/r^2.
+/// Returns second antiderivatives in u and v of 1/r, u^2/r^3, uv/r^3, u/r^2, v/r^2.
 double antiderivative(int kernel, double u, double v) {
   const double r = std::hypot(u, v);
   const double lu = v == 0 ? 0 : v * log_sum(u, v), lv = u == 0 ? 0 : u * log_sum(v, u);
@@ -32,7 +32,7 @@ double antiderivative(int kernel, double u, double v) {
   }
 }
 
-/// Integral over the rectangle [x0,x1] x [y0,y1] of a kernel of d = observer - source.
+/// Integrates a kernel of d = observer - source over the rectangle [x0,x1] x [y0,y1].
 double rectangle(int kernel, double x0, double x1, double y0, double y1, double px, double py) {
   const double a = px - x1, b = px - x0, c = py - y1, d = py - y0;
   return antiderivative(kernel, b, d) - antiderivative(kernel, a, d) - antiderivative(kernel, b, c) +
@@ -45,7 +45,7 @@ brute_force::Element rectangle_element(double x0, double x1, double y0, double y
 
 TEST(rectangle_load, uniform_load_matches_love) {
   double worst[2] = {0, 0};
-  for (const double side : {1.0, 0.01}) {  // square and 1 : 100
+  for (const double side : {1.0, 0.01}) {  // square, and 1 : 100
     const auto element = rectangle_element(-0.5, 0.5, -0.5 * side, 0.5 * side);
     const double points[][2] = {{0, 0},      {0.5, 0.5}, {0.21, -0.34},     {0.5, 0.1},  {0.7, 0.2},
                                 {-0.2, 0.9}, {3, 4},     {0.5 + 1e-7, 0.3}, {-40, 12.0}, {1e4, -7e3}};
@@ -73,8 +73,8 @@ TEST(rectangle_load, uniform_load_matches_love) {
 }
 
 TEST(rectangle_load, bilinear_load_matches_closed_form) {
-  // u/r, v/r and uv/r have the antiderivatives (v r + u^2 log(v + r))/2, the same with u and v exchanged, and r^3/3; a
-  // corner's shape function is bilinear in u and v.
+  // The integrands u/r, v/r and uv/r have the antiderivatives (v r + u^2 log(v + r))/2, that with u and v exchanged,
+  // and r^3/3; a corner's shape function is bilinear in u and v.
   const auto element = rectangle_element(0, 1.4, 0, 0.6);
   double worst = 0;
   for (const auto& [px, py] : {std::pair{0.0, 0.0}, {0.7, 0.3}, {1.4, 0.2}, {2.0, -0.4}, {0.3, 0.7}}) {
@@ -89,7 +89,7 @@ TEST(rectangle_load, bilinear_load_matches_closed_form) {
     const double u = difference(f), v = difference([&](double a, double b) { return f(b, a); });
     const double uv = difference([](double a, double b) { return std::pow(std::hypot(a, b), 3) / 3; });
     const auto value = brute_force::from_library(element, px, py, 1e-9);
-    // x = px - u, y = py - v in the shape functions.
+    // The shape functions have x = px - u, y = py - v.
     for (std::size_t i = 0; i < 4; ++i) {
       const double sx = i == 1 || i == 2 ? 1 : -1, sy = i >= 2 ? 1 : -1;
       const double ax = sx > 0 ? px / 1.4 : 1 - px / 1.4, bx = -sx / 1.4;  // ax + bx u
@@ -103,7 +103,7 @@ TEST(rectangle_load, bilinear_load_matches_closed_form) {
 }
 
 TEST(rectangle_load, unit_square_matches_contact_reference) {
-  // G = 1, nu = 0.28, unit square, unit pressures along x and n: u_x and u_n at the centre.
+  // A unit square with G = 1, nu = 0.28 under unit pressures along x and n has these u_x and u_n at the centre.
   const Frame frame = brute_force::frame_of(rectangle_element(-0.5, 0.5, -0.5, 0.5));
   const auto compliance = make_halfspace_compliance(frame, halfspace_constants(2.56, 0.28, 1), 1e-9, 1);
   const double x[] = {0}, y[] = {0};
@@ -122,7 +122,7 @@ TEST(rectangle_load, unit_square_matches_contact_reference) {
 }
 
 TEST(rectangle_load, normal_force_pulls_surface_points_towards_it) {
-  // u_r = -(1 - 2 nu) P / (4 pi G r) for a compressive force P on body 1, t_n = -P.
+  // A compressive force P on body 1, t_n = -P, moves the surface by u_r = -(1 - 2 nu) P / (4 pi G r).
   const Frame frame = brute_force::frame_of(rectangle_element(-0.5, 0.5, -0.5, 0.5));
   const auto compliance = make_halfspace_compliance(frame, halfspace_constants(2.6, 0.3, 1), 1e-9, 1);
   const double x[] = {1000}, y[] = {0};

@@ -1,5 +1,5 @@
-// The selector of rules: a sweep over distance, direction, aspect ratio and distortion, each integral against adaptive
-// brute force.
+// Sweeps the selector of rules over distance, direction, aspect ratio and distortion, and compares each integral with
+// adaptive brute force.
 
 #include "bodies/halfspace/brute_force.hpp"
 #include "support/frames.hpp"
@@ -10,8 +10,8 @@ namespace {
 
 using brute_force::Element;
 
-/// The reference element stretched to aspect : 1, its nodes moved at random by up to `distortion` of the distance
-/// between nodes, turned by an odd angle.
+/// Returns the reference element stretched to aspect : 1, its nodes moved at random by up to `distortion` of the
+/// distance between nodes, turned by an odd angle.
 Element distorted(ElementType type, double aspect, double distortion, std::uint32_t seed) {
   static constexpr double square_x[9] = {-1, 1, 1, -1, 0, 1, 0, -1, 0};
   static constexpr double square_y[9] = {-1, -1, 1, 1, -1, 0, 1, 0, 0};
@@ -39,11 +39,11 @@ TEST_P(RuleSelection, sweep_of_distance_aspect_and_distortion) {
   std::uint32_t seed = 1;
   for (const double aspect : {1.0, 4.0, 100.0})
     for (const double distortion : {0.0, 0.05, 0.12}) {
-      if (aspect > 10 && distortion > 0.1) continue;  // would fold
+      if (aspect > 10 && distortion > 0.1) continue;  // this would fold
       const Element element = distorted(GetParam(), aspect, distortion, ++seed);
       for (const double d : distance)
         for (const double a : angle) {
-          // On an ellipse around the element; d < 1 may be inside, where other tests look.
+          // The observer is on an ellipse around the element; d < 1 may be inside, where other tests look.
           const double u = d * 1.5 * std::cos(a), v = d * 1.5 * std::sin(a) * (d < 3 ? 1 / aspect : 1);
           const double px = 0.8 * u - 0.6 * v, py = 0.6 * u + 0.8 * v;
           const auto reference = brute_force::integrate(element, px, py);

@@ -1,4 +1,4 @@
-// Slender elements: their integrals hold the tolerance, and cost grows with the logarithm of the sides' ratio.
+// Tests slender elements: their integrals hold the tolerance, and cost grows with the logarithm of the sides' ratio.
 
 #include <array>
 
@@ -15,9 +15,10 @@ namespace {
 using brute_force::Element;
 using brute_force::Integrals;
 
-constexpr std::size_t kernels = 5;  ///< of brute_force::Integrals
+constexpr std::size_t kernels = 5;  ///< number of brute_force::Integrals
 
-/// A square, or half of one, moved at its corners by up to `distortion` of its side, then pressed flat and turned.
+/// Returns a square, or half of one, moved at its corners by up to `distortion` of its side, then pressed flat and
+/// turned.
 Element flat_element(ElementType type, double aspect, double distortion, std::uint32_t seed) {
   frames::Random random(seed);
   const double square_x[] = {-1, 1, 1, -1}, square_y[] = {-1, -1, 1, 1};
@@ -35,7 +36,7 @@ Element flat_element(ElementType type, double aspect, double distortion, std::ui
   return e;
 }
 
-/// Points on the element, on its sides, and around it up to a few times its width away.
+/// Returns points on the element, on its sides, and around it up to a few times its width away.
 std::vector<std::array<double, 2>> observers(const Element& e, std::uint32_t seed) {
   frames::Random random(seed);
   const auto at = [&](double xi, double eta) { return brute_force::position(e, {xi, eta}); };
@@ -48,7 +49,7 @@ std::vector<std::array<double, 2>> observers(const Element& e, std::uint32_t see
   return points;
 }
 
-/// The same integrals from the element cut into `parts` along its length: its shape functions are interpolated
+/// Returns the integrals from the element cut into `parts` along its length: its shape functions are interpolated
 /// exactly on the parts, if they are bilinear there.
 Integrals from_parts(const Element& e, double px, double py, int parts, double tolerance) {
   Integrals sum{};
@@ -89,8 +90,8 @@ TEST(slender_quadrilaterals, agree_with_themselves_cut_into_round_ones) {
   EXPECT_LE(worst[1], 1e-9);
 }
 
-/// The integral of 1/r over a polygon: the sum over its sides of their distance times asinh's. In double precision it
-/// has eight digits at a ratio of 1e6.
+/// Returns the integral of 1/r over a polygon: the sum over its sides of their distance times asinh's. It has eight
+/// digits in double precision at a ratio of 1e6.
 double potential(const Element& e, double px, double py) {
   using Real = long double;
   const auto corners = static_cast<std::size_t>(corner_count(e.type));
@@ -139,11 +140,11 @@ double solid_angle(const Vec3 (&c)[4]) {
   return sum;
 }
 
-// What is strongly singular: the integral of z/r^3, in a plane that is turned in space.
+// The strongly singular part is the integral of z/r^3, in a plane that is turned in space.
 TEST(slender_quadrilaterals, are_seen_under_their_solid_angle) {
   constexpr double tolerance = 1e-9;
   double worst = 0;
-  // Beyond, the exact formula has no digits left.
+  // The exact formula has no digits left beyond these ratios.
   for (const double aspect : {1.0, 30.0, 1e3})
     for (std::uint32_t seed = 1; seed <= 20; ++seed) {
       const Element e = flat_element(ElementType::quad4, aspect, seed % 2 ? 0.1 : 0.2, seed);
@@ -170,13 +171,14 @@ TEST(slender_quadrilaterals, are_seen_under_their_solid_angle) {
           worst = std::max(worst, std::abs(sum - solid_angle(corner)));
         }
     }
-  // T has 1/(4 pi), and the integral against each of the four shape functions may be off.
+  // The kernel T has a factor 1/(4 pi), and the integral against each of the four shape functions may be off.
   const double bound = 4 * 4 * 3.14159265358979 * tolerance;
   std::printf("largest error of a solid angle %.1e (bound %.1e)\n", worst, bound);
   EXPECT_LE(worst, bound);
 }
 
-/// Of the half-space under a frame whose lines are off the grid, so that no element is like its neighbour.
+/// Counts evaluations for the half-space under a frame whose lines are off the grid, so that no element is like its
+/// neighbour.
 std::int64_t evaluations(ElementType type, double ratio, double distortion) {
   const double x[] = {0, 0.21, 0.4, 0.63, 0.8, 1}, y[] = {0, 0.18, 0.41, 0.6, 0.83, 1};
   SurfaceMesh mesh = frames::perturb(frames::rectangle(type, x, y), distortion, 3);
@@ -189,11 +191,11 @@ std::int64_t evaluations(ElementType type, double ratio, double distortion) {
   return compliance->kernel_evaluations();
 }
 
-// Cut into similar parts, they would need evaluations in proportion to the sides' ratio.
+// Elements cut into similar parts would need evaluations in proportion to the sides' ratio.
 TEST(slender_elements, cost_little_more) {
   struct Case {
     ElementType type;
-    double distortion, ratio, times;  ///< the round one's evaluations
+    double distortion, ratio, times;  ///< the round one's evaluations in `times`
   };
   for (const auto& [type, distortion, ratio, times] :
        {Case{ElementType::tri3, 0.2, 1e4, 5}, Case{ElementType::quad4, 0.2, 1e4, 25},

@@ -1,4 +1,4 @@
-// What the compliance inherits from the half-space: reflections, scale, reciprocity.
+// Tests what the compliance inherits from the half-space: reflections, scale, reciprocity.
 
 #include "bodies/halfspace/halfspace.hpp"
 #include "support/frames.hpp"
@@ -7,7 +7,7 @@
 namespace rollcon {
 namespace {
 
-/// All nine blocks at points, [3 i + j][p * nodes + k].
+/// Returns all nine blocks at points, [3 i + j][p * nodes + k].
 std::vector<std::vector<double>> matrix(const Frame& frame, HalfspaceConstants c, double tolerance,
                                         std::span<const double> x, std::span<const double> y) {
   const auto compliance = make_halfspace_compliance(frame, c, tolerance, 1);
@@ -20,7 +20,7 @@ std::vector<std::vector<double>> matrix(const Frame& frame, HalfspaceConstants c
   return a;
 }
 
-/// Frame reflected at x = 0 with the same node numbers: every element is turned around.
+/// Reflects a frame at x = 0 with the same node numbers: every element is turned around.
 SurfaceMesh reflected(SurfaceMesh mesh) {
   for (Vec3& node : mesh.node) node[0] = -node[0];
   for (std::int64_t e = 0; e < mesh.elements(); ++e) {
@@ -49,7 +49,7 @@ TEST_P(Symmetry, reflection_changes_signs_and_nothing_else) {
   const auto b = matrix(mirror, c, 1e-6, mirror.x, mirror.y);
   double error = 0, size = 0;
   for (std::size_t k = 0; k < 9; ++k) {
-    const double sign = (k / 3 == 0) == (k % 3 == 0) ? 1 : -1;  // x components change sign
+    const double sign = (k / 3 == 0) == (k % 3 == 0) ? 1 : -1;  // components along x change sign
     for (std::size_t m = 0; m < a[k].size(); ++m) {
       size = std::max(size, std::abs(a[k][m]));
       error = std::max(error, std::abs(a[k][m] - sign * b[k][m]));
@@ -83,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(types, Symmetry,
                          [](const auto& info) { return std::to_string(node_count(info.param)); });
 
 TEST(reciprocity, work_of_two_loads_is_mutual_as_the_outer_rule_refines) {
-  // int t1 . u2 = int t2 . u1, the outer integrals by Gauss rules on each element of a grid.
+  // The integrals of t1 . u2 and t2 . u1 agree, the outer integrals by Gauss rules on each element of a grid.
   const auto lines = frames::uniform_lines(-1, 1, 3);
   const Frame frame = build_frame(frames::rectangle(ElementType::quad4, lines, lines), Axes{});
   const auto n = static_cast<std::size_t>(frame.nodes());
@@ -106,7 +106,7 @@ TEST(reciprocity, work_of_two_loads_is_mutual_as_the_outer_rule_refines) {
             y.push_back(-1 + (ey + t) * h);
             const auto node = frame.mesh.element(0).size();
             ASSERT_EQ(node, 4u);
-            // Bilinear interpolation from the four nodes at the element's corners.
+            // Values are interpolated bilinearly from the four nodes at the element's corners.
             for (int c = 0; c < 3; ++c) {
               double v1 = 0, v2 = 0;
               for (std::size_t k = 0; k < n; ++k) {

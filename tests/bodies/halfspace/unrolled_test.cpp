@@ -1,4 +1,4 @@
-/// Half-spaces under a frame that follows a cylinder: reciprocity, and the plane as its limit.
+/// Tests half-spaces under a frame that follows a cylinder: reciprocity, and the plane as its limit.
 
 #include "bodies/halfspace/unrolled.hpp"
 
@@ -12,7 +12,7 @@ namespace {
 constexpr HalfspaceConstants unlike{1.0, 0.6, 0.35}, like{1.0, 0.6, 0};
 constexpr int along = 6, across = 10;
 
-/// Nodes at equal arc lengths on a cylinder about the rolling direction; half the arc is 1.
+/// Puts nodes at equal arc lengths on a cylinder about the rolling direction; half the arc is 1.
 Frame on_cylinder(double radius) {
   SurfaceMesh mesh =
       frames::rectangle(ElementType::quad4, frames::uniform_lines(-1, 1, along), frames::uniform_lines(-1, 1, across));
@@ -30,7 +30,7 @@ Frame on_cylinder(double radius) {
   return frame;
 }
 
-/// a[i][j][n * p + k]
+/// Holds a[i][j][n * p + k].
 struct Rows {
   Rows(const Frame& frame, const HalfspaceConstants& constants) {
     const auto compliance = make_halfspace_compliance(frame, constants, 1e-10, 1);

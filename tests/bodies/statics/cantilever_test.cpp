@@ -1,4 +1,4 @@
-// A cantilever with an end load, of boundary and of finite elements.
+// Tests a cantilever with an end load, of boundary and of finite elements.
 
 #include "support/static_cases.hpp"
 #include "support/testing.hpp"
@@ -26,7 +26,7 @@ class Cantilever : public ::testing::TestWithParam<AnyElement> {
   }
 };
 
-/// Elements across the coarse mesh; errors of it and of the one twice as fine, and their order.
+/// Holds the elements across the coarse mesh, bounds of the errors of it and of the one twice as fine, and their order.
 struct Bounds {
   int coarse;
   double first, second, order;
@@ -44,8 +44,8 @@ TEST_P(Cantilever, converges_to_the_exact_bending_with_shear) {
   expect_order(what, observed_order(e1, e2, 2, 1), bound.order);
 }
 
-// Of boundary elements the pull's reaction: that of the bent beam's shear force drowns in the errors of its bending
-// stresses, fifty times larger.
+// Boundary elements are judged by the pull's reaction: that of the bent beam's shear force drowns in the errors of its
+// bending stresses, fifty times larger.
 TEST_P(Cantilever, its_root_carries_the_load) {
   const AnyElement type = GetParam();
   const bool finite = is_finite_element(type);
@@ -72,8 +72,8 @@ INSTANTIATE_TEST_SUITE_P(Bodies_long, Cantilever,
                                            VolumeType::wedge6, VolumeType::wedge15, VolumeType::hex20),
                          element_name);
 
-// Clamped flat, uniform end traction, nu = 0.3: Timoshenko's beam but for the root, whose clamped section cannot
-// contract or warp (0.9 % stiffer at 8 heights, 0.4 % at 20), and the end, where shear is uniform.
+// Clamped flat, with uniform end traction and nu = 0.3, it is Timoshenko's beam except at the root, whose clamped
+// section cannot contract or warp (0.9 % stiffer at 8 heights, 0.4 % at 20), and at the end, where shear is uniform.
 TEST(CantileverTheory, sinks_as_a_timoshenko_beam) {
   constexpr double poisson = 0.3;
   for (const AnyElement type :

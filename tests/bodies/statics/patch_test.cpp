@@ -1,4 +1,4 @@
-// Uniform strain and pure bending, on meshes of all boundary and finite elements: fields that the elements hold
+// Tests uniform strain and pure bending, on meshes of all boundary and finite elements: fields that the elements hold
 // exactly, so that what is left is the error of the integrals and of the linear algebra.
 
 #include "support/static_cases.hpp"
@@ -16,7 +16,7 @@ using statics::UniformStress;
 constexpr double young = 200;
 const Vec3 brick_size{3, 0.7, 1.5}, mixed_size{2, 1, 1};
 
-/// A surface, or a volume with its surface.
+/// Holds a surface, or a volume with its surface.
 struct MeshCase {
   std::string name;
   Vec3 size;
@@ -26,14 +26,14 @@ struct MeshCase {
   StaticBody body(double poisson, double accuracy = 1e-10) const {
     return finite() ? StaticBody(mesh, young, poisson) : StaticBody(mesh.surface, young, poisson, accuracy);
   }
-  /// Has tet4 or wedge6, which are refused near incompressibility.
+  /// Says whether it has tet4 or wedge6, which are refused near incompressibility.
   bool locks() const {
     return std::any_of(mesh.volume.type.begin(), mesh.volume.type.end(),
                        [](VolumeType type) { return rollcon::locks(type); });
   }
 };
 
-/// Surfaces, then volumes.
+/// Returns surfaces, then volumes.
 std::vector<MeshCase> meshes() {
   std::vector<MeshCase> cases;
   const auto brick = surfaces::brick({3, 2, 3}, brick_size), mixed = surfaces::brick({3, 2, 2}, mixed_size);
@@ -116,7 +116,7 @@ TEST_P(VolumePatch, of_any_material) {
   }
 }
 
-// The root carries what the stress asks of its face, the other faces balance it.
+// The root carries what the stress asks of its face, and the other faces balance it.
 TEST_P(VolumePatch, reactions_are_in_equilibrium) {
   const Vec3 size = mesh.size, centre{0, size[1] / 2, size[2] / 2};
   for (const auto& field : statics::uniform_stresses) {
@@ -132,7 +132,7 @@ TEST_P(VolumePatch, reactions_are_in_equilibrium) {
   }
 }
 
-// What is held carries the body along.
+// The held face carries the body along.
 TEST_P(Patch, the_body_follows_the_face_that_is_held) {
   const auto turn = [](const Vec3& x) { return cross({0.3, -0.2, 0.5}, x); };
   const auto shift = [](const Vec3&) { return Vec3{1, -2, 3}; };
@@ -149,7 +149,7 @@ TEST_P(Patch, the_body_follows_the_face_that_is_held) {
 
 constexpr auto mesh_name = [](const auto& param) { return meshes()[param.param].name; };
 constexpr std::size_t surfaces_in_all = 12, all = 20;
-// Of surfaces, cubes and the mixed linear one are quick; distorted bricks and the mixed quadratic one are not.
+// Among surfaces, cubes and the mixed linear one are quick; distorted bricks and the mixed quadratic one are not.
 INSTANTIATE_TEST_SUITE_P(Bodies, Patch, ::testing::Range(std::size_t{0}, surfaces_in_all, std::size_t{2}), mesh_name);
 INSTANTIATE_TEST_SUITE_P(Bodies_long, Patch, ::testing::Range(std::size_t{1}, surfaces_in_all, std::size_t{2}),
                          mesh_name);
@@ -165,7 +165,7 @@ TEST(PatchMaterials, of_boundary_elements_from_auxetic_to_incompressible) {
       {surfaces::distort(surfaces::block(surfaces::brick({2, 2, 2}, {1, 1.2, 0.8}), ElementType::quad8), 0.15, 3), {}}};
   for (const double poisson : {-0.9, 0.0, 0.49, 0.4999, 0.5})
     for (const auto& [given, what] : givens) {
-      // With all displacements given, an incompressible body has any pressure.
+      // An incompressible body has any pressure if all displacements are given.
       if (given == Given::displacements && poisson > 0.49) continue;
       const Errors e = patch_error(mesh, given, statics::uniform_stresses[0].stress, poisson);
       const std::string text = "nu " + std::to_string(poisson) + ", " + what;
@@ -178,7 +178,7 @@ TEST(PatchMaterials, of_boundary_elements_from_auxetic_to_incompressible) {
   }
 }
 
-// Two materials in series: each keeps its own uniform strain.
+// Two materials in series have each its own uniform strain.
 TEST(PatchMaterials, of_finite_elements_two_in_series) {
   for (const VolumeType type : volumes::all_types) {
     if (absent(type)) GTEST_SKIP() << "not in this build";
@@ -196,8 +196,8 @@ TEST(PatchMaterials, of_finite_elements_two_in_series) {
 
 class PatchBending : public ::testing::TestWithParam<AnyElement> {};
 
-// Pure bending about y: sigma_x = E z / R, with quadratic displacements. Near incompressibility only the dilatation of
-// hex20, of finite elements, is free enough to follow.
+// Pure bending about y has sigma_x = E z / R, with quadratic displacements. Near incompressibility only the dilatation
+// of hex20, among finite elements, is free enough to follow.
 TEST_P(PatchBending, of_quadratic_elements_is_exact) {
   constexpr double radius = 40;
   const AnyElement type = GetParam();
@@ -214,7 +214,7 @@ TEST_P(PatchBending, of_quadratic_elements_is_exact) {
       body.hold_tags(held, 7, exact).solve();
       return body;
     };
-    // The other end's tractions vary: it is given as a displacement too.
+    // The other end's tractions vary, so it is given as a displacement too.
     const StaticBody body = bent({1, 2});
     if (is_finite_element(type)) {
       const bool follows = poisson < 0.4 || type == AnyElement(VolumeType::hex20);

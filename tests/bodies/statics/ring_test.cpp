@@ -1,4 +1,4 @@
-// The ring of the paper's first example, of boundary and of finite elements, under loads on a patch of its outer
+// Tests the ring of the paper's first example, of boundary and of finite elements, under loads on a patch of its outer
 // surface (support/loaded_ring.hpp).
 
 #include "bodies/model/imbalance.hpp"
@@ -12,14 +12,14 @@ namespace loaded_ring = statics::loaded_ring;
 using loaded_ring::Load;
 using statics::StaticBody;
 
-/// How the whole ring is made of what is meshed.
+/// Says how the whole ring is made of what is meshed.
 enum class Part { whole, quarter };
 
 struct Case {
   Part part;
   AnyElement type;
   loaded_ring::Quarter elements;
-  double bound, axial = 0;  ///< axial: of the load that bends the ring out of its plane; 0: not asked
+  double bound, axial = 0;  ///< bound for the load that bends the ring out of its plane in `axial`; 0: not asked
 };
 
 SurfaceMesh whole_ring(const Case& c) {
@@ -33,12 +33,12 @@ SurfaceMesh whole_ring(const Case& c) {
                                      .top_layer = 2.0 / zone,
                                      .side_grading = 1},
                                     std::get<ElementType>(c.type));
-  for (std::int32_t& tag : mesh.tag)  // as the quarter's: outer 6, hub 5, sides 3 and 4
+  for (std::int32_t& tag : mesh.tag)  // tags of the quarter: outer 6, hub 5, sides 3 and 4
     tag = tag <= 2 ? 6 : tag == 3 ? 5 : tag - 1;
   return mesh;
 }
 
-/// The factorised ring for one kind of load (the quarter's supports depend on it).
+/// Returns the factorised ring for one kind of load (the quarter's supports depend on it).
 StaticBody held_ring(const Case& c, Load kind, double poisson) {
   if (c.part == Part::whole) {
     StaticBody body(whole_ring(c), loaded_ring::young, poisson);
@@ -70,8 +70,8 @@ constexpr auto ring_part_name = [](const auto& param) {
   return name_of(param.param.type) + (param.param.part == Part::whole ? "_whole" : "_quarter");
 };
 
-// Bounds: 2 % (linear) and 0.5 % (quadratic) as asked of meshes that fit 4000 nodes; coarser ones as measured. Wholes
-// of 2816 nodes (quad4) and 3456 (quad8), too long for here: 0.7 % and 0.4 %.
+// The bounds are 2 % (linear) and 0.5 % (quadratic) for meshes that fit 4000 nodes; coarser ones have measured bounds.
+// Whole rings of 2816 nodes (quad4) and 3456 (quad8), too long for here, have 0.7 % and 0.4 %.
 INSTANTIATE_TEST_SUITE_P(Ring, PatchLoad,
                          ::testing::Values(Case{Part::quarter, VolumeType::hex8, {8, 20, 6, 14}, 0.02},
                                            Case{Part::quarter, VolumeType::hex20, {4, 10, 3, 8}, 0.005}),
@@ -90,8 +90,8 @@ INSTANTIATE_TEST_SUITE_P(Ring_long, PatchLoad,
                                            Case{Part::quarter, VolumeType::tet10, {6, 12, 3, 10}, 0.02}),
                          ring_part_name);
 
-// The part of its work by which an axial load bends a ring within elements too long for the thickness is compared with
-// the error of the displacements, on sound and on coarse meshes. What reactions miss does not follow the error.
+// The fraction of its work by which an axial load bends a ring within elements too long for the thickness is compared
+// with the error of the displacements, on sound and on coarse meshes. What reactions miss does not follow the error.
 TEST(RingBending_long, what_long_elements_bend_follows_the_error) {
   if (absent(ElementType::quad4)) GTEST_SKIP() << "not in this build";
   constexpr double least_told = 0.02;
@@ -113,8 +113,8 @@ TEST(RingBending_long, what_long_elements_bend_follows_the_error) {
   }
 }
 
-// Orders from the root mean square of all listed errors; edges of the patch and of the ring limit those of quadratic
-// elements.
+// Orders come from the root mean square of all listed errors; edges of the patch and of the ring limit those of
+// quadratic elements.
 TEST(RingRefinement_long, of_finite_elements) {
   for (const VolumeType type : {VolumeType::hex8, VolumeType::hex20}) {
     if (absent(type)) GTEST_SKIP() << "not in this build";
@@ -132,7 +132,7 @@ TEST(RingRefinement_long, of_finite_elements) {
   }
 }
 
-// Three ways to the same load: nodal tractions on the body's faces, on a mesh of its own laid on them, and the body's
+// Three ways give the same load: nodal tractions on the body's faces, on a mesh of its own laid on them, and the body's
 // own load by tag.
 TEST(RingLoads_long, by_faces_by_a_layer_and_by_tag_agree) {
   if (absent(ElementType::tri3)) GTEST_SKIP() << "not in this build";

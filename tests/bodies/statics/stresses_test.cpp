@@ -1,5 +1,5 @@
-// Stresses of finite elements under known displacements and loads: uniform ones on bricks of all elements, and Lame's
-// thick cylinder at nodes, integration points and any points.
+// Tests stresses of finite elements under known displacements and loads: uniform ones on bricks of all elements, and
+// Lame's thick cylinder at nodes, integration points and any points.
 
 #include <random>
 
@@ -33,7 +33,7 @@ Fields fields_of(StaticBody& body) {
   return f;
 }
 
-/// Largest difference of n stresses from those at x.
+/// Returns the largest difference of n stresses from those at x.
 template <class Exact>
 double error_of(const std::vector<double>& stress, const std::vector<double>& x, Exact&& exact) {
   double most = 0;
@@ -71,7 +71,7 @@ TEST(BodyStresses, uniform_ones_are_exact) {
     }
 }
 
-/// Plane strain, around the y axis.
+/// Returns Lame's stresses in plane strain, around the y axis.
 Stress lame(const Vec3& x, double poisson) {
   const double r2 = x[0] * x[0] + x[2] * x[2], a2 = walls::inner * walls::inner, b2 = walls::outer * walls::outer;
   const double k = walls::pressure * a2 / (b2 - a2), radial = k * (1 - b2 / r2), hoop = k * (1 + b2 / r2);
@@ -82,7 +82,7 @@ Stress lame(const Vec3& x, double poisson) {
 struct Bounds {
   VolumeType type;
   int n;
-  double nodes, points, order;  ///< of the finer mesh; order of the stresses at nodes
+  double nodes, points, order;  ///< bounds for the finer mesh; `order` of the stresses at nodes
 };
 
 struct LameError {

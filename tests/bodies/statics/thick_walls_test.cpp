@@ -1,4 +1,4 @@
-// Lame's thick sphere and thick cylinder under pressure from inside, of boundary and of finite elements: error,
+// Tests Lame's thick sphere and thick cylinder under pressure from inside, of boundary and of finite elements: error,
 // observed order, and what happens as nu tends to 1/2.
 
 #include "support/error.hpp"
@@ -18,7 +18,7 @@ StaticBody hollow_sphere(ElementType type, int n, double poisson) {
           walls::young, poisson};
 }
 
-/// Boundary elements: the whole of it; finite ones: a part between planes and a cone.
+/// Returns the sphere's error: boundary elements mesh the whole of it, finite ones a part between planes and a cone.
 double sphere_error(AnyElement type, int n, double poisson) {
   const auto exact = [poisson](const Vec3& x) { return walls::sphere_displacement(x, poisson); };
   if (is_finite_element(type)) {
@@ -36,7 +36,8 @@ double cylinder_error(AnyElement type, int n, double poisson) {
   return body.solve().displacement_error([poisson](const Vec3& x) { return walls::cylinder_displacement(x, poisson); });
 }
 
-/// n: parts of the coarse mesh through the wall. Bounds of its error, of that of the mesh twice as fine, of the order.
+/// Holds as n the parts of the coarse mesh through the wall, and bounds of its error, of that of the mesh twice as
+/// fine, and of the order.
 struct Bounds {
   int n;
   double coarse, fine, order;
@@ -72,7 +73,7 @@ TEST_P(ThickWalls, converge_to_lame) {
   });
 }
 
-// Errors are of the size that they have at 0.3 and fall as the mesh is refined.
+// Errors have the size that they have at 0.3, and fall as the mesh is refined.
 TEST_P(NearlyIncompressibleWalls, do_not_lock) {
   const AnyElement type = GetParam().type;
   for_both([type](const std::string& what, auto error, const Bounds& bound) {
@@ -123,14 +124,14 @@ TEST(ThickWallsMaterials, from_cork_to_incompressible) {
                  8e-4);
 }
 
-// With tractions given on a cavity's surface the equation loses its hold on the cavity's volume as nu -> 0.5: the
-// single layer of a normal traction vanishes, errors grow like 1 / (1 - 2 nu).
+// The equation loses its hold on a cavity's volume as nu -> 0.5 if tractions are given on its surface: the single layer
+// of a normal traction vanishes, errors grow like 1 / (1 - 2 nu).
 TEST(ThickWallsMaterials, a_pressed_cavity_needs_compressible_material) {
   if (absent(ElementType::quad8)) GTEST_SKIP() << "not in this build";
   expect_error("quad8 thick sphere, nu 0", sphere_error(ElementType::quad8, 4, 0), 4e-3);
   expect_error("quad8 thick sphere, nu 0.45", sphere_error(ElementType::quad8, 4, 0.45), 1e-2);
   expect_refused("cavity of element 96", sphere_error, ElementType::quad8, 4, 0.491);
-  // Held, it is no trouble.
+  // A held cavity is no trouble.
   StaticBody body = hollow_sphere(ElementType::quad8, 4, 0.5);
   body.hold_tags({2}, 7, [](const Vec3& x) { return (1 / std::pow(length(x), 3)) * x; });
   EXPECT_NO_THROW(body.solve());

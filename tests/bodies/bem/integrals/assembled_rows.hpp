@@ -1,5 +1,5 @@
 #pragma once
-/// The rows of a whole body from packs of points, in a layout that tests read easily.
+/// Assembles the rows of a whole body from packs of points, in a layout that tests read easily.
 
 #include <span>
 #include <vector>
@@ -20,13 +20,13 @@ struct Rows {
 
 std::vector<bem::CollocationPoint> all_nodes(const SurfaceMesh& mesh);
 
-/// h, and g with one column per node where it is asked for.
+/// Holds h, and g with one column per node where it is asked for.
 struct System {
   Rows h, g;
 };
 System assemble(const bem::BoundaryIntegrals& integrals, const SurfaceMesh& mesh,
                 std::span<const bem::CollocationPoint> points, bool double_layer, bool single_layer);
-/// Largest difference of two.
+/// Returns the largest difference of two rows.
 double difference(const Rows& a, const Rows& b);
 
 }  // namespace rollcon::assembled_rows

@@ -1,4 +1,5 @@
-// Rows as a whole: instruction sets, units, incompressible bodies, points of a layer, unwanted columns, tolerance.
+// Tests rows as a whole: instruction sets, units, incompressible bodies, points of a layer, unwanted columns,
+// tolerance.
 
 #include "bodies/bem/integrals/assembled_rows.hpp"
 #include "bodies/bem/integrals/element_reference.hpp"
@@ -47,7 +48,7 @@ TEST_P(BoundaryRows, every_entry_keeps_the_tolerance) {
   const System exact = whole_system(mesh, 0.3, 1e-11);
   for (const double tolerance : {1e-3, 1e-6}) {
     const System rows = whole_system(mesh, 0.3, tolerance);
-    // Sums of up to all elements, of which each has a fifth of the tolerance.
+    // The sums run over up to all elements, each of which has a fifth of the tolerance.
     const double h = assembled_rows::difference(rows.h, exact.h) / 0.5,
                  g = assembled_rows::difference(rows.g, exact.g) / exact.g.largest();
     std::printf("tolerance %.0e: h %.1e, g %.1e\n", tolerance, h, g);
@@ -59,8 +60,8 @@ TEST_P(BoundaryRows, every_entry_keeps_the_tolerance) {
 TEST_P(BoundaryRows, units) {
   const SurfaceMesh mesh = surfaces::cube_sphere(GetParam(), 2, 1);
   const System one = whole_system(mesh, 0.3, 1e-6);
-  // A power of two changes nothing but exponents; otherwise a choice of rules that hangs by a hair may turn out
-  // differently, with an effect well below the tolerance.
+  // A power of two changes nothing but exponents; another unit may turn a choice of rules that hangs by a hair, with an
+  // effect well below the tolerance.
   const struct {
     double unit, bound;
   } cases[] = {{0x1p-200, 1e-15}, {0x1p+200, 1e-15}, {1e-60, 1e-9}, {1e-6, 1e-9}, {1e6, 1e-9}, {1e60, 1e-9}};
@@ -90,7 +91,7 @@ TEST(BoundaryRows, incompressible) {
   EXPECT_TRUE(std::isfinite(rows.h.largest()) && std::isfinite(rows.g.largest()));
 }
 
-/// Points of a layer that is no part of the mesh: on it, very near, near and far from it.
+/// The points of the layer are no part of the mesh: on it, very near, near and far from it.
 TEST(BoundaryRows, single_layer_off_the_nodes) {
   constexpr double tolerance = 1e-6;
   const SurfaceMesh mesh = surfaces::cube_sphere(ElementType::quad4, 3, 1);
@@ -141,14 +142,14 @@ TEST(BoundaryRows, unwanted_columns_and_lanes) {
   const bem::BoundaryIntegrals integrals(mesh, 0.3, 1e-6);
   const auto nodes = static_cast<std::size_t>(mesh.nodes());
   const std::size_t block = 9 * bem::lanes;
-  // Tractions of two elements, one of them with a node left out; each node its own column.
+  // The tractions are those of two elements, one of them with a node left out; each node has its own column.
   std::vector<std::int32_t> column(mesh.connectivity.size(), -1);
   std::int32_t columns = 0;
   for (std::size_t k = 0; k < 8; ++k) column[k] = columns++;
   for (std::size_t k = 24; k < 31; ++k) column[k] = columns++;
   std::vector<double> h(block * nodes, 7), g(block * static_cast<std::size_t>(columns), 7);
   integrals.rows({points.data() + 5, 3}, h.data(), column.data(), columns, g.data());
-  // One column for each entry of the connectivity, to compare with.
+  // The rows to compare with have one column for each entry of the connectivity.
   std::vector<std::int32_t> every(column.size());
   for (std::size_t k = 0; k < every.size(); ++k) every[k] = static_cast<std::int32_t>(k);
   std::vector<double> all(block * every.size());

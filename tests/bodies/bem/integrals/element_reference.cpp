@@ -72,7 +72,7 @@ const LineRule& gauss() {
   return rule;
 }
 
-/// Parallelogram corner + [0,1] a + [0,1] b, or the triangle of the same, folded.
+/// Is a parallelogram corner + [0,1] a + [0,1] b, or that triangle, folded.
 struct Part {
   Reference corner, a, b;
   bool triangle;
@@ -108,7 +108,7 @@ void integrate_part(const SurfaceMesh& mesh, const Part& part, const Vec3& x, Su
   };
   const Reference ca{c.xi + a.xi, c.eta + a.eta}, cb{c.xi + b.xi, c.eta + b.eta};
   if (part.triangle) {
-    // Across the longest side.
+    // The cut is across the longest side.
     const Reference v[3] = {c, {c.xi + part.a.xi, c.eta + part.a.eta}, {c.xi + part.b.xi, c.eta + part.b.eta}};
     auto place = [&](int k) { return evaluate(mesh, v[k].xi, v[k].eta).x; };
     int longest = 0;
@@ -139,13 +139,13 @@ void integrate_part(const SurfaceMesh& mesh, const Part& part, const Vec3& x, Su
   }
 }
 
-/// Triangle from the point to begin..end: cut across until the edge is short against its distance.
+/// Integrates over the triangle from the point to begin..end, cut across until the edge is short against its distance.
 void integrate_fan(const SurfaceMesh& mesh, Reference apex, Reference begin, Reference end, Sum& sum, int depth) {
   const double area = (begin.xi - apex.xi) * (end.eta - apex.eta) - (begin.eta - apex.eta) * (end.xi - apex.xi);
   if (!(area > 1e-20)) return;
   const Vec3 x = evaluate(mesh, apex.xi, apex.eta).x;
   const Reference middle{(begin.xi + end.xi) / 2, (begin.eta + end.eta) / 2};
-  // In the tangent map: the edge's middle may bend towards the point.
+  // The distance is taken in the tangent map, because the edge's middle may bend towards the point.
   auto near = [&](Reference p) {
     constexpr double h = 1e-4;
     return length(evaluate(mesh, apex.xi + h * (p.xi - apex.xi), apex.eta + h * (p.eta - apex.eta)).x - x) / h;

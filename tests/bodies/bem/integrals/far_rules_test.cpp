@@ -1,5 +1,5 @@
-// The far field's rules, chosen from the distance of a whole pack alone, cost little more than those chosen for each
-// point with all that is known of the element.
+// Tests that the far field's rules, chosen from the distance of a whole pack alone, cost little more than those chosen
+// for each point with all that is known of the element.
 
 #include "bodies/bem/integrals/element_reference.hpp"
 #include "support/testing.hpp"

@@ -50,7 +50,7 @@ Integrals finite_part(const SurfaceMesh& mesh, Reference at, double poisson) {
       const double end = area / ((bx - ax) * -s + (by - ay) * c);  // distance of the edge
       const Vec3 tangent = c * centre.u + s * centre.v;
       const double stretch = length(tangent);
-      // T J rho^2 to first order: the tangent plane, on which dr/dn = 0.
+      // The leading term is T J rho^2 to first order: on the tangent plane dr/dn = 0.
       const auto leading = element_reference::kelvin((1 / stretch) * tangent, normal0, poisson);
       for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t k = 0; k < 3; ++k)

@@ -1,5 +1,6 @@
-// The accuracy of the single layer is measured by the largest integral of an element whose traction is wanted, wherever
-// a pack's points stand: middles of edges are as far from their elements' middle as the scale's own length.
+// Tests that the accuracy of the single layer is measured by the largest integral of an element whose traction is
+// wanted, wherever a pack's points stand: middles of edges are as far from their elements' middle as the scale's own
+// length.
 
 #include "bodies/bem/boundary_integrals.hpp"
 #include "support/surface_meshes.hpp"
@@ -8,7 +9,7 @@
 namespace rollcon {
 namespace {
 
-/// Single layer at the first of a pack's points.
+/// Returns the single layer at the first of a pack's points.
 std::vector<double> single_layer(const SurfaceMesh& mesh, const std::vector<Vec3>& points, double tolerance) {
   const bem::BoundaryIntegrals integrals(mesh, 0.3, tolerance);
   std::vector<bem::CollocationPoint> pack;
@@ -21,7 +22,7 @@ std::vector<double> single_layer(const SurfaceMesh& mesh, const std::vector<Vec3
 
 class PackScale : public ::testing::TestWithParam<ElementType> {};
 
-// Elements of side 1: coordinates and distances are exact.
+// Elements have side 1, so coordinates and distances are exact.
 TEST_P(PackScale, serves_points_on_edges_and_within_and_off_the_elements) {
   constexpr double tolerance = 1e-5;
   const SurfaceMesh mesh = surfaces::block(surfaces::brick({3, 2, 2}, {3, 2, 2}), GetParam());
@@ -36,7 +37,7 @@ TEST_P(PackScale, serves_points_on_edges_and_within_and_off_the_elements) {
                 {"half a side above", {1.5, 0.5, 2.5}},
                 {"far off", {9, 4, -7}}};
   for (const auto& [where, x] : points) {
-    // The least scale of a pack counts: that of a point far off.
+    // The least scale of a pack counts, which is that of a point far off.
     const std::vector<double> exact = single_layer(mesh, {x, {20, 30, 40}}, 1e-11),
                               found = single_layer(mesh, {x}, tolerance);
     double error = 0, largest = 0;

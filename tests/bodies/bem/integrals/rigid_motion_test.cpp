@@ -1,4 +1,5 @@
-// Rigid motions leave no traction: rows of h times a translation vanish to rounding, times a rotation to the tolerance.
+// Tests that rigid motions leave no traction: rows of h times a translation vanish to rounding, times a rotation to the
+// tolerance.
 
 #include "bodies/bem/integrals/assembled_rows.hpp"
 #include "mesh/shape.hpp"

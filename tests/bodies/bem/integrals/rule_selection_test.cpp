@@ -1,6 +1,6 @@
-// The selector of rules: a sweep over the foot's place on and beside the element, the height above it, aspect ratio,
-// distortion and curvature; each integral against brute force. Errors of T are relative to the free term of a smooth
-// point, 1/2, the largest entry of a row; those of U to the element's own largest integral.
+// Sweeps the selector of rules over the foot's place on and beside the element, the height above it, aspect ratio,
+// distortion and curvature, and compares each integral with brute force. Errors of T are relative to the free term of a
+// smooth point, 1/2, the largest entry of a row; those of U to the element's own largest integral.
 
 #include "bodies/bem/integrals/element_reference.hpp"
 #include "support/testing.hpp"
@@ -24,7 +24,7 @@ class KelvinRules : public ::testing::TestWithParam<ElementType> {
 
   void compare(int k, const Integrals& found, const Integrals& reference) {
     Result& r = result_[k];
-    // A NaN must not pass: it is larger than anything here.
+    // A NaN must not pass, so it counts as larger than anything.
     auto raise = [](double& worst, double error) { worst = error <= worst ? worst : error; };
     raise(r.t, element_reference::difference(found.t, reference.t) / (free_term * tolerance[k]));
     raise(r.u, element_reference::difference(found.u, reference.u) /
@@ -105,7 +105,7 @@ TEST_P(KelvinRules, on_the_element) {
   check("on the element");
 }
 
-/// A point that lies on the element without the library being told so: U only.
+/// The point lies on the element without the library being told so; only U is compared.
 TEST_P(KelvinRules, single_layer_at_an_unknown_place_on_the_element) {
   constexpr double not_wanted = 1e300;
   const std::vector<Reference> points = triangle() ? std::vector<Reference>{{0.3, 0.3}, {0.05, 0.4}, {0.5, 1e-9}}
@@ -125,7 +125,7 @@ TEST_P(KelvinRules, single_layer_at_an_unknown_place_on_the_element) {
   check("place unknown");
 }
 
-/// The far field's own choice, from the distance alone; T and U each by itself.
+/// The far field chooses from the distance alone; T and U are tested each by itself.
 TEST_P(KelvinRules, far_field) {
   const double distance[] = {2.6, 3.5, 6, 15, 60, 300};
   std::int64_t left_to_near_field = 0;
@@ -134,7 +134,7 @@ TEST_P(KelvinRules, far_field) {
     const Vec3 centre = element_reference::position(element, middle);
     for (const double d : distance)
       for (int direction = 0; direction < 7; ++direction) {
-        // The coordinate axes and others, in the element's plane and out of it.
+        // The directions are the coordinate axes and others, in the element's plane and out of it.
         const double a = 0.9 * direction, b = 0.45 * direction;
         const Vec3 x = centre + d * Vec3{std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), std::sin(b)};
         const auto reference = element_reference::integrate(element, x, 0.3);

@@ -1,6 +1,6 @@
-// The strongly singular block with its free term, from rigid-body motion in the library, against Guiggiani's direct
-// evaluation plus the known free term: 1/2 at smooth points, flat and curved; at a cube's edges and corners
-//   c_ij = integral over the directions into the body of ((1-2nu) d_ij + 3 e_i e_j)/(8 pi (1-nu)).
+// Compares the strongly singular block with its free term, from rigid-body motion in the library, with Guiggiani's
+// direct evaluation plus the known free term: 1/2 at smooth points, flat and curved; at a cube's edges and corners c_ij
+// = integral over the directions into the body of ((1-2nu) d_ij + 3 e_i e_j)/(8 pi (1-nu)).
 
 #include "bodies/bem/integrals/assembled_rows.hpp"
 #include "bodies/bem/integrals/guiggiani.hpp"
@@ -29,8 +29,8 @@ SurfaceMesh extract(const SurfaceMesh& mesh, std::int64_t e) {
   return one;
 }
 
-/// Blocks of all nodes for the point, but for the free term: elements with `at` directly, the others by brute force.
-/// on[e]: where the point lies on element e, or nothing.
+/// Returns the blocks of all nodes for the point, without the free term: elements with `at` directly, the others by
+/// brute force. on[e] says where the point lies on element e, or is empty.
 std::vector<std::array<double, 9>> direct_row(const SurfaceMesh& mesh, const Vec3& x,
                                               const std::function<const Reference*(std::int64_t)>& on) {
   std::vector<std::array<double, 9>> row(mesh.node.size(), std::array<double, 9>{});
@@ -46,7 +46,8 @@ std::vector<std::array<double, 9>> direct_row(const SurfaceMesh& mesh, const Vec
   return row;
 }
 
-/// Largest difference of the library's row from the direct one, free term c[3 * c + i] times share[node] included.
+/// Returns the largest difference of the library's row from the direct one, free term c[3 * c + i] times share[node]
+/// included.
 double compare(const SurfaceMesh& mesh, const bem::CollocationPoint& point, std::vector<std::array<double, 9>> direct,
                const std::array<double, 9>& c, const std::vector<double>& share) {
   const bem::BoundaryIntegrals integrals(mesh, poisson, tolerance);
@@ -88,7 +89,7 @@ TEST_P(StrongSingularity, inside_an_element) {
   }
 }
 
-/// Free term of a cube's node: the body lies to the side `into[axis]` (0: both sides).
+/// Returns the free term of a cube's node; the body lies to the side `into[axis]` (0: both sides).
 std::array<double, 9> free_term(const std::array<int, 3>& into) {
   constexpr double pi = std::numbers::pi;
   int planes = 0;
@@ -97,7 +98,7 @@ std::array<double, 9> free_term(const std::array<int, 3>& into) {
   std::array<double, 9> c{};
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) {
-      // Integrals of e_i e_j over a half (0 off the diagonal), quarter (2/3) or eighth (1/3).
+      // The integrals are those of e_i e_j over a half (0 off the diagonal), quarter (2/3) or eighth (1/3).
       const double mixed = into[i] * into[j] * (planes == 2 ? 2.0 / 3 : 1.0 / 3);
       c[3 * i + j] = i == j ? solid_angle / (4 * pi) : 3 * mixed / (8 * pi * (1 - poisson));
     }

@@ -1,4 +1,4 @@
-// Boxes of elements seen from afar: their error against its bound, and many points against few.
+// Compares boxes of elements seen from afar: their error with its bound, and many points with few.
 
 #include "bodies/halfspace/far_field.hpp"
 #include "bodies/halfspace/inside/direct.hpp"
@@ -30,7 +30,8 @@ std::vector<LoadedElement> loaded(const Frame& frame, const std::vector<double>&
   return elements;
 }
 
-/// The worst error of the first box, over the error that it was made for, seen from where each grid only just serves.
+/// Returns the worst error of the first box, over the error that it was made for, seen from where each grid only just
+/// serves.
 double worst_of_box(double aspect, double error, bool uniform) {
   const std::vector<double> x = frames::uniform_lines(-1, 1, 4), y = frames::uniform_lines(-aspect, aspect, 4);
   const Frame frame = build_frame(frames::rectangle(ElementType::quad4, x, y), Axes{});
@@ -75,7 +76,7 @@ TEST(inside_boxes, error_of_a_box_is_within_its_bound) {
       }
 }
 
-/// 256 points in a grid at a depth, in one call, which takes boxes, and in four, which do not.
+/// Compares 256 points in a grid at a depth, in one call, which takes boxes, and in four, which do not.
 double many_against_few(const Frame& frame, double depth, double accuracy) {
   const std::vector<double> t = inside::random_load(frame, 3);
   std::vector<std::array<double, 3>> points;

@@ -12,7 +12,7 @@
 namespace rollcon::inside {
 namespace {
 
-/// A part of the reference square, of a triangle collapsed at its first corner.
+/// Is a part of the reference square, or of a triangle collapsed at its first corner.
 struct Part {
   double u, v, half;
 };
@@ -23,11 +23,11 @@ struct Element {
   std::vector<std::array<double, 3>> t;
 };
 
-/// Position, weight and forces at (u, v) in [-1, 1]^2.
+/// Computes position, weight and forces at (u, v) in [-1, 1]^2.
 void sample(const Element& e, double u, double v, double& x, double& y, double& jacobian, std::array<double, 3>& t) {
   double xi = u, eta = v, map = 1;
   if (corner_count(e.type) == 3) {
-    const double s = 0.5 * (1 + u), r = 0.5 * (1 + v);  // towards the far side; along it
+    const double s = 0.5 * (1 + u), r = 0.5 * (1 + v);  // s towards the far side, r along it
     xi = s * (1 - r), eta = s * r, map = 0.25 * s;
   }
   Shape shape;
@@ -70,7 +70,7 @@ void integrate(const Element& e, const Part& part, const Solid& solid, double px
     }
 }
 
-/// A force along x, Johnson (3.75).
+/// Applies a force along x, Johnson (3.75).
 Values cerruti(const Solid& solid, double q, double x, double y, double z) {
   const double r = std::hypot(x, y, z), k = 1 - 2 * solid.poisson, p = r + z;
   const double r3 = r * r * r, r5 = r3 * r * r, s = q / (2 * std::numbers::pi);
@@ -88,7 +88,7 @@ Values cerruti(const Solid& solid, double q, double x, double y, double z) {
       m * (x * z / r3 + k * x / (r * p))};
 }
 
-/// A force along z, Johnson (3.18) and (3.19), written without the distance from the axis.
+/// Applies a force along z, Johnson (3.18) and (3.19), written without the distance from the axis.
 Values boussinesq(const Solid& solid, double f, double x, double y, double z) {
   const double r = std::hypot(x, y, z), k = 1 - 2 * solid.poisson, p = r + z;
   const double r3 = r * r * r, r5 = r3 * r * r, s = f / (2 * std::numbers::pi);
@@ -108,7 +108,7 @@ Values boussinesq(const Solid& solid, double f, double x, double y, double z) {
 
 Values point_force(const Solid& solid, const std::array<double, 3>& f, double x, double y, double z) {
   const Values a = cerruti(solid, f[0], x, y, z), c = boussinesq(solid, f[2], x, y, z);
-  // A force along y: the axes turned by a right angle, x' = y, y' = -x.
+  // A force along y needs the axes turned by a right angle, x' = y, y' = -x.
   const Values b = cerruti(solid, f[1], y, -x, z);
   const Values turned = {b[1], b[0], b[2], -b[3], -b[5], b[4], -b[7], b[6], b[8]};
   Values sum;

@@ -1,4 +1,4 @@
-// The field by itself: equilibrium, Hooke's law between displacements and stresses, scaling, instruction sets.
+// Tests the field by itself: equilibrium, Hooke's law between displacements and stresses, scaling, instruction sets.
 
 #include <random>
 
@@ -28,7 +28,7 @@ constexpr double h = 0.01;
 constexpr double weight[] = {1.0 / 12, -8.0 / 12, 0, 8.0 / 12, -1.0 / 12};
 
 struct Derivatives {
-  std::array<Values, 3> along;  ///< by axis
+  std::array<Values, 3> along;  ///< values by axis
   Values value;
 };
 
@@ -97,7 +97,7 @@ TEST(inside_field_laws, displacements_give_the_stresses_by_hooke) {
 
 TEST(inside_field_laws, moduli_tractions_and_lengths_scale) {
   const Frame frame = frame_of(1), large = frame_of(1e3);
-  // On either side of 1.
+  // The tractions lie on either side of 1.
   std::vector<double> t = inside::random_load(frame, 9), strong = t;
   for (double& v : t) v *= 1e-3;
   for (double& v : strong) v *= 1e3;

@@ -1,4 +1,5 @@
-// Hertz's pressures on circle and strip: closed forms below them, largest von Mises and shear stresses.
+// Compares Hertz's pressures on circle and strip with closed forms below them, and with the largest von Mises and shear
+// stresses.
 
 #include "bodies/halfspace/inside/direct.hpp"
 #include "support/frames.hpp"
@@ -17,7 +18,7 @@ std::vector<double> pressures(const Frame& frame, double (*p)(double x, double y
   return t;
 }
 
-/// Rings of quadratic triangles graded to the edge of the unit circle.
+/// Makes rings of quadratic triangles graded to the edge of the unit circle.
 Frame disc() {
   const std::vector<double> radius = frames::contact_radii(1, 12, 1);
   const SurfaceMesh linear = frames::ring_disc(ElementType::tri3, radius, frames::ring_counts(radius));
@@ -34,7 +35,7 @@ TEST(inside_hertz, circle_axis_matches_closed_form) {
   const std::vector<Values> s = inside::from_library(frame, t, solid, points, 1e-5);
   double worst = 0, mises = 0, shear = 0, depth = 0;
   for (std::size_t p = 0; p < points.size(); ++p) {
-    // Johnson (3.45).
+    // The closed form is Johnson (3.45).
     const double z = points[p][2];
     const double arctan = z > 0 ? z * std::atan(1 / z) : 0;
     const double radial = -(1 + solid.poisson) * (1 - arctan) + 0.5 / (1 + z * z), axial = -1 / (1 + z * z);
@@ -62,7 +63,7 @@ TEST(inside_hertz, line_contact_matches_closed_form) {
   const std::vector<Values> s = inside::from_library(frame, t, solid, points, 1e-5);
   double worst = 0, shear = 0, depth = 0;
   for (std::size_t p = 0; p < points.size(); ++p) {
-    // Johnson (4.46).
+    // The closed form is Johnson (4.46).
     const double z = points[p][2], root = std::sqrt(1 + z * z);
     worst = std::max({worst, std::abs(s[p][0] + (1 + 2 * z * z) / root - 2 * z), std::abs(s[p][2] + 1 / root)});
     const double in_plane = 0.5 * std::abs(s[p][0] - s[p][2]);

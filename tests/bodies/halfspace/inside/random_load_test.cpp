@@ -1,4 +1,4 @@
-// Stresses and displacements at random points under random tractions on every kind of element, against direct
+// Compares stresses and displacements at random points under random tractions on every kind of element with direct
 // quadrature.
 
 #include <random>
@@ -15,7 +15,7 @@ using inside::Values;
 
 constexpr Solid solid{2, 0.3};
 
-/// Four by three cells of a size near 1, distorted.
+/// Makes four by three cells of a size near 1, distorted.
 Frame frame_of(ElementType type, double perturbed, double bent) {
   const double x[] = {0, 1, 1.8, 3, 4}, y[] = {0, 0.7, 2, 3};
   SurfaceMesh mesh = frames::rectangle(type, x, y);
@@ -24,7 +24,7 @@ Frame frame_of(ElementType type, double perturbed, double bent) {
   return build_frame(std::move(mesh), Axes{});
 }
 
-/// At a depth, over the frame and beside it.
+/// Returns points at a depth, over the frame and beside it.
 std::vector<std::array<double, 3>> points_at(double depth, int count, std::uint32_t seed) {
   std::mt19937 engine(seed);
   std::uniform_real_distribution<double> x(-1, 5), y(-1, 4);
@@ -89,7 +89,7 @@ TEST(inside_random_load, accuracy_asked_for_is_met) {
 }
 
 TEST(inside_random_load, slender_elements_keep_the_accuracy) {
-  // Against the library's own best, which the other tests compare with direct quadrature.
+  // The comparison is with the library's own best, which the other tests compare with direct quadrature.
   double worst = 0;
   for (const double width : {1.0, 0.1, 0.01}) {
     const double x[] = {-1, 1}, y[] = {-width, width};

@@ -1,4 +1,4 @@
-// Slices of points below a lattice by FFT against the same points one by one.
+// Compares slices of points below a lattice by FFT with the same points one by one.
 
 #include "bodies/halfspace/inside/direct.hpp"
 #include "bodies/halfspace/interior_grid.hpp"
@@ -16,7 +16,7 @@ constexpr Solid solid{2, 0.3};
 constexpr double dx = 0.1, dy = 0.17, angle = 0.4;
 constexpr int nx = 20, ny = 16;
 
-/// A turned grid.
+/// Makes a turned grid.
 Frame turned() {
   const std::vector<double> x = frames::uniform_lines(0, nx * dx, nx), y = frames::uniform_lines(0, ny * dy, ny);
   return build_frame(frames::rotate(frames::rectangle(ElementType::quad4, x, y), angle), Axes{});
@@ -29,7 +29,7 @@ std::vector<double> random_inside(const Frame& frame) {
   return t;
 }
 
-/// Places 2 .. 19 by 1 .. 16 of the grid, moved by a part of a cell, some of them beyond the load.
+/// Returns places 2 .. 19 by 1 .. 16 of the grid, moved by a fraction of a cell, some of them beyond the load.
 std::vector<std::array<double, 3>> slice_at(double shift_x, double shift_y, double z) {
   std::vector<std::array<double, 3>> points;
   for (int j = 1; j <= 17; ++j)
@@ -40,7 +40,7 @@ std::vector<std::array<double, 3>> slice_at(double shift_x, double shift_y, doub
   return points;
 }
 
-/// Error over the accuracy asked for.
+/// Returns the error over the accuracy asked for.
 double error_of_slice(const Frame& frame, double shift_x, double shift_y, double z, double accuracy) {
   const std::vector<double> t = random_inside(frame);
   const auto points = slice_at(shift_x, shift_y, z);
@@ -89,7 +89,7 @@ TEST(inside_slices, points_off_the_grid_and_few_points_are_left) {
   EXPECT_EQ(slices[0].point.size(), xyz.size() / 3 - 3);
   EXPECT_EQ(std::count(slices[0].point.begin(), slices[0].point.end(), 7), 0);
   EXPECT_TRUE(grid.slices(100, xyz.data()).empty()) << "so few are faster one by one";
-  // A hat under load that lacks cells.
+  // The hat under load lacks cells.
   for (std::size_t k = 0; k < frame.x.size(); ++k)
     if (frame.rim[k]) t[3 * k] = 1;
   EXPECT_FALSE(InteriorGrid(*lattice, t.data(), {solid.shear, solid.poisson}, 1e-5).usable());

@@ -1,4 +1,4 @@
-// A uniformly loaded unit square: CONTACT's table, closed forms, the largest von Mises stress.
+// Compares a uniformly loaded unit square with CONTACT's table, closed forms, and the largest von Mises stress.
 
 #include "bodies/halfspace/inside/direct.hpp"
 #include "support/frames.hpp"
@@ -25,7 +25,7 @@ std::vector<double> uniform(const Frame& frame, double x, double y, double z) {
 }
 
 TEST(inside_square_load, axis_matches_contact_reference) {
-  // z, u_x of p_x, u_z of p_n, s_xx, s_zz, s_xz of both. p_x acts along x on the body.
+  // The columns are z, u_x of p_x, u_z of p_n, s_xx, s_zz, s_xz of both. p_x acts along x on the body.
   const double table[][6] = {{0, .482073, .403982, -.779815, -1.0, -.998999},
                              {.1, .383274, .379552, -.555944, -.994287, -.736402},
                              {.2, .307159, .351264, -.366593, -.960374, -.511760},
@@ -52,13 +52,13 @@ TEST(inside_square_load, axis_matches_contact_reference) {
     std::printf("z %5.3f: %9.6f %9.6f %10.7f %9.6f %10.7f\n", points[p][2], value[0], value[1], value[2], value[3],
                 value[4]);
   }
-  // The table is a program's on grids: its traction along x is 1e-3 too small, as s_xz at z = 0 shows.
+  // The table comes from a program on grids: its traction along x is 1e-3 too small, which s_xz at z = 0 shows.
   const char* name[] = {"u_x", "u_z", "s_xx", "s_zz", "s_xz"};
   const double bound[] = {1e-3, 3e-5, 4e-4, 1e-4, 2e-3};
   for (std::size_t k = 0; k < 5; ++k) expect_error(std::string("unit square, table, ") + name[k], worst[k], bound[k]);
 }
 
-/// Newmark's pressure below a corner of a rectangle a x b, over the load.
+/// Returns Newmark's pressure below a corner of a rectangle a x b, over the load.
 double newmark(double a, double b, double z) {
   const double r1 = a * a + z * z, r2 = b * b + z * z, r3 = std::sqrt(a * a + b * b + z * z);
   return (std::atan2(a * b, z * r3) + a * b * z / r3 * (1 / r1 + 1 / r2)) / (2 * std::numbers::pi);
@@ -74,7 +74,7 @@ TEST(inside_square_load, normal_stress_matches_newmark) {
   double worst = 0;
   for (std::size_t p = 0; p < points.size(); ++p) {
     const auto& [x, y, z] = points[p];
-    double sum = 0;  // of four rectangles with a corner above the point, with their signs
+    double sum = 0;  // sum of four rectangles with a corner above the point, with their signs
     for (const double u : {0.5 - x, 0.5 + x})
       for (const double v : {0.5 - y, 0.5 + y})
         sum += std::copysign(1.0, u) * std::copysign(1.0, v) * newmark(std::abs(u), std::abs(v), z);
@@ -84,7 +84,7 @@ TEST(inside_square_load, normal_stress_matches_newmark) {
 }
 
 TEST(inside_square_load, centre_matches_closed_forms) {
-  // Below the centre of a uniform pressure -(1/2 + nu); displacements as Love has them.
+  // The stress below the centre of a uniform pressure is -(1/2 + nu); displacements are Love's.
   const Frame frame = square();
   const Values s = inside::from_library(frame, uniform(frame, 1, 0, 1), solid, {{0, 0, 0}}, 1e-9)[0];
   const double love = 4 * std::asinh(1.0) / (2 * std::numbers::pi * solid.shear);
@@ -95,7 +95,7 @@ TEST(inside_square_load, centre_matches_closed_forms) {
 
 TEST(inside_square_load, largest_von_mises_stress) {
   const Frame frame = square();
-  // Of the table's depths, which has .665 at z = .4; between them it is larger.
+  // The largest stress at the table's depths is .665 at z = .4; between them it is larger.
   for (const auto& [step, value, at, coarse] :
        {std::tuple{0.1, 0.665, 0.4, "of the table's depths"}, std::tuple{0.01, 0.6717, 0.35, "of all depths"}}) {
     std::vector<std::array<double, 3>> points;

@@ -1,5 +1,5 @@
-// On the surface, results are limits from inside: tractions come back, displacements are those of the surface's own
-// integrals.
+// Tests that on the surface results are limits from inside: tractions come back, displacements are those of the
+// surface's own integrals.
 
 #include "bodies/halfspace/halfspace.hpp"
 #include "bodies/halfspace/inside/direct.hpp"
@@ -20,7 +20,7 @@ Frame frame_of(ElementType type) {
   return build_frame(frames::perturb(frames::rectangle(type, x, y), 0.15, 3), Axes{});
 }
 
-/// Smooth, and zero on the rim of the frame.
+/// Returns smooth tractions that are zero on the rim of the frame.
 std::vector<double> smooth(const Frame& frame) {
   std::vector<double> t;
   for (std::size_t k = 0; k < frame.x.size(); ++k) {
@@ -35,7 +35,7 @@ struct Sample {
   std::array<double, 3> traction;
 };
 
-/// Points of every element, its nodes and points of its edges among them.
+/// Returns points of every element, its nodes and points of its edges among them.
 std::vector<Sample> samples(const Frame& frame, const std::vector<double>& t) {
   std::vector<Sample> points;
   const auto add = [&](std::int64_t e, ElementType type, double xi, double eta) {
@@ -85,7 +85,7 @@ TEST(inside_surface, tractions_come_back_under_elements_edges_and_nodes) {
     }
   }
   expect_error("tractions on the surface, accuracy 1e-6", back, 1e-6);
-  // At kinks of the tractions stresses have slopes like log z.
+  // Stresses have slopes like log z at kinks of the tractions.
   expect_error("change of stresses from z = 0 to 1e-6", jump, 3.6e-5);
 }
 
@@ -95,7 +95,7 @@ TEST(inside_surface, displacements_are_those_of_the_surface) {
     const std::vector<double> t = inside::random_load(frame, 4);
     const HalfspaceConstants c = halfspace_constants(2 * solid.shear * (1 + solid.poisson), solid.poisson, 1);
     const auto compliance = make_halfspace_compliance(frame, c, 1e-8, 1);
-    // A mirrored body: n = -z.
+    // A mirrored body has n = -z.
     std::vector<double> mirrored = t, u(3 * frame.x.size());
     for (std::size_t k = 2; k < mirrored.size(); k += 3) mirrored[k] = -mirrored[k];
     compliance->apply({frame.x, frame.y}, mirrored.data(), u.data());
