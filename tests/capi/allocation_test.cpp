@@ -1,4 +1,4 @@
-/// Setters of a time loop allocate nothing, and neither do its solves.
+/// Tests that setters of a time loop allocate nothing, and that its solves do not, either.
 
 #include <cstdlib>
 #include <new>
@@ -17,8 +17,8 @@ thread_local std::int64_t until_failure = -1;
 
 using namespace capi_test;
 
-// All forms but the aligned ones, so that no block comes from one allocator and goes to another. Not inlined: compilers
-// that see the inside of one of a pair only take them for mismatched.
+// All forms of operator new except the aligned ones are replaced, so that no block comes from one allocator and goes to
+// another. They are not inlined, because compilers that see the inside of one of a pair only take them for mismatched.
 [[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   ++allocations;
   if (until_failure == 0) {
@@ -150,7 +150,7 @@ void expect_no_allocations(rollcon_context* context, rollcon_contact* contact, s
         status += rollcon_contact_set_creep(contact, 1e-3 * std::cos(phase), 3e-4 * std::sin(phase), 0);
         failed_solves += rollcon_contact_solve(contact) < 0;
         ASSERT_OK(status);
-        // A period is past.
+        // One period is over.
         if (step > 70 && allocations > 0) last = step, counted += allocations;
       }
       std::printf("%s, %s: allocations in %d steps: %lld (bound 0), the last in step %lld\n", operators,
@@ -173,7 +173,7 @@ TEST_F(allocation_nightly, steps_in_time_allocate_nothing) {
   expect_no_allocations(context, contact, {"table"}, 100070);
 }
 
-// A crowned roller on a plane: slip varies from node to node.
+// A crowned roller on a plane has slip that varies from node to node.
 TEST_F(allocation, solves_with_new_velocities_allocate_nothing) {
   const double friction = 0.3, crown[2] = {200, 5}, centre[3] = {0, 0, -50}, axis[3] = {0, 1, 0},
                ahead[3] = {0.5, 0, 0};
@@ -238,7 +238,7 @@ TEST_F(allocation, solves_without_a_frame_allocate_nothing) {
     double made = 0;
     ASSERT_OK(rollcon_contact_get_stat(contact, "compliance_assemblies", &made));
     ASSERT_OK(status);
-    // A period of the curvature is past.
+    // One period of the curvature is over.
     if (step < 64) continue;
     counted += here;
     iterations += n;
@@ -253,7 +253,7 @@ TEST_F(allocation, solves_without_a_frame_allocate_nothing) {
 
 class allocation_meshed : public allocation {
  protected:
-  /// A rigid sphere on the top of a unit cube held at its bottom, with growing creepage.
+  /// Presses a rigid sphere on the top of a unit cube held at its bottom, with growing creepage.
   void expect_none_in_warm_solves(rollcon_body* body, const std::vector<std::int32_t>& bottom, const char* what) {
     ASSERT_OK(rollcon_context_set_threads(context, 1));
     ASSERT_OK(hold(body, bottom, ROLLCON_DOF_XYZ));

@@ -1,5 +1,5 @@
 #pragma once
-/// A block of serendipity hexahedra for tests of fields and loads, and a ball that rolls on it.
+/// Makes a block of serendipity hexahedra for tests of fields and loads, and a ball that rolls on it.
 
 #include <map>
 #include <set>
@@ -8,10 +8,10 @@
 
 namespace capi_test {
 
-/// [-half, half]^2 x [-depth, 0] in serendipity hexahedra, nodes closer together near the top's middle.
+/// Holds [-half, half]^2 x [-depth, 0] in serendipity hexahedra, with nodes closer together near the top's middle.
 struct Block20 {
   std::vector<double> x;
-  std::vector<std::int32_t> connectivity, rim, top;  ///< rim: nodes of the sides and the bottom
+  std::vector<std::int32_t> connectivity, rim, top;  ///< nodes of the sides and the bottom in `rim`
 
   Block20(int across, int deep, double half, double depth) {
     const int nx = 2 * across, nz = 2 * deep;
@@ -19,7 +19,7 @@ struct Block20 {
     std::vector<std::int32_t> id(static_cast<std::size_t>((nx + 1) * (nx + 1) * (nz + 1)), -1);
     const auto key = [&](int i, int j, int k) { return static_cast<std::size_t>((k * (nx + 1) + j) * (nx + 1) + i); };
     const auto corner = [&](int i, int n, double growth, double a, double b) {
-      // Midside nodes in the middle of straight edges.
+      // Midside nodes lie in the middle of straight edges.
       const auto at = [&](int even) { return place(a + (b - a) * even / n, growth); };
       return i % 2 == 0 ? at(i) : 0.5 * (at(i - 1) + at(i + 1));
     };
@@ -45,7 +45,7 @@ struct Block20 {
   std::int64_t nodes() const { return static_cast<std::int64_t>(x.size() / 3); }
 };
 
-/// The surface of such a block in serendipity quadrilaterals.
+/// Holds the surface of such a block in serendipity quadrilaterals.
 struct Surface8 {
   std::vector<double> x;
   std::vector<std::int32_t> connectivity, rim, top;
@@ -75,8 +75,8 @@ struct Surface8 {
   std::int64_t nodes() const { return static_cast<std::int64_t>(x.size() / 3); }
 };
 
-/// A rigid ball that rolls on a body with a force ahead, on a frame of its own, or on the body's faces of a tag. The
-/// caller releases the contact.
+/// Rolls a rigid ball on a body with a force ahead, on a frame of its own, or on the body's faces of a tag. The caller
+/// releases the contact.
 inline rollcon_contact* press_ball(rollcon_context* context, rollcon_body* body, rollcon_body* ball,
                                    const SquareFrame& frame, double force = 40, std::int32_t on_faces = 0) {
   rollcon_contact* c = nullptr;

@@ -1,5 +1,5 @@
-// Fields inside a body of finite elements under a solved contact: against a half-space under the same contact, as a VTU
-// file, and what they cost.
+// Tests fields inside a body of finite elements under a solved contact: against a half-space under the same contact,
+// written as a VTU file, and what they cost.
 
 #include <fstream>
 #include <sstream>
@@ -57,7 +57,7 @@ class body_fields : public ::testing::Test {
 
 using body_fields_long = body_fields;
 
-// Its sides and its bottom are moved as the half-space moves there.
+// The block's sides and bottom are moved like the half-space moves there.
 TEST_F(body_fields_long, under_a_contact_are_those_of_a_half_space) {
   rollcon_body* halfspace = nullptr;
   ASSERT_OK(rollcon_body_create(context, ROLLCON_BODY_HALFSPACE, &halfspace));
@@ -99,7 +99,7 @@ TEST_F(body_fields_long, under_a_contact_are_those_of_a_half_space) {
   rollcon_body_release(halfspace);
 }
 
-// On the body's own faces: at their nodes these are the displacements that the contact knows.
+// The body's own faces are the frame: the displacements at their nodes are those that the contact knows.
 TEST_F(body_fields, of_further_solves_factorise_nothing) {
   const Block20 mesh(4, 3, 4, 4);
   give_block(mesh, {});

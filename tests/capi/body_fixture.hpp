@@ -1,5 +1,5 @@
 #pragma once
-/// A cube of boundary elements through the public interface.
+/// Makes a cube of boundary elements through the public interface.
 
 #include <map>
 
@@ -7,8 +7,8 @@
 
 namespace capi_test {
 
-/// Surface of the cube [0, 1]^3 in n x n bilinear quadrilaterals a face, ids from 0, normals outwards. Faces 1 to 6: x
-/// = 0, x = 1, y = 0, y = 1, z = 0, z = 1, each a tag of its own.
+/// Holds the surface of the cube [0, 1]^3 in n x n bilinear quadrilaterals a face, ids from 0, normals outwards. Faces
+/// 1 to 6 are x = 0, x = 1, y = 0, y = 1, z = 0, z = 1, each with a tag of its own.
 struct CubeSurface {
   std::vector<double> x;
   std::array<std::vector<std::int32_t>, 6> face;  ///< connectivity
@@ -43,7 +43,7 @@ struct CubeSurface {
 
   std::int64_t nodes() const { return static_cast<std::int64_t>(x.size()) / 3; }
   std::int64_t face_elements() const { return std::int64_t{per_edge} * per_edge; }
-  /// Nodes with coordinate `axis` equal to `value`.
+  /// Returns the nodes with coordinate `axis` equal to `value`.
   std::vector<std::int32_t> nodes_at(std::size_t axis, double value) const {
     std::vector<std::int32_t> found;
     for (std::size_t i = 0; i < x.size() / 3; ++i)
@@ -52,7 +52,7 @@ struct CubeSurface {
   }
 };
 
-/// Nodes and faces, those of face f with tag f + 1.
+/// Gives nodes and faces, those of face f with tag f + 1.
 inline void give_mesh(rollcon_body* b, const CubeSurface& cube) {
   ASSERT_OK(rollcon_body_set_nodes(b, cube.nodes(), cube.x.data(), 3, 1));
   for (std::int32_t f = 0; f < 6; ++f)
@@ -60,7 +60,7 @@ inline void give_mesh(rollcon_body* b, const CubeSurface& cube) {
                                         cube.face[static_cast<std::size_t>(f)].data(), 0, f + 1));
 }
 
-/// The scene of Api, and a cube of its own material without supports or loads.
+/// Adds to the scene of Api a cube of its own material without supports or loads.
 class BodyApi : public Api {
  protected:
   void SetUp() override {
@@ -77,7 +77,7 @@ class BodyApi : public Api {
 
   void set_mesh(rollcon_body* b) { give_mesh(b, cube); }
 
-  /// Bottom z = 0 held, wholly or along z alone.
+  /// Holds the bottom z = 0, wholly or along z alone.
   std::int32_t hold_bottom(std::int32_t dof_mask) { return hold(body, cube.nodes_at(2, 0), dof_mask); }
 
   void expect_size(std::int64_t nodes, std::int64_t elements) {

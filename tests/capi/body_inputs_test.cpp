@@ -1,5 +1,5 @@
-/// Mesh, supports and loads of bodies: bad ones are refused with their status and a text that names them, and change
-/// nothing.
+/// Tests mesh, supports and loads of bodies: bad ones are refused with their status and a text that names them, and
+/// change nothing.
 
 #include "body_fixture.hpp"
 
@@ -117,7 +117,7 @@ TEST_F(body_inputs, loads) {
   }
 }
 
-// Larger ones would leave the range of doubles on their way, and come out as what is not a number.
+// Larger values would leave the range of doubles on their way, and come out as what is not a number.
 TEST_F(body_inputs, what_no_result_can_bear_is_refused) {
   set_mesh(body);
   const double wrong[3] = {0, -1e101, 0}, most[3] = {0, -1e100, 0};
@@ -149,7 +149,7 @@ TEST_F(body_inputs, bad_surfaces_are_refused) {
     ASSERT_OK(rollcon_body_add_elements(body, ROLLCON_QUAD4, cube.face_elements(),
                                         cube.face[static_cast<std::size_t>(f)].data(), 0, f));
   ASSERT_OK(hold_bottom(ROLLCON_DOF_XYZ));
-  // One node of 26 is left over, and the lid is missing.
+  // One node of 26 is not used, because the lid is missing.
   EXPECT_FAILS(rollcon_body_prepare(body), MESH, "node", "25");
   std::vector<std::int32_t> lid = cube.face[5];
   for (std::size_t e = 0; e < lid.size(); e += 4) std::swap(lid[e + 1], lid[e + 3]);

@@ -1,4 +1,5 @@
-// Forces inside finite elements: a column under its weight and a rotating cylinder, in closed form; bad inputs.
+// Compares forces inside finite elements, a column under its weight and a rotating cylinder, with closed forms; tests
+// bad inputs.
 
 #include "block20.hpp"
 
@@ -17,7 +18,7 @@ class body_loads : public ::testing::Test {
     rollcon_body_release(body);
     rollcon_context_release(context);
   }
-  /// The block of half-width 1 and depth 1, mapped.
+  /// Gives the block of half-width 1 and depth 1, mapped.
   void give(const Block20& mesh, double poisson, const std::function<std::array<double, 3>(const double*)>& map) {
     nodes = mesh.nodes();
     x = mesh.x;
@@ -30,7 +31,7 @@ class body_loads : public ::testing::Test {
                                         mesh.connectivity.data(), 0, 4));
     ASSERT_OK(rollcon_body_set_elastic(body, 4, young, poisson));
   }
-  /// Nodes whose coordinate in the block is this one.
+  /// Holds the nodes whose coordinate in the block is this one.
   void slide(const Block20& mesh, std::size_t axis, double value, std::int32_t mask) {
     std::vector<std::int32_t> held;
     for (std::size_t k = 0; k < mesh.x.size() / 3; ++k)
@@ -71,7 +72,7 @@ TEST_F(body_loads, column_under_its_weight) {
   EXPECT_NEAR(force[2], 7 * 4 * 3, 1e-9);
 }
 
-// Radii 1 and 2, plane strain, a quarter.
+// The cylinder has radii 1 and 2, in plane strain; a quarter of it is meshed.
 TEST_F(body_loads, rotating_cylinder) {
   const Block20 mesh(6, 6, 1, 1);
   const double nu = 0.3, density = 3, omega = 2, pi = std::numbers::pi;
@@ -120,7 +121,7 @@ TEST_F(body_loads, saved_and_shared_with_their_forces) {
   std::vector<double> again(u.size());
   ASSERT_OK(rollcon_body_get_displacements(loaded, nodes, again.data()));
   EXPECT_EQ(again, u);
-  // The same mesh under no force is another body.
+  // A body with the same mesh under no force is another one.
   rollcon_body* other = nullptr;
   ASSERT_OK(rollcon_body_create(context, ROLLCON_BODY_FEM, &other));
   std::swap(other, body);

@@ -1,4 +1,4 @@
-/// What a prepared body tells: statics under its own loads, statistics.
+/// Tests what a prepared body tells: statics under its own loads, statistics.
 
 #include "body_fixture.hpp"
 

@@ -1,5 +1,5 @@
-/// Prepared bodies saved and loaded: the same tractions to the last bit, nothing assembled or factorised; files that
-/// are no such bodies are refused.
+/// Tests prepared bodies saved and loaded: the same tractions to the last bit, nothing assembled or factorised; files
+/// that are no such bodies are refused.
 
 #include <unistd.h>
 
@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What a solve with a body gave.
+/// Holds what a solve with a body gave.
 struct Rolled {
   std::int32_t status = -1;
   std::vector<double> traction;
@@ -40,7 +40,7 @@ class Saved : public BodyApi {
     ASSERT_OK(hold_bottom(ROLLCON_DOF_XYZ));
   }
 
-  /// A box of finite elements instead, held at its bottom; its top has tag 6.
+  /// Gives a box of finite elements instead, held at its bottom; its top has tag 6.
   void give_box() {
     rollcon_body_release(body);
     body = nullptr;
@@ -53,7 +53,7 @@ class Saved : public BodyApi {
     ASSERT_OK(rollcon_body_set_contact_faces(body, 1, &tag));
   }
 
-  /// A rigid sphere of radius 1 on the top: the frame is its faces, or a mesh laid on it.
+  /// Rolls a rigid sphere of radius 1 on the top: the frame is its faces, or a mesh laid on it.
   Rolled roll(rollcon_body* b, bool laid = false) {
     rollcon_contact* c = roll_on_top(context, b, plane, {.approach = 0.03, .tag = laid ? 0 : 6});
     if (laid) give_frame(c, moved(SquareFrame(7, 0.35), 0.5, 0.5, 1));
@@ -73,7 +73,7 @@ class Saved : public BodyApi {
     EXPECT_OK(rollcon_body_get_stat(b, name, &value));
     return value;
   }
-  /// In a context of its own, unless one is given.
+  /// Loads the body in a context of its own, unless one is given.
   rollcon_body* load(rollcon_context* where = nullptr) {
     rollcon_context* own = where;
     if (!own) {
@@ -91,7 +91,7 @@ class Saved : public BodyApi {
     for (const double t : a.traction) largest = std::max(largest, std::abs(t));
     EXPECT_GT(largest, 0) << what;
   }
-  /// Solves before and after, on the body's faces and on a laid frame, kept and not kept.
+  /// Solves before and after, on the body's faces and on a laid frame, with responses stored and not.
   void expect_solves_the_same() {
     ASSERT_OK(rollcon_body_save(body, path.c_str()));
     EXPECT_EQ(count(body, "factorizations"), 1) << "it was prepared";
@@ -214,7 +214,7 @@ TEST_F(body_save, half_spaces_and_rigid_bodies) {
   rollcon_body_release(rigid);
 }
 
-// Without factors the file has what is kept; other frames assemble, and say so.
+// A file without factors has the stored responses; other frames assemble, and say so.
 TEST_F(body_save, what_is_not_in_the_file_is_found_again_and_counted) {
   if (!rollcon_has_feature("bem")) GTEST_SKIP() << "this build has no boundary elements";
   give_cube();

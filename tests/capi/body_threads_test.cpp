@@ -1,4 +1,4 @@
-/// A boundary-element body shared by contacts in many threads, and new creepages on it.
+/// Tests a boundary-element body used by contacts in many threads, and new creepages on it.
 
 #include "body_fixture.hpp"
 
@@ -62,7 +62,7 @@ TEST_F(body_threads, without_factors_another_frame_assembles_again) {
   ASSERT_OK(rollcon_contact_frame_from_body(c, 1, 4));
   ASSERT_OK(rollcon_contact_set_gap_quadratic(c, 0.5, 0.5, 0));
   ASSERT_OK(rollcon_contact_set_friction(c, "coulomb", 1, &mu));
-  // The side reaches down to the held bottom: its nodes there cannot be part of a frame.
+  // The side reaches down to the held bottom, whose nodes cannot be part of a frame.
   EXPECT_FAILS(rollcon_contact_solve(c), STATE, "support");
   EXPECT_EQ(count("assemblies"), 2) << "the factors were not kept";
   EXPECT_GE(count("bytes"), first) << "the compliance of both frames is";

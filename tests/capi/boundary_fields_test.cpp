@@ -1,5 +1,5 @@
-// Fields inside a body of boundary elements under a solved contact: against a half-space under the same contact, on the
-// surface, as a VTU file, and what is refused.
+// Tests fields inside a body of boundary elements under a solved contact: against a half-space under the same contact,
+// on the surface, written as a VTU file, and what is refused.
 
 #include <fstream>
 #include <sstream>
@@ -26,7 +26,7 @@ class boundary_fields : public ::testing::Test {
     rollcon_context_release(context);
   }
 
-  /// Its sides and its bottom are moved as the half-space moves there.
+  /// Gives the block; its sides and its bottom are moved like the half-space moves there.
   void give_block(const Surface8& mesh) {
     std::vector<double> edge, moved;
     for (const std::int32_t k : mesh.rim) edge.insert(edge.end(), mesh.x.begin() + 3 * k, mesh.x.begin() + 3 * k + 3);
@@ -46,7 +46,7 @@ class boundary_fields : public ::testing::Test {
     ASSERT_OK(rollcon_body_set_contact_faces(block, 1, &tag));
   }
   struct Error {
-    double stress = 0, displacement = 0;  ///< of the pressure; of the largest displacement
+    double stress = 0, displacement = 0;  ///< errors over the pressure, and over the largest displacement
   };
   Error beside_halfspace(std::initializer_list<double> depths) {
     std::vector<double> x;
@@ -99,7 +99,7 @@ TEST_F(boundary_fields, under_a_contact_are_near_those_of_a_half_space) {
       error.stress, error.displacement);
   EXPECT_LE(error.stress, 0.015);
   EXPECT_LE(error.displacement, 0.03);
-  // On its surface stresses have the tractions of the contact in them; written as a file.
+  // Stresses on its surface contain the tractions of the contact; they are written to a file.
   const double place[] = {0.1, 0.05, 0};
   double s[6], t[3];
   ASSERT_OK(rollcon_contact_get_body_fields_at(contact, 1, 1, place, nullptr, s));
@@ -123,7 +123,7 @@ TEST_F(boundary_fields, under_a_contact_are_near_those_of_a_half_space) {
   std::printf("s33 on the surface %.4g, pressure of the nearest node %.4g\n", s[2], -t[2]);
   EXPECT_NEAR(s[2], t[2], 0.05 * std::abs(t[2]));
 
-  // What it refuses, and that it stays usable.
+  // The body refuses these, and stays usable.
   const double outside[] = {0, 0, -1, 0, 0, 0.5};
   EXPECT_FAILS(rollcon_contact_get_body_fields_at(contact, 1, 2, outside, nullptr, s), ARGUMENT, "point 1");
   EXPECT_FAILS(rollcon_contact_get_body_fields_at(contact, 2, 1, place, nullptr, s), UNSUPPORTED, "rigid");

@@ -1,4 +1,4 @@
-/// Long preparations tell the host that they are at work, and stop when it wants them to.
+/// Tests that long preparations tell the host that they are at work, and stop when it wants them to.
 
 #include "capi/body_fixture.hpp"
 #include "capi/fem_fixture.hpp"
@@ -23,7 +23,7 @@ std::int32_t stop_at_work(const rollcon_event* event, void* user) {
 
 }  // namespace
 
-/// A frame whose dense rows take a second: irregular, and integrated to many digits.
+/// Makes a frame whose dense rows take a second: irregular, and integrated to many digits.
 class cancel_preparation : public Api {
  protected:
   void SetUp() override {
@@ -62,7 +62,7 @@ TEST_F(cancel_preparation, stops_a_list_of_cases) {
   for (const double f : force) EXPECT_TRUE(std::isnan(f));
 }
 
-/// A regular frame by FFT, whose tables of one node's influence take some tenths of a second.
+/// Makes a regular frame by FFT, whose tables of one node's influence take some tenths of a second.
 class cancel_lattice : public Api {};
 
 TEST_F(cancel_lattice, stops_the_tables_of_influence) {
@@ -77,7 +77,7 @@ TEST_F(cancel_lattice, stops_the_tables_of_influence) {
   EXPECT_EQ(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, force, nullptr), ROLLCON_ERR_STATE);
 }
 
-/// A body that takes longer to assemble than the host waits to be told.
+/// Makes a body that takes longer to assemble than the host waits to be told.
 template <class Fixture>
 class CancelBody : public Fixture {
  protected:
@@ -94,7 +94,7 @@ class CancelBody : public Fixture {
     EXPECT_OK(rollcon_contact_set_progress(c, stop_at_work, &watcher));
     EXPECT_EQ(rollcon_contact_solve(c), ROLLCON_CANCELLED) << this->error();
     EXPECT_EQ(watcher.at_work, 1);
-    // A body that was not finished is not there; one that was is told of once it is factorised.
+    // A body that was not finished is not there; one that was is reported once it is factorised.
     double factorizations = 0;
     const std::int32_t there = rollcon_body_get_stat(this->body, "factorizations", &factorizations);
     EXPECT_TRUE(there == ROLLCON_OK || there == ROLLCON_ERR_STATE);

@@ -1,4 +1,4 @@
-/// Results into the caller's arrays: asking for the need, too small capacities, exact ones.
+/// Tests results in the caller's arrays: asking for the need, too small capacities, exact ones.
 
 #include <cstring>
 

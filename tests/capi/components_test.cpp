@@ -1,4 +1,4 @@
-/// Builds that go without a component say so by name, and everything else works.
+/// Tests that builds that go without a component say so by name, and that everything else works.
 
 #include "fixture.hpp"
 
@@ -52,11 +52,11 @@ TEST_F(components, absent_files_are_refused_by_name) {
 }
 
 TEST_F(components, rigid_bodies_have_meshes_in_every_build) {
-  SquareFrame ball(16, 2);  // of radius 50, above the half-space
+  SquareFrame ball(16, 2);  // a ball of radius 50, above the half-space
   const double mu = 0.1;
   for (std::size_t i = 0; i < ball.x.size(); i += 3)
     ball.x[i + 2] = 0.01 * (ball.x[i] * ball.x[i] + ball.x[i + 1] * ball.x[i + 1]);
-  for (std::size_t e = 0; e < ball.connectivity.size(); e += 4)  // looking down
+  for (std::size_t e = 0; e < ball.connectivity.size(); e += 4)  // its faces look down
     std::swap(ball.connectivity[e + 1], ball.connectivity[e + 3]);
   ASSERT_OK(rollcon_body_set_nodes(plane, ball.nodes, ball.x.data(), 3, 1));
   ASSERT_OK(rollcon_body_add_elements(plane, ROLLCON_QUAD4, ball.elements, ball.connectivity.data(), 0, 1));

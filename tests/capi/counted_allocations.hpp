@@ -1,5 +1,5 @@
 #pragma once
-/// The operator new of these tests, which is in allocation_test.cpp: it counts, and fails where it is told to.
+/// Declares the operator new of these tests, which is in allocation_test.cpp: it counts, and fails where it is told to.
 
 #include <cstdint>
 

@@ -1,5 +1,5 @@
-/// Finite-element bodies loaded and in contact through the public interface: closed forms, options, counters, many
-/// threads.
+/// Tests finite-element bodies loaded and in contact through the public interface: closed forms, options, counters,
+/// many threads.
 
 #include "fem_fixture.hpp"
 
@@ -7,7 +7,7 @@ using namespace capi_test;
 
 class fem_contact : public FemApi {
  protected:
-  /// Cube whose lower half has material tag 1 and whose upper half tag 2; the top has tag 6.
+  /// Makes a cube whose lower half has material tag 1 and whose upper half tag 2; the top has tag 6.
   void set_two_materials(double lower, double upper, double nu) {
     ASSERT_OK(set_nodes_of_box());
     ASSERT_OK(add_layers(0, box.n / 2, 1));
@@ -17,17 +17,17 @@ class fem_contact : public FemApi {
     ASSERT_OK(tag_top(6));
   }
 
-  /// Held at the bottom, for rolling on its top.
+  /// Makes a block held at the bottom, for rolling on its top.
   void set_block(int per_edge) {
     box = BoxVolume(per_edge);
     set_two_materials(young, young, poisson);
     ASSERT_OK(hold_bottom(ROLLCON_DOF_XYZ));
   }
 
-  /// A rigid sphere of radius 1 that rolls with creepage.
+  /// Rolls a rigid sphere of radius 1 with creepage.
   rollcon_contact* roll(rollcon_context* own) { return roll_on_top(own, body, plane); }
 
-  /// A frame within the top whose nodes are not the body's.
+  /// Lays a frame within the top whose nodes are not the body's.
   static void lay_frame(rollcon_contact* c) { give_frame(c, moved(SquareFrame(7, 0.4), 0.5, 0.5, 1)); }
 
   static void expect_same(const std::array<double, 3>& a, const std::array<double, 3>& b, double relative,
@@ -42,7 +42,7 @@ class fem_contact : public FemApi {
 };
 using fem_contact_long = fem_contact;
 
-// Two springs in series: without friction and lateral contraction the stress is uniform.
+// Two springs in series have a uniform stress without friction and lateral contraction.
 TEST_F(fem_contact, a_block_of_two_materials_is_pressed_as_springs_in_series) {
   const double approach = 0.03, lower = 200, upper = 100;
   set_two_materials(lower, upper, 0);
@@ -72,7 +72,7 @@ TEST_F(fem_contact, frames_stay_on_faces_that_get_other_numbers) {
   const std::array<double, 3> force = solved_force(usual);
   rollcon_contact_release(usual);
   rollcon_body_release(body);
-  // The upper half first: its lower faces vanish, and all others get other numbers, once the other half is there.
+  // The upper half comes first: its lower faces vanish, and all others get other numbers, once the other half is there.
   ASSERT_OK(rollcon_body_create(context, ROLLCON_BODY_FEM, &body));
   ASSERT_OK(rollcon_body_set_elastic(body, 0, young, poisson));
   ASSERT_OK(set_nodes_of_box());

@@ -1,12 +1,12 @@
 #pragma once
-/// Finite-element bodies through the public interface.
+/// Makes finite-element bodies through the public interface.
 
 #include "fixture.hpp"
 
 namespace capi_test {
 
-/// The box [0, 1]^2 x [0, height] in n x n x n trilinear hexahedra, ids from 0; the last index of node and element runs
-/// along z.
+/// Holds the box [0, 1]^2 x [0, height] in n x n x n trilinear hexahedra, ids from 0; the last index of node and
+/// element runs along z.
 struct BoxVolume {
   int n;
   double height;
@@ -36,7 +36,7 @@ struct BoxVolume {
       if (x[3 * i + axis] == value) found.push_back(static_cast<std::int32_t>(i));
     return found;
   }
-  /// Elements of the uppermost layer, each with its upper face.
+  /// Returns elements of the uppermost layer, each with its upper face.
   std::pair<std::vector<std::int32_t>, std::vector<std::int32_t>> top_faces() const {
     std::vector<std::int32_t> element;
     for (std::int64_t e = elements() - layer_elements(); e < elements(); ++e)
@@ -45,7 +45,7 @@ struct BoxVolume {
   }
 };
 
-/// Nodes and elements of material 0, the upper faces with tag 6.
+/// Gives nodes and elements of material 0, the upper faces with tag 6.
 inline void give_mesh(rollcon_body* b, const BoxVolume& box) {
   const auto [element, face] = box.top_faces();
   ASSERT_OK(rollcon_body_set_nodes(b, box.nodes(), box.x.data(), 3, 1));
@@ -53,7 +53,7 @@ inline void give_mesh(rollcon_body* b, const BoxVolume& box) {
   ASSERT_OK(rollcon_body_tag_faces(b, static_cast<std::int64_t>(element.size()), element.data(), face.data(), 0, 6));
 }
 
-/// One element of a type: corners of a unit tetrahedron, wedge or cube, then the edge midpoints.
+/// Returns one element of a type: corners of a unit tetrahedron, wedge or cube, then the edge midpoints.
 inline std::vector<double> unit_element(std::int32_t type) {
   using Corner = std::array<double, 3>;
   using Edge = std::array<std::size_t, 2>;
@@ -82,7 +82,7 @@ inline std::vector<double> unit_element(std::int32_t type) {
   return x;
 }
 
-/// 0, 1, ..., n - 1.
+/// Returns 0, 1, ..., n - 1.
 inline std::vector<std::int32_t> counting(std::int64_t n) {
   std::vector<std::int32_t> id(static_cast<std::size_t>(n));
   for (std::size_t i = 0; i < id.size(); ++i) id[i] = static_cast<std::int32_t>(i);
@@ -92,7 +92,7 @@ inline std::vector<std::int32_t> counting(std::int64_t n) {
 constexpr std::int32_t volume_types[] = {ROLLCON_TET4,    ROLLCON_TET10, ROLLCON_WEDGE6,
                                          ROLLCON_WEDGE15, ROLLCON_HEX8,  ROLLCON_HEX20};
 
-/// The scene of Api, and a finite-element body with nothing given.
+/// Adds to the scene of Api a finite-element body with nothing given.
 class FemApi : public Api {
  protected:
   void SetUp() override {
@@ -108,7 +108,7 @@ class FemApi : public Api {
 
   std::int32_t set_nodes_of_box() { return rollcon_body_set_nodes(body, box.nodes(), box.x.data(), 3, 1); }
 
-  /// A new body of one element of the type, held at its bottom z = 0.
+  /// Makes a new body of one element of the type, held at its bottom z = 0.
   void set_element(std::int32_t type, double nu = poisson) {
     rollcon_body_release(body);
     ASSERT_OK(rollcon_body_create(context, ROLLCON_BODY_FEM, &body));
@@ -123,13 +123,13 @@ class FemApi : public Api {
     ASSERT_OK(hold(bottom, ROLLCON_DOF_XYZ));
   }
 
-  /// Layers of elements from `first` to the one before `end`, of a material.
+  /// Adds layers of elements from `first` to the one before `end`, of a material.
   std::int32_t add_layers(int first, int end, std::int32_t tag) {
     const std::int32_t* from = box.connectivity.data() + 8 * first * box.layer_elements();
     return rollcon_body_add_elements(body, ROLLCON_HEX8, (end - first) * box.layer_elements(), from, 0, tag);
   }
 
-  /// Nodes and all elements with material tag 0.
+  /// Gives nodes and all elements with material tag 0.
   void set_mesh() {
     ASSERT_OK(set_nodes_of_box());
     ASSERT_OK(add_layers(0, box.n, 0));
@@ -151,7 +151,7 @@ class FemApi : public Api {
 
   std::int32_t hold_bottom(std::int32_t dof_mask) { return hold(box.nodes_at(2, 0), dof_mask); }
 
-  /// Bottom along z, its corner at the origin along x and y, the next one along y.
+  /// Holds the bottom along z, its corner at the origin along x and y, the next one along y.
   void hold_freely() {
     ASSERT_OK(hold_bottom(ROLLCON_DOF_Z));
     ASSERT_OK(hold({0}, ROLLCON_DOF_X + ROLLCON_DOF_Y));
@@ -165,7 +165,7 @@ class FemApi : public Api {
     EXPECT_EQ(m, elements);
   }
 
-  /// Nodes and elements of the frame that the faces of the body with the tag make; -1 if none.
+  /// Returns the nodes and elements of the frame that the faces of the body with the tag make; -1 if none.
   std::pair<std::int64_t, std::int64_t> frame_size(std::int32_t tag) {
     rollcon_contact* c = nullptr;
     std::int64_t n = -1, m = -1;

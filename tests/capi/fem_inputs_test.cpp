@@ -1,5 +1,5 @@
-/// Elements and tags of finite-element bodies: bad ones are refused with their status and a text that names them, and
-/// change nothing.
+/// Tests elements and tags of finite-element bodies: bad ones are refused with their status and a text that names them,
+/// and change nothing.
 
 #include "fem_fixture.hpp"
 
@@ -26,7 +26,7 @@ TEST_F(fem_inputs, kind_and_first_steps) {
 
 TEST_F(fem_inputs, every_volume_type_takes_its_number_of_nodes) {
   const std::array<std::int64_t, 6> width{4, 10, 6, 15, 8, 20}, faces{4, 4, 5, 5, 6, 6},
-      frame_nodes{4, 4, 6, 6, 8, 20};  // of faces with tri6 the corners
+      frame_nodes{4, 4, 6, 6, 8, 20};  // faces with tri6 give their corners
   for (std::size_t t = 0; t < width.size(); ++t) {
     const std::int32_t type = volume_types[t];
     const std::vector<double> x = unit_element(type);
@@ -145,7 +145,7 @@ TEST_F(fem_inputs, later_tags_win) {
   ASSERT_OK(rollcon_body_tag_faces(body, 1, &element, &face, 0, 4));
   EXPECT_EQ(frame_size(3).second, 3);
   EXPECT_EQ(frame_size(4).second, 1);
-  const std::int32_t quad[4] = {23, 26, 27, 24};  // the same face, from 1 and the other way round
+  const std::int32_t quad[4] = {23, 26, 27, 24};  // the same face, counted from 1 and the other way round
   ASSERT_OK(rollcon_body_add_elements(body, ROLLCON_QUAD4, 1, quad, 1, 5));
   EXPECT_EQ(frame_size(3).second, 3);
   EXPECT_EQ(frame_size(4).second, -1);
@@ -155,7 +155,7 @@ TEST_F(fem_inputs, later_tags_win) {
 }
 
 TEST_F(fem_inputs, tags_do_not_depend_on_the_order_of_calls) {
-  // The top is given before its elements are; on what is there later it counts all the same.
+  // The top is given before its elements are; it applies to those that come later, too.
   ASSERT_OK(set_nodes_of_box());
   ASSERT_OK(add_layers(0, 1, 0));
   ASSERT_OK(tag_nodes_at(2, 1, 6));

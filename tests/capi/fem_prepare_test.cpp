@@ -1,5 +1,5 @@
-/// Preparation of finite-element bodies: what is missing or wrong is named, the handle stays usable, and the mended
-/// body is prepared.
+/// Tests preparation of finite-element bodies: what is missing or wrong is named, the handle stays usable, and the
+/// mended body is prepared.
 
 #include "fem_fixture.hpp"
 
@@ -13,7 +13,7 @@ class fem_prepare : public FemApi {
     ASSERT_OK(hold_bottom(ROLLCON_DOF_XYZ));
   }
 
-  /// The same nodes and what else it takes, after a failure.
+  /// Gives the nodes once more and what else it takes, after a failure.
   void expect_mended() {
     ASSERT_NO_FATAL_FAILURE(set_box());
     EXPECT_OK(rollcon_body_prepare(body));
@@ -77,7 +77,7 @@ TEST_F(fem_prepare, surface_elements_have_the_nodes_of_the_face) {
     ASSERT_OK(rollcon_body_add_elements(body, surface, 1, ids.data(), 0, 6));
     EXPECT_FAILS(rollcon_body_prepare(body), MESH, "surface element 0", "tag 6");
   }
-  // Bottom of the hexahedron: its midpoints are nodes 8 to 11.
+  // The bottom of the hexahedron has the midpoints 8 to 11.
   const std::int32_t right[8] = {0, 3, 2, 1, 11, 10, 9, 8};
   set_element(ROLLCON_HEX20);
   ASSERT_OK(rollcon_body_add_elements(body, ROLLCON_QUAD8, 1, right, 0, 6));

@@ -1,5 +1,5 @@
-/// What finite-element bodies ask of tags, materials, supports and frames: what they cannot do is refused by a text
-/// that names it, and the mended body serves; what comes often costs little.
+/// Tests what finite-element bodies ask of tags, materials, supports and frames: what they cannot do is refused by a
+/// text that names it, and the mended body serves; what comes often costs little.
 
 #include "fem_fixture.hpp"
 
@@ -13,7 +13,7 @@ class fem_tags_and_frames : public FemApi {
 
   static inline const std::vector<std::int32_t> top_corners{4, 5, 6, 7}, top_of_hex20{4, 5, 6, 7, 12, 13, 14, 15};
 
-  /// Held at its bottom, with material and tag 6 on its top.
+  /// Makes a block held at its bottom, with material and tag 6 on its top.
   void set_block(int per_edge) {
     box = BoxVolume(per_edge);
     set_mesh();
@@ -22,17 +22,17 @@ class fem_tags_and_frames : public FemApi {
     ASSERT_OK(tag_top(6));
   }
 
-  /// A rigid ball rolls on the top at (x, y); the frame is still to come.
+  /// Rolls a rigid ball on the top at (x, y); the frame is still to come.
   rollcon_contact* roll_at(double x, double y) {
     return roll_on_top(context, body, plane, {.x = x, .y = y, .approach = 0.01, .tag = 0});
   }
 
-  /// n x n elements of the frame on the top around (x, y).
+  /// Lays n x n elements of the frame on the top around (x, y).
   static void lay(rollcon_contact* c, double x, double y, int n, double half) {
     give_frame(c, moved(SquareFrame(n, half), x, y, 1));
   }
 
-  /// Status of a solve on a frame of that width from (x, y) on; its tractions are finite.
+  /// Returns the status of a solve on a frame of that width from (x, y) on; its tractions are finite.
   std::int32_t press(double at_x, double at_y, double width) {
     const double x = at_x + width / 2, y = at_y + width / 2;
     const SquareFrame small = moved(SquareFrame(2, width / 2), x, y, 1);
@@ -180,7 +180,7 @@ TEST_F(fem_tags_and_frames, going_back_to_earlier_frames_factorises_nothing) {
     for (int which = 0; which < 2; ++which) {
       rollcon_contact_release(c);
       c = roll_at(place[which], place[which]);
-      // Another frame every time, lest results be kept from the last one.
+      // The frame is another one every time, lest results be reused from the last one.
       lay(c, place[which], place[which], 7, 0.2 - 1e-3 * round);
       const double now = normal_force(c);
       if (round == 0) {
@@ -218,7 +218,7 @@ TEST_F(fem_tags_and_frames, thousands_of_tags_carry_their_own_pressures) {
   const std::int32_t face = BoxVolume::top;
   for (std::int32_t e = 0; e < tags; ++e) {
     const double pressure = 1e-3 * (e % 17);
-    // Half by element and face, half by their nodes: the upper four of the element.
+    // Half of the faces are tagged by element and face, half by their nodes: the upper four of the element.
     if (e % 2 == 0) {
       ASSERT_OK(rollcon_body_tag_faces(body, 1, &e, &face, 0, e + 1));
     } else {

@@ -1,5 +1,5 @@
 #pragma once
-/// A sphere on a rigid plane through the public interface: the scene of the tests in this room.
+/// Puts a sphere on a rigid plane through the public interface: the scene of the tests in this room.
 
 #include <gtest/gtest.h>
 #include <rollcon.h>
@@ -22,7 +22,7 @@
 
 namespace capi_test {
 
-/// Square frame of n x n bilinear quadrilaterals, ids from 0.
+/// Holds a square frame of n x n bilinear quadrilaterals, ids from 0.
 struct SquareFrame {
   std::vector<double> x;
   std::vector<std::int32_t> connectivity;
@@ -52,7 +52,7 @@ inline void give_frame(rollcon_contact* c, const SquareFrame& f) {
   ASSERT_OK(rollcon_contact_add_frame_elements(c, ROLLCON_QUAD4, f.elements, f.connectivity.data(), 0, 0));
 }
 
-/// Everything a solve needs; gross sliding is far.
+/// Gives everything that a solve needs; gross sliding is far.
 inline void give_scene(rollcon_contact* c, const SquareFrame& f) {
   const double mu = 0.1;
   give_frame(c, f);
@@ -67,8 +67,8 @@ inline std::int32_t hold(rollcon_body* body, const std::vector<std::int32_t>& no
   return rollcon_body_set_support(body, static_cast<std::int64_t>(nodes.size()), nodes.data(), 0, dof_mask, nullptr);
 }
 
-/// A rigid sphere that rolls on the top of a body, the plane z = 1 over the unit square; tag 0: the frame is still to
-/// come.
+/// Describes a rigid sphere that rolls on the top of a body, the plane z = 1 over the unit square; with tag 0 the frame
+/// is still to come.
 struct OnTop {
   double x = 0.5, y = 0.5, curvature = 1, approach = 0.06, mu = 0.3, creep = 1e-2;
   std::int32_t tag = 6;
@@ -89,7 +89,7 @@ inline rollcon_contact* roll_on_top(rollcon_context* context, rollcon_body* body
   return c;
 }
 
-/// Solves. The small frames of many tests have few nodes in contact, which is told and no matter there.
+/// Solves. The small frames of many tests have few nodes in contact, which is reported and does not matter there.
 inline std::int32_t solve_small(rollcon_contact* contact) {
   const std::int32_t status = rollcon_contact_solve(contact);
   return status == ROLLCON_COARSE ? ROLLCON_OK : status;
@@ -102,7 +102,8 @@ inline std::array<double, 3> solved_force(rollcon_contact* c) {
   return force;
 }
 
-/// Force of contacts that make(context) gives, each with a context and a thread of its own: the same.
+/// Returns the force of contacts that make(context) gives, each with a context and a thread of its own; all are the
+/// same.
 template <class Make>
 std::array<double, 3> force_in_many_threads(int contacts, Make&& make, double relative = 0) {
   std::vector<std::array<double, 3>> force(static_cast<std::size_t>(contacts));
@@ -124,7 +125,7 @@ std::array<double, 3> force_in_many_threads(int contacts, Make&& make, double re
   return force[0];
 }
 
-/// The text of the last failure names the function that `call` begins with, and contains every word.
+/// Expects the text of the last failure to name the function that `call` begins with, and to contain every word.
 inline void expect_text_of(const std::string& call, std::initializer_list<std::string> words) {
   const std::string text = rollcon_last_error();
   EXPECT_EQ(text.substr(0, text.find(':')), call.substr(0, call.find('('))) << text;
@@ -132,7 +133,7 @@ inline void expect_text_of(const std::string& call, std::initializer_list<std::s
     EXPECT_NE(text.find(word), std::string::npos) << "'" << word << "' in: " << text;
 }
 
-/// The call returns the status, and the text of the failure contains every word given.
+/// Expects the call to return the status, and the text of the failure to contain every word given.
 #define EXPECT_FAILS(call, error, ...)                                                  \
   do {                                                                                  \
     EXPECT_EQ(call, ROLLCON_ERR_##error) << rollcon_status_string(ROLLCON_ERR_##error); \
@@ -147,8 +148,9 @@ inline std::string plan_of(const rollcon_contact* contact) {
   return text.c_str();
 }
 
-/// Calls that give elements are refused alike, of frames and of bodies: give(type, n, connectivity, index_base). The
-/// last word is what a body or frame says of too many; nodes are there, and `types` are the types that it names.
+/// Expects calls that give elements, of frames and of bodies, to refuse the same inputs: give(type, n, connectivity,
+/// index_base). The last word is what a body or frame says of too many; nodes are there, and `types` are the types that
+/// it names.
 template <class Give>
 void expect_bad_elements_refused(Give&& give, const std::string& call, std::int32_t type,
                                  std::initializer_list<std::int32_t> wrong_types,
@@ -169,7 +171,7 @@ void expect_bad_elements_refused(Give&& give, const std::string& call, std::int3
   EXPECT_OK(give(type, 0, nullptr, 0));
 }
 
-/// Nodes are refused alike: give(n, x, strides).
+/// Expects bad nodes to be refused: give(n, x, strides).
 template <class Give>
 void expect_bad_nodes_refused(Give&& give, const std::string& call, std::vector<double> x) {
   const auto refused = [&](std::int32_t status, std::int32_t expected, std::initializer_list<std::string> words) {
@@ -191,7 +193,7 @@ void expect_bad_nodes_refused(Give&& give, const std::string& call, std::vector<
   }
 }
 
-/// Ids of nodes are named as the caller counts: give(n, ids, index_base) of lists of ids, a few to an entry.
+/// Expects ids of nodes to be named in the caller's count: give(n, ids, index_base) of lists of ids, a few to an entry.
 template <class Give>
 void expect_ids_named(Give&& give, const std::string& call, std::int64_t nodes, std::vector<std::int32_t> ids,
                       const std::string& from_0, const std::string& from_1) {
@@ -208,7 +210,7 @@ void expect_ids_named(Give&& give, const std::string& call, std::int64_t nodes, 
   refused(1, {"id -2147483648"});
 }
 
-/// Sphere R = 50, E = 1e4, nu = 0.3 on a rigid plane; contact radius about 1 at approach 0.02.
+/// Holds a sphere of R = 50, E = 1e4, nu = 0.3 on a rigid plane; the contact's radius is about 1 at approach 0.02.
 class Api : public ::testing::Test {
  protected:
   void SetUp() override {

@@ -1,4 +1,4 @@
-/// Hosts with a floating-point environment of their own: trapping, rounding, flushing.
+/// Tests hosts with a floating-point environment of their own: trapping, rounding, flushing.
 
 #include <cfenv>
 
@@ -183,7 +183,7 @@ TEST_F(floating_point, flushing_of_subnormals_is_off_inside_and_back_outside) {
   const double tiny = std::numeric_limits<double>::denorm_min();
   const unsigned before = _mm_getcsr();
   _mm_setcsr(before | 0x8040U);  // flush to zero, denormals are zero
-  // Positive, so legal; a library that flushed would see zero.
+  // The speed is positive, so legal; a library that flushed would see zero.
   const std::int32_t status = rollcon_contact_set_rolling(contact, tiny);
   const unsigned after = _mm_getcsr();
   _mm_setcsr(before);

@@ -1,4 +1,4 @@
-/// Handles: NULL, released, of another kind, garbage; reference counts.
+/// Tests handles: NULL, released, of another kind, garbage; reference counts.
 
 #include <random>
 
@@ -90,7 +90,7 @@ TEST_F(handles, any_64_bits_are_told_from_live_handles) {
   int refused = 0;
   std::int64_t n = 0;
   for (int i = 0; i < patterns; ++i) {
-    // Half of them in the range of true handles.
+    // Half of the random numbers are in the range of true handles.
     std::uint64_t bits = random();
     if (i % 2) bits &= 0x7fffffffU;
     const void* handle = as_pointer(bits);

@@ -1,4 +1,4 @@
-/// Bad inputs: each is refused with its status and a text that names it, and changes nothing.
+/// Tests that bad inputs are refused, each with its status and a text that names it, and change nothing.
 
 #include "fixture.hpp"
 

@@ -1,4 +1,4 @@
-/// The text of the last failure, and the latch of programs that check once.
+/// Tests the text of the last failure, and the latch of programs that check once.
 
 #include "every_call.hpp"
 #include "fixture.hpp"
@@ -83,7 +83,7 @@ TEST_F(last_error, of_layers_over_the_interface) {
   EXPECT_STREQ(rollcon_last_error(), "no failure");
   EXPECT_EQ(rollcon_report(nullptr, -1, nullptr), ROLLCON_ERR_ARGUMENT);
   EXPECT_STREQ(rollcon_last_error(), "");
-  // Beyond its room a text is cut.
+  // A text is cut beyond its room.
   const std::string length(5000, 'x');
   EXPECT_EQ(rollcon_report(nullptr, -1, length.c_str()), ROLLCON_ERR_ARGUMENT);
   EXPECT_EQ(rollcon_last_error(), length.substr(0, 2047));
@@ -100,7 +100,7 @@ TEST_F(latch, returns_the_first_failure_at_once_and_at_the_end) {
 
   EXPECT_EQ(rollcon_contact_set_friction(contact, "static", 1, &before), ROLLCON_ERR_ARGUMENT);
   const std::string first = error();
-  // Nothing happens any more, in no object of the context.
+  // No call does anything any more, in no object of the context.
   const auto check = [&](const char* name, bool at_any_time, std::int32_t status) {
     if (at_any_time) return;
     EXPECT_EQ(status, ROLLCON_ERR_ARGUMENT) << name;
@@ -118,7 +118,7 @@ TEST_F(latch, returns_the_first_failure_at_once_and_at_the_end) {
   // Failures without an object belong to no context.
   EXPECT_EQ(rollcon_body_prepare(body), ROLLCON_ERR_ARGUMENT);
   EXPECT_NE(error(), first);
-  // What works on.
+  // These calls still work.
   std::int32_t kind = 0;
   EXPECT_OK(rollcon_body_get_kind(plane, &kind));
   EXPECT_OK(rollcon_contact_request_cancel(contact));
@@ -176,7 +176,7 @@ TEST_F(last_caveat, says_what_is_known_of_the_case_and_stays_through_successes_a
   EXPECT_OK(rollcon_contact_solve(contact));
   EXPECT_EQ(rollcon_contact_set_rolling(contact, -1), ROLLCON_ERR_ARGUMENT);
   EXPECT_EQ(rollcon_last_caveat(), text);
-  // What an earlier call noted is not said of a later one.
+  // A note of an earlier call is not told of a later one.
   ASSERT_OK(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, -1));
   ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_NO_CONTACT);
   EXPECT_EQ(rollcon_last_caveat(), std::string("rollcon_contact_solve: ") + rollcon_status_string(ROLLCON_NO_CONTACT));

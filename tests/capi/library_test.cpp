@@ -1,4 +1,4 @@
-/// Facts about the library.
+/// Tests facts about the library.
 
 #include <gtest/gtest.h>
 #include <rollcon.h>

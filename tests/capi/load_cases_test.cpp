@@ -1,4 +1,4 @@
-// Tractions by node, along axes and along the surface's own; several load cases that share one body's equations.
+// Tests tractions by node, along axes and along the surface's own; several load cases that use one body's equations.
 
 #include "block20.hpp"
 
@@ -6,7 +6,7 @@ namespace {
 
 using namespace capi_test;
 
-/// A block, [-1, 1]^2 x [-1, 0] with its bottom held, of finite or of boundary elements. Its top has the tag 6.
+/// Makes a block, [-1, 1]^2 x [-1, 0] with its bottom held, of finite or of boundary elements. Its top has the tag 6.
 class load_cases : public ::testing::TestWithParam<std::int32_t> {
  protected:
   void SetUp() override {
@@ -99,7 +99,7 @@ TEST_P(load_cases, tractions_by_node_add_up) {
   ASSERT_OK(rollcon_body_set_traction(whole, 6, traction));
   load_by_node(by_node, nullptr, [](const double*) { return std::array<double, 3>{3, -1, 2}; });
   const double same = difference(displacements(by_node), displacements(whole));
-  // Linear between nodes, on top of a pressure: force and moment of the supports against the closed form.
+  // The tractions are linear between nodes, on top of a pressure; force and moment of the supports have a closed form.
   rollcon_body* b = block();
   load_by_node(b, nullptr, [](const double* p) { return std::array<double, 3>{0, p[0], 1 + p[0]}; });
   ASSERT_OK(rollcon_body_set_pressure(b, 6, 0.5));
@@ -116,7 +116,8 @@ TEST_P(load_cases, tractions_by_node_add_up) {
   EXPECT_LE(worst, bound);
 }
 
-// On a curved top: along its normal they are a pressure, along a direction in it they keep at right angles to that.
+// Tractions along the normal of a curved top are a pressure; those along a direction in it keep at right angles to
+// that.
 TEST_P(load_cases, components_follow_the_surface) {
   const auto bent = [](const double* p) {
     return std::array<double, 3>{p[0], p[1], p[2] + 0.3 * (1 + p[2]) * p[0] * p[0]};
@@ -131,7 +132,7 @@ TEST_P(load_cases, components_follow_the_surface) {
   ASSERT_OK(rollcon_body_set_traction(straight, 6, traction));
   load_by_node(first, along, [](const double*) { return std::array<double, 3>{1.5, 0, 0}; });
   const double tangent = difference(displacements(first), displacements(straight));
-  // The second component is n x the first: -x where the surface is level.
+  // The second component is along n x the first: -x where the surface is level.
   rollcon_body *across = block(), *minus = block();
   const double back[] = {-1.5, 0, 0};
   ASSERT_OK(rollcon_body_set_traction(minus, 6, back));
@@ -160,7 +161,7 @@ TEST_P(load_cases, share_one_factorisation) {
   EXPECT_EQ(statistic(first, "factorizations"), factorised);
   EXPECT_EQ(displacements(first), u1);
 
-  // The same by themselves, in a context of their own.
+  // The load cases run by themselves, in a context of their own.
   rollcon_context* shared = context;
   ASSERT_OK(rollcon_context_create(ROLLCON_ABI, &context));
   rollcon_body *alone2 = block(), *alone3 = block();
@@ -183,7 +184,7 @@ TEST_P(load_cases, share_one_factorisation) {
   EXPECT_LE(off2, 1e-11);
   EXPECT_LE(off3, 1e-11);
 
-  // Saved, a case is a body by itself.
+  // A saved case is a body by itself.
   const std::string path = ::testing::TempDir() + "rollcon_load_case";
   ASSERT_OK(rollcon_body_save(third, path.c_str()));
   rollcon_body* again = nullptr;

@@ -1,5 +1,5 @@
-/// Sizes that this process cannot have: refused with need, limit and remedy, and everything is usable afterwards. In
-/// children, whose address space is limited.
+/// Tests sizes that this process cannot have: they are refused with need, limit and remedy, and everything is usable
+/// afterwards. The tests run in children, whose address space is limited.
 
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -73,7 +73,7 @@ class MemoryLimits : public BodyApi {
     ASSERT_OK(add_elements(large));
   }
 
-  /// On the fixture's small frame.
+  /// Expects a solve on the fixture's small frame to work.
   void expect_usable() {
     set_scene();
     ASSERT_OK(rollcon_contact_solve(contact));
@@ -89,7 +89,7 @@ TEST_F(MemoryLimits, dense_operators_of_a_large_frame_are_refused) {
     in_child(250e6, [&] {
       take_frame(60);
       ASSERT_OK(rollcon_contact_set_str(contact, "operators", operators));
-      // Of 9 blocks of 3721 squared doubles.
+      // The operators have 9 blocks of 3721 squared doubles.
       expect_refusal(rollcon_contact_solve(contact), "the operators of a frame of 3721 nodes need 0.997",
                      "'operators' = 'fft' needs no matrices");
       expect_usable();
@@ -102,7 +102,7 @@ TEST_F(MemoryLimits, the_monolithic_system_of_a_large_frame_is_refused) {
   in_child(250e6, [&] {
     take_frame(44);
     ASSERT_OK(rollcon_contact_set_str(contact, "system", "monolithic"));
-    // 264 n^2 bytes.
+    // The need is 264 n^2 bytes.
     expect_refusal(rollcon_contact_solve(contact),
                    "the monolithic system of a frame of 2025 nodes on half-spaces needs 1.08",
                    "set option 'system' to 'condensed'");
@@ -116,7 +116,7 @@ TEST_F(MemoryLimits, a_large_boundary_element_body_is_refused) {
     cube = CubeSurface(22);
     set_mesh(body);
     ASSERT_OK(hold_bottom(7));
-    // 2906 nodes, and tractions on some: at least 8 bytes x (3 x 2906)^2.
+    // The body has 2906 nodes, and tractions on some: at least 8 bytes x (3 x 2906)^2.
     expect_refusal(rollcon_body_prepare(body), "the matrix of a boundary-element body with ", "finite elements");
     EXPECT_NE(error().find(" needs 0.6"), std::string::npos) << error();
     expect_usable();

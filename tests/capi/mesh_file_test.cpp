@@ -1,4 +1,4 @@
-/// Bodies and frames from files of meshes.
+/// Tests bodies and frames from files of meshes.
 
 #include <fstream>
 
@@ -41,7 +41,8 @@ class mesh_file : public Api {
 };
 
 TEST_F(mesh_file, of_every_kind_makes_a_bar_that_stretches_as_it_should) {
-  // E = 1000, length 2, stress 3 on an end of area 1, no Poisson's ratio: the end moves by 0.006 for every mesh.
+  // A bar of E = 1000, length 2, stress 3 on an end of area 1, and no Poisson's ratio moves its end by 0.006 with every
+  // mesh.
   for (const char* name : {"tet4_22.msh", "tet4.msh", "tet10.msh", "tet10.inp", "wedge6.msh", "wedge15.msh",
                            "wedge18_22.msh", "hex8_22.msh", "hex8.inp", "hex20.msh", "hex20.inp", "hex27.msh"}) {
     SCOPED_TRACE(name);
@@ -78,7 +79,7 @@ TEST_F(mesh_file, may_name_the_interface_of_two_materials) {
   ASSERT_OK(rollcon_body_read_mesh(bar, path.c_str(), ""));
   std::remove(path.c_str());
   EXPECT_EQ(nodes_of("surface 3"), (std::vector<std::int32_t>{4, 5, 6, 7}));
-  // Stress 3 on 1 of each: strains 0.003 and 0.006.
+  // A stress of 3 on a length of 1 each gives strains 0.003 and 0.006.
   ASSERT_OK(rollcon_body_set_elastic(bar, 1, 1000, 0));
   ASSERT_OK(rollcon_body_set_elastic(bar, 2, 500, 0));
   ASSERT_OK(rollcon_body_set_support(bar, 4, nodes_of("surface 5").data(), 0, ROLLCON_DOF_XYZ, nullptr));
@@ -116,7 +117,7 @@ TEST_F(mesh_file, has_groups_that_can_be_listed) {
   EXPECT_FAILS(rollcon_body_get_group_nodes(bar, "bar", 2, 4, ids, nullptr), ARGUMENT, "index_base is 2");
   ASSERT_OK(rollcon_body_get_group_nodes(bar, "origin", 1, 4, ids, nullptr));
   EXPECT_EQ(ids[0], 1);
-  // A mesh that is given makes them past.
+  // A new mesh drops the groups of the old one.
   const double x[3] = {0, 0, 0};
   ASSERT_OK(rollcon_body_set_nodes(bar, 1, x, 3, 1));
   ASSERT_OK(rollcon_body_get_group_count(bar, &n));
@@ -155,7 +156,7 @@ TEST_F(mesh_file, gives_rigid_bodies_their_surface) {
 }
 
 TEST_F(mesh_file, makes_a_frame_that_solves_as_one_that_was_given) {
-  // The frame of the scene, written as Gmsh does and read again.
+  // The frame of the scene is written in Gmsh's way and read again.
   const std::string path = "frame_of_a_test.msh";
   const int n = 9;
   const double half = 0.5;

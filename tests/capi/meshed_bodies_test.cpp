@@ -1,12 +1,12 @@
-/// What bodies of boundary elements and of finite elements owe alike: a cube under its own loads, a frozen body, one
-/// body in many contacts.
+/// Tests what bodies of boundary elements and of finite elements must do alike: a cube under its own loads, a frozen
+/// body, one body in many contacts.
 
 #include "body_fixture.hpp"
 #include "fem_fixture.hpp"
 
 using namespace capi_test;
 
-/// The unit cube, its top with tag 6, its bottom with tag 5; not held.
+/// Makes the unit cube, its top with tag 6, its bottom with tag 5, not held.
 class meshed_bodies : public Api, public ::testing::WithParamInterface<std::int32_t> {
  protected:
   void SetUp() override {
@@ -40,7 +40,7 @@ class meshed_bodies : public Api, public ::testing::WithParamInterface<std::int3
 
   std::int64_t nodes() const { return static_cast<std::int64_t>(x.size()) / 3; }
 
-  /// Bottom along z; its corner at the origin along x and y, the one on the x axis along y.
+  /// Holds the bottom along z, its corner at the origin along x and y, the one on the x axis along y.
   void hold_freely() {
     ASSERT_OK(hold(body, bottom, ROLLCON_DOF_Z));
     for (const std::int32_t i : bottom) {
@@ -54,7 +54,7 @@ class meshed_bodies : public Api, public ::testing::WithParamInterface<std::int3
     }
   }
 
-  /// u = stress / E (-nu x, -nu y, z), and the forces of the supports.
+  /// Expects u = stress / E (-nu x, -nu y, z), and the forces of the supports.
   void expect_uniaxial(double stress, const double (&force)[3], const double (&moment)[3]) {
     std::vector<double> u(x.size());
     double f[3], m[3], error = 0, reaction = 0;

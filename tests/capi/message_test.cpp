@@ -1,4 +1,4 @@
-/// What messages and the plan say, where they used to mislead.
+/// Tests what messages and the plan say, so that they do not mislead.
 
 #include "fem_fixture.hpp"
 
@@ -18,7 +18,7 @@ class message : public Api {
     logged.clear();
     const auto sink = [](std::int32_t, const char* text, void*) { logged += text; };
     ASSERT_OK(rollcon_context_set_log(context, ROLLCON_LOG_WARNING, sink, nullptr));
-    // At the corners of a frame few nodes touch, which goes before.
+    // Few nodes touch at the corners of a frame, which is the status that comes first.
     const std::int32_t status = rollcon_contact_solve(contact);
     EXPECT_TRUE(status == ROLLCON_RIM_CONTACT || status == ROLLCON_COARSE) << status << error();
     expect_words(plan(), {"result: contact reaches the rim of the frame at", cause});
@@ -37,14 +37,14 @@ TEST_F(message, rim_contact_tells_wrong_sign_wrong_units_and_small_frames_apart)
   set_scene();
   ASSERT_OK(rollcon_contact_set_gap_quadratic(contact, -0.01, -0.01, 0));
   expect_rim("has it the wrong sign?");
-  // Coordinates in metres where all else is in millimetres.
+  // Coordinates are in metres where all else is in millimetres.
   SquareFrame metres = frame;
   for (double& x : metres.x) x *= 1e-3;
   ASSERT_OK(set_nodes(metres));
   ASSERT_OK(add_elements(metres));
   ASSERT_OK(rollcon_contact_set_gap_quadratic(contact, 0.01, 0.01, 0));
   expect_rim("not all in the same units");
-  // A frame that the patch leaves along one side only.
+  // The patch leaves the frame along one side only.
   const double aside[3] = {1.3, 0, 0}, along[3] = {1, 0, 0}, up[3] = {0, 0, 1};
   ASSERT_OK(set_nodes(frame));
   ASSERT_OK(add_elements(frame));

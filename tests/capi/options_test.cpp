@@ -1,4 +1,4 @@
-/// Settings by name, of contacts and of bodies.
+/// Tests settings by name, of contacts and of bodies.
 
 #include <type_traits>
 
@@ -6,8 +6,8 @@
 
 using namespace capi_test;
 
-/// The functions of one kind of object, and settings of each type; `listed` are names that a refusal of an unknown one
-/// tells.
+/// Lists the functions of one kind of object, and settings of each type; `listed` are names that a refusal of an
+/// unknown one tells.
 struct OfContact {
   static constexpr auto count = rollcon_option_count;
   static constexpr auto info = rollcon_option_info;
@@ -34,7 +34,7 @@ struct OfBody {
 template <class Of>
 class options : public Api {
  protected:
-  /// Of bodies one without equations: it has settings too.
+  /// Returns a contact, or a body without equations, which has settings too.
   auto* object() {
     if constexpr (std::is_same_v<Of, OfBody>)
       return sphere;

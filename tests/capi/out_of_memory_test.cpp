@@ -1,4 +1,4 @@
-/// An allocation that fails leaves handles whose calls can be made again.
+/// Tests that an allocation that fails leaves handles whose calls can be made again.
 
 #include <iterator>
 
@@ -10,8 +10,8 @@ using namespace capi_test;
 
 using out_of_memory = Api;
 
-/// Everything from the nodes of a finite-element body to the solve: a call that runs out of memory changes nothing and
-/// can be repeated.
+/// The test repeats everything from the nodes of a finite-element body to the solve: a call that runs out of memory
+/// changes nothing and can be repeated.
 TEST_F(out_of_memory, calls_with_finite_elements_can_be_repeated) {
   if (!rollcon_has_feature("fem")) GTEST_SKIP() << "this build has no finite elements";
   const BoxVolume box(2);
@@ -79,7 +79,7 @@ TEST_F(out_of_memory, derivatives_can_be_asked_for_again) {
   double right[3], force[3];
   int injected = 0;
   for (std::int64_t k = -1;; ++k) {
-    rollcon_contact_release(contact);  // a new one keeps no storage
+    rollcon_contact_release(contact);  // a new one has no storage
     ASSERT_OK(rollcon_contact_create(context, sphere, plane, &contact));
     set_scene();
     ASSERT_OK(rollcon_contact_set_str(contact, "linear_solver", "lu"));

@@ -1,5 +1,5 @@
-/// Gaps and creepages at the end of the range of double precision: refused by a text that names the node, or calculated
-/// with.
+/// Tests gaps and creepages at the end of the range of double precision: they are refused by a text that names the
+/// node, or calculated with.
 
 #include <cfloat>
 
@@ -101,7 +101,7 @@ TEST_F(overflow, gaps_and_approaches) {
   ASSERT_OK(rollcon_contact_solve(contact));
   const std::vector<double> before = force();
 
-  // Nodes that are never to touch: a gap that no approach closes.
+  // Some nodes are never to touch: no approach closes their gap.
   std::vector<double> gap;
   for (std::size_t i = 0; i < frame.x.size(); i += 3) {
     const double x = frame.x[i], y = frame.x[i + 1], near = 0.01 * (x * x + y * y);
@@ -118,7 +118,7 @@ TEST_F(overflow, gaps_and_approaches) {
   EXPECT_TRUE(std::isnan(normal) ? std::isnan(estimate) : estimate >= normal)
       << estimate << " is not the worst of its parts, of which one is " << normal;
 
-  // The same by force, from nothing: the guess of an approach starts from the gaps.
+  // The scene is solved by force, too, from nothing: the guess of an approach starts from the gaps.
   double depth = 0, iterations[2] = {};
   ASSERT_OK(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, load));
   for (const double far : {1.0, 1e10, 1e100, 1e150, 1e200, DBL_MAX}) {
@@ -162,7 +162,7 @@ TEST_F(overflow, every_approach_below_presses) {
     worst = std::max(worst, std::abs(stiffness / unit - 1));
   }
   std::printf("force over approach changes by %.1e (bound 1e-4)\n",
-              worst);  // the gap's share at 1e3
+              worst);  // rounding of the gaps at 1e3
   EXPECT_LT(worst, 1e-4);
 }
 
@@ -183,7 +183,7 @@ TEST_F(overflow, nodes_of_no_element_are_not_asked) {
 }
 
 TEST_F(overflow, only_what_is_left_of_gap_and_approach_counts) {
-  // The same scene a long way off: 2^1000 in gaps and approach, to which their differences are lost.
+  // The scene lies a long way off: 2^1000 in gaps and approach, to which their differences are lost.
   const double far = std::ldexp(1.0, 1000);
   const std::vector<double> gap(static_cast<std::size_t>(frame.nodes), far);
   ASSERT_OK(rollcon_contact_set_gap(contact, frame.nodes, gap.data()));

@@ -1,4 +1,4 @@
-/// Poses of bodies, and frames made of their faces.
+/// Tests poses of bodies, and frames made of their faces.
 
 #include "body_fixture.hpp"
 

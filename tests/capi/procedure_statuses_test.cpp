@@ -1,4 +1,4 @@
-/// Statuses, history and sensitivities of the solution procedures.
+/// Tests statuses, iteration log and sensitivities of the solution procedures.
 
 #include <array>
 
@@ -110,7 +110,7 @@ TEST_F(procedure_statuses_long, bodies_apart_and_no_load) {
       EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_NO_CONTACT);
       EXPECT_EQ(largest(results().traction), 0);
       expect_all_finite();
-      // Contact again, and gone again from there.
+      // The bodies touch again, and part again from there.
       by_motion(ROLLCON_NORMAL, 0.02);
       ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
       force ? by_force(ROLLCON_NORMAL, 0) : by_motion(ROLLCON_NORMAL, -0.01);
@@ -230,7 +230,7 @@ TEST_F(procedure_statuses, sensitivities_are_those_of_the_standard_one) {
     for (std::int32_t parameter = ROLLCON_LONGITUDINAL; parameter <= ROLLCON_FRICTION; ++parameter) {
       std::array<double, 10> v{};
       EXPECT_EQ(rollcon_contact_get_sensitivity(contact, parameter, &v[0], &v[3], &v[6], &v[7]), ROLLCON_OK) << error();
-      // Each by its own size: they have different dimensions.
+      // Each value is measured by its own size, because they have different dimensions.
       const double scale = std::hypot(v[0], v[1], v[2]);
       for (std::size_t i = 0; i < 3; ++i) all.push_back(v[i] / scale);
       for (std::size_t i = 3; i < 6; ++i) all.push_back(v[i] / scale);

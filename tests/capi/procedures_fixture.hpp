@@ -1,5 +1,5 @@
 #pragma once
-/// Solution procedures chosen by options through the public interface.
+/// Chooses solution procedures by options through the public interface.
 
 #include "fixture.hpp"
 #include "support/procedures.hpp"
@@ -15,7 +15,7 @@ inline std::vector<Procedure> all_procedures() {
   return all;
 }
 
-/// What a solve leaves to read.
+/// Holds what a solve leaves to read.
 struct Results {
   std::vector<double> traction, gap, slip;
   std::vector<std::int32_t> state;
@@ -29,7 +29,7 @@ inline double largest(const std::vector<double>& v) {
   return m;
 }
 
-/// Largest difference over the largest entry of the second; 1 stands for zeros.
+/// Returns the largest difference over the largest entry of the second; 1 stands for zeros.
 inline double difference(const std::vector<double>& a, const std::vector<double>& b) {
   if (a.size() != b.size()) return std::nan("");
   double d = 0;
@@ -41,7 +41,7 @@ inline double difference(const std::vector<double>& a, const std::vector<double>
   return scale > 0 ? d / scale : d;
 }
 
-/// The scene of Api on a small frame by a scheme that every procedure can use.
+/// Sets the scene of Api on a small frame by a scheme that every procedure can use.
 class ProcedureScene : public Api {
  protected:
   void SetUp() override {
@@ -93,7 +93,7 @@ class ProcedureScene : public Api {
       r.law = std::max(r.law, stat(law));
     return r;
   }
-  /// Of the standard procedure; leaves it set.
+  /// Returns the results of the standard procedure, and leaves it set.
   Results standard() {
     set(Procedure{});
     EXPECT_OK(solve_cold());

@@ -1,5 +1,5 @@
-/// Options of the solution procedures: what is refused, and that every other combination answers as the standard one
-/// does, in whatever order and units they come.
+/// Tests options of the solution procedures: what is refused, and that every other combination answers like the
+/// standard one, in whatever order and units they come.
 
 #include <iterator>
 
@@ -15,7 +15,7 @@ struct Setting {
 
 struct Senseless {
   std::vector<Setting> set;
-  std::vector<std::string> words;  ///< of the message: the option and the reason
+  std::vector<std::string> words;  ///< words of the message: the option and the reason
 };
 
 const Senseless senseless[] = {
@@ -173,7 +173,7 @@ TEST_F(procedures_long, give_the_results_of_the_standard_one) {
 TEST_F(procedures, switching_warm_and_cold_changes_nothing) {
   const Results reference = standard();
   std::vector<Procedure> all = all_procedures();
-  // Neighbours share as little as possible.
+  // Neighbouring procedures have as little in common as possible.
   std::vector<Procedure> mixed;
   for (std::size_t i = 0; i < all.size(); ++i) mixed.push_back(all[(i * 11) % all.size()]);
   double worst = 0;
@@ -218,7 +218,7 @@ TEST_F(procedures_long, changed_creepages_start_from_the_last_solution) {
 }
 
 TEST_F(procedures_long, units_do_not_matter) {
-  // The same scene in metres and pascals beside millimetres and megapascals.
+  // The scene is solved in metres and pascals, and in millimetres and megapascals.
   rollcon_body* ball = nullptr;
   rollcon_contact* metric = nullptr;
   ASSERT_EQ(rollcon_body_create(context, ROLLCON_BODY_HALFSPACE, &ball), ROLLCON_OK);

@@ -1,4 +1,4 @@
-/// Profiles of bodies through the public interface: gaps from surfaces and poses, inputs, files.
+/// Tests profiles of bodies through the public interface: gaps from surfaces and poses, inputs, files.
 
 #include <random>
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double zero[3] = {0, 0, 0}, up[3] = {0, 0, 1}, ahead[3] = {1, 0, 0}, aside[3] = {0, 1, 0};
 
-/// Two elastic half-spaces; n = e_z points out of body 1, below, into body 2. The whole scene stands anywhere.
+/// Holds two elastic half-spaces; n = e_z points out of body 1, below, into body 2. The whole scene stands anywhere.
 class profile : public ::testing::Test {
  protected:
   static constexpr int n = 32;
@@ -50,7 +50,7 @@ class profile : public ::testing::Test {
     EXPECT_OK(rollcon_contact_get_resultant(c, ROLLCON_LOCAL, f.data(), nullptr));
     return f;
   }
-  /// The same with gap(x, y) given node by node.
+  /// Returns the force with gap(x, y) given node by node.
   template <class Gap>
   Vector force_of(double half_x, double half_y, double approach, Gap gap) {
     rollcon_contact* c = make(half_x, half_y, approach);
@@ -123,7 +123,7 @@ TEST_F(profile, crossed_cylinders_have_the_gap_of_their_circles) {
     rollcon_contact* c = make(1.5, 2.5, approach);
     const Vector f = force(c);
     expect_alike("crossed cylinders", f, force_of(1.5, 2.5, approach, gap), 1e-9);
-    // The second one as an extruded half circle is the same.
+    // The second body as an extruded half circle gives the same.
     rollcon_contact_release(c);
     rollcon_body* other = nullptr;
     const double half[2] = {-r2, r2};
@@ -140,7 +140,7 @@ TEST_F(profile, crossed_cylinders_have_the_gap_of_their_circles) {
   }
 }
 
-// A roller crowned by a circle, tilted and skewed, on a groove along the rolling direction.
+// A roller crowned by a circle, tilted and skewed, rolls on a groove along the rolling direction.
 TEST_F(profile, tilted_crowned_roller_on_a_raceway) {
   constexpr double radius = 12, crown = 800, groove = 1000, half = 6, tilt = 1e-3, skew = 5e-3, approach = 0.012;
   const double shape[2] = {crown, half}, hollow[2] = {groove, 10}, centre[3] = {0, 0, radius};
@@ -158,7 +158,7 @@ TEST_F(profile, tilted_crowned_roller_on_a_raceway) {
   ASSERT_OK(rollcon_contact_set_pose(c, 2, q.data(), zero));
   const Vector f = force(c);
 
-  // Node by node: height at which the distance from the roller's tilted axis is that of its crown, halved.
+  // The height at each node is that at which the distance from the roller's tilted axis is that of its crown, halved.
   const Vector axis = q * Vector{0, 1, 0}, origin = q * Vector{0, 0, radius};
   const auto outside = [&](double x, double y, double z) {
     const Vector r{x - origin[0], y - origin[1], z - origin[2]};
@@ -172,7 +172,7 @@ TEST_F(profile, tilted_crowned_roller_on_a_raceway) {
     return low - (std::sqrt(groove * groove - y * y) - groove);
   };
   expect_alike("tilted roller", f, force_of(0.5, 5.5, approach, gap), 1e-9);
-  // Another pose is seen at once, and makes the gap alone anew; back again the first force comes back.
+  // Another pose counts at once, and makes the gap alone anew; the old pose brings the first force back.
   ASSERT_OK(rollcon_contact_set_pose(c, 2, place.data(), zero));
   EXPECT_GT(std::abs(force(c)[2] / f[2] - 1), 1e-3);
   ASSERT_OK(rollcon_contact_set_pose(c, 2, q.data(), zero));
@@ -182,7 +182,7 @@ TEST_F(profile, tilted_crowned_roller_on_a_raceway) {
     ASSERT_OK(rollcon_contact_get_stat(c, built, &times));
     EXPECT_EQ(times, 1) << built;
   }
-  // A gap that is given goes before.
+  // A given gap goes before the profiles'.
   ASSERT_OK(rollcon_contact_set_gap_quadratic(c, 1 / (2 * radius), 1e-3, 0));
   EXPECT_GT(std::abs(force(c)[2] / f[2] - 1), 1e-3);
   rollcon_contact_release(c);
@@ -230,7 +230,7 @@ TEST_F(profile, points_shapes_and_saved_bodies_agree) {
   rollcon_contact_release(c);
 }
 
-// Written and read again, in either format, in metres, mirrored twice.
+// The profile is written and read again, in either format, in metres, mirrored twice.
 TEST_F(profile, files_round_trip) {
   const double metre = 1e-3, circle[2] = {0.3, 0.02};
   ASSERT_OK(rollcon_body_set_profile_shape(upper, "arc", 2, circle));
@@ -327,7 +327,7 @@ TEST_F(profile, frames_beyond_its_ends_are_told) {
   ASSERT_OK(rollcon_body_revolve_profile(upper, above, aside, 10));
   rollcon_contact* c = make(1, 3, 0.01);
   EXPECT_FAILS(rollcon_contact_solve(c), MESH, "do not lie over the profile of body 2", "beyond its ends");
-  // To the roller's ends the frame may go, where it is no rim.
+  // The frame may go to the roller's ends, where it is no rim.
   ASSERT_OK(rollcon_contact_frame_rectangle(c, ROLLCON_QUAD4, n, n, -1, 1, -2, 2));
   EXPECT_EQ(rollcon_contact_solve(c), ROLLCON_OK);
   ASSERT_OK(rollcon_contact_frame_rectangle(c, ROLLCON_QUAD4, n, n, -1, 1, -1.9, 2));
@@ -335,7 +335,7 @@ TEST_F(profile, frames_beyond_its_ends_are_told) {
   rollcon_contact_release(c);
 }
 
-// A rigid body takes a profile as well, and the frame stays flat: the same as with the elastic one's gap.
+// A rigid body takes a profile, too, and the frame stays flat: the result is that with the elastic one's gap.
 TEST_F(profile, rigid_bodies_take_profiles) {
   constexpr double radius = 100, approach = 0.01, a = 1;
   const double shape[2] = {radius, radius}, above[3] = {0, 0, radius};

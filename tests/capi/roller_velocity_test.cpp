@@ -1,12 +1,12 @@
-/// Slip from velocities of cones and crowned rollers, beside closed forms; what the last call decides; derivatives,
-/// lists of cases and the published procedures under such slip.
+/// Compares slip from velocities of cones and crowned rollers with closed forms; tests what the last call decides, and
+/// derivatives, lists of cases and the published procedures under such slip.
 
 #include "support/testing.hpp"
 #include "velocity_fixture.hpp"
 
 using namespace capi_test;
 
-/// Body 1 below, of any profile revolved about the lateral axis; body 2 a rigid plane.
+/// Puts body 1, of any profile revolved about the lateral axis, below body 2, a rigid plane.
 class roller_velocity : public Api {
  protected:
   static constexpr double radius = 50, speed = 10;
@@ -33,7 +33,7 @@ class roller_velocity : public Api {
     EXPECT_OK(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.006));
     return c;
   }
-  /// Where slip is taken, at speed 1: spin alone tells.
+  /// Returns where slip is taken, at speed 1: spin alone tells.
   std::vector<double> slip_points(rollcon_contact* c) {
     EXPECT_OK(rollcon_contact_set_rolling(c, 1));
     EXPECT_OK(rollcon_contact_set_creep(c, 0, 0, 1e-4));
@@ -46,7 +46,7 @@ class roller_velocity : public Api {
     return v;
   }
   void roll(rollcon_contact* c) { ASSERT_OK(move(c, 1, v, omega, {0, 0, -radius})); }
-  /// height(x, y): of the roller's surface.
+  /// Expects the slip of a roller whose surface is height(x, y).
   template <class Height>
   void expect_slip(const char* what, Height height) {
     const std::vector<double> at = slip_points(contact);
@@ -89,7 +89,7 @@ TEST_F(roller_velocity, crowned_roller_slips_less_towards_its_ends) {
   });
 }
 
-// What the radius of one disc loses along the path an equal one loses, too.
+// An equal disc loses along the path what the radius of the other loses.
 TEST_F(roller_velocity, discs_slip_where_their_radii_differ) {
   make_roller("arc", {200, 5});
   rollcon_contact* c = nullptr;
@@ -120,7 +120,7 @@ TEST_F(roller_velocity, discs_slip_where_their_radii_differ) {
       along = std::max(along, std::abs(slip[k] / speed - wanted));
       across = std::max(across, std::abs(slip[k + 1] / speed));
     }
-    // To the square of the path: the next term is its fourth power over 8 R^4.
+    // The formula is right to the square of the path: the next term is its fourth power over 8 R^4.
     const double bound = second == radius ? 1e-14 : 16 / (4 * std::pow(second, 4));
     const std::string what = "discs of radius 50 and " + std::to_string(static_cast<int>(second));
     rollcon::expect_error(what + ": slip over the speed", along, bound);
@@ -144,7 +144,7 @@ TEST_F(roller_velocity, bodies_that_move_as_one_do_not_slip) {
   ASSERT_OK(rollcon_contact_set_creep(contact, 0, 0, 0));
   EXPECT_EQ(force, solved_force(contact)) << "without any velocity";
   ASSERT_OK(move(contact, 1, {-3, 2, 5}, {0.4, -0.3, 0.2}, {7, -80, 20}));
-  // Told of in other points.
+  // The velocities are given at other points.
   const Vector omega1{0.4, -0.3, 0.2}, at{-40, 3, 9};
   const Vector there = Vector{-3, 2, 5} + capi_test::cross(omega1, at + -1.0 * Vector{7, -80, 20});
   ASSERT_OK(move(contact, 2, there, omega1, at));
@@ -164,7 +164,7 @@ TEST_F(roller_velocity, last_call_counts) {
     for (std::size_t k = 0; k < slip.size(); k += 2) slip[k] += speed * by;
     return slip;
   };
-  // One creepage is replaced, the rest of the slip stays.
+  // One creepage is replaced; the rest of the slip stays.
   ASSERT_OK(rollcon_contact_prescribe(contact, ROLLCON_LONGITUDINAL, ROLLCON_BY_MOTION, creep[0] + 1e-3));
   ASSERT_OK(solve_small(contact));
   rollcon::expect_error("another longitudinal creepage",
@@ -175,11 +175,11 @@ TEST_F(roller_velocity, last_call_counts) {
       "the creepage that was found",
       largest_difference(field_of(contact, ROLLCON_FIELD_RIGID_SLIP), shifted(creep_of(contact)[0] - creep[0])) / speed,
       1e-14);
-  // Velocities again, those of before.
+  // The velocities are given once more.
   roll(contact);
   ASSERT_OK(solve_small(contact));
   EXPECT_EQ(field_of(contact, ROLLCON_FIELD_RIGID_SLIP), varying);
-  // Creepages alone: slip does not vary any more.
+  // Creepages alone are given: slip does not vary any more.
   ASSERT_OK(rollcon_contact_set_creep(contact, creep[0], creep[1], 0));
   ASSERT_OK(solve_small(contact));
   const std::vector<double> plain = field_of(contact, ROLLCON_FIELD_RIGID_SLIP);

@@ -1,11 +1,11 @@
-/// Derivatives through the public interface: when they exist. That they are slopes of solves is
-/// tests/contact/sensitivity_test.
+/// Tests when derivatives exist through the public interface. tests/contact/sensitivity_test shows that they are slopes
+/// of solves.
 
 #include "fixture.hpp"
 
 using namespace capi_test;
 
-/// Force, moment, approach, creepages and spin.
+/// Holds force, moment, approach, creepages and spin.
 using Values = std::array<double, 10>;
 
 class sensitivity : public Api {
@@ -95,7 +95,7 @@ TEST_F(sensitivity, a_force_without_friction_has_none) {
 }
 
 TEST_F(sensitivity, a_load_that_cannot_change_has_none) {
-  // Friction at nodes out of contact only.
+  // Only nodes out of contact have friction.
   std::vector<double> mu(static_cast<std::size_t>(frame.nodes), 0.0);
   mu.back() = 0.3;
   ASSERT_OK(rollcon_contact_set_friction_field(contact, frame.nodes, mu.data()));

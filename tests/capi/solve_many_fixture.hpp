@@ -1,5 +1,5 @@
 #pragma once
-/// Lists of load cases of the scene of Api.
+/// Solves lists of load cases of the scene of Api.
 
 #include <numeric>
 #include <random>
@@ -8,7 +8,7 @@
 
 namespace capi_test {
 
-/// Everything that one call can give.
+/// Holds everything that one call can give.
 struct Table {
   std::vector<std::int32_t> status;
   std::vector<double> force, moment, approach, creep, derivatives, statistics, tractions;
@@ -28,14 +28,14 @@ struct Table {
   }
 };
 
-/// Bit by bit, NaN included.
+/// Compares bit by bit, NaN included.
 inline bool same(const double* a, const double* b, std::size_t n) {
   for (std::size_t i = 0; i < n; ++i)
     if (!(a[i] == b[i] || (std::isnan(a[i]) && std::isnan(b[i])))) return false;
   return true;
 }
 
-/// Cases whose results differ from those of the cases `at` of another table.
+/// Counts the cases whose results differ from those of the cases `at` of another table.
 inline int differences(const Table& a, const Table& b, const std::vector<std::size_t>& at) {
   int count = 0;
   const std::size_t n = a.status.size();
@@ -105,7 +105,7 @@ class CaseLists : public Api {
     return text;
   }
 
-  /// Forces alone, one thread.
+  /// Asks for forces alone, on one thread.
   std::int32_t forces(const std::vector<std::int32_t>& parameters, std::int64_t cases,
                       const std::vector<double>& values, std::vector<double>& force) {
     force.assign(static_cast<std::size_t>(3 * cases), -1);
@@ -117,7 +117,7 @@ class CaseLists : public Api {
 
   static constexpr double load = 298.6;
   const std::vector<std::int32_t> three{ROLLCON_LATERAL, ROLLCON_NORMAL, ROLLCON_SPIN};
-  /// 4 loads, 5 lateral creepages, 3 spins.
+  /// Returns a grid of 4 loads, 5 lateral creepages, 3 spins.
   std::vector<double> grid() const {
     std::vector<double> values;
     for (const double f : {0.7, 0.9, 1.1, 1.3})
@@ -125,7 +125,7 @@ class CaseLists : public Api {
         for (const double phi : {-5e-4, 0.0, 1e-3}) values.insert(values.end(), {eta, f * load, phi});
     return values;
   }
-  /// Values nowhere twice.
+  /// Returns values that occur once each.
   std::vector<double> scattered(std::size_t cases) const {
     std::mt19937 generator(7);
     std::uniform_real_distribution<double> unit(-1, 1);

@@ -1,4 +1,4 @@
-/// Lists of load cases: results are those of single solves.
+/// Tests that results of lists of load cases are those of single solves.
 
 #include "solve_many_fixture.hpp"
 
@@ -79,12 +79,12 @@ TEST_F(solve_many, equal_cases_are_solved_once_and_get_the_same_results) {
   std::vector<std::size_t> at(2 * n);
   for (std::size_t i = 0; i < 2 * n; ++i) at[i] = i % n;
   for (double& v : twice)
-    if (v == 0) v = -0.0;  // is no other value
+    if (v == 0) v = -0.0;  // this is no other value
   EXPECT_EQ(differences(table(three, twice, 2), table(three, few, 2), at), 0);
 }
 
 TEST_F(solve_many, a_case_that_fails_leaves_the_others_alone) {
-  // Traction in parts of what friction can carry; 1.2 and 2 have no solution.
+  // The traction is in fractions of what friction can carry; 1.2 and 2 have no solution.
   ASSERT_OK(rollcon_contact_prescribe(contact, ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE, 0));
   const std::vector<std::int32_t> parameters{ROLLCON_LONGITUDINAL, ROLLCON_FRICTION};
   const double most = 0.1 * load;
@@ -114,11 +114,11 @@ TEST_F(solve_many, lists_may_be_empty_and_cases_open) {
   EXPECT_NEAR(force[2], -load, 1e-8 * load);
   EXPECT_EQ(force[5], 0);
   EXPECT_NEAR(force[8], -0.5 * load, 1e-8 * load);
-  // Without parameters all cases are the scene itself.
+  // All cases without parameters are the scene itself.
   EXPECT_OK(rollcon_contact_solve_many(contact, nullptr, 2, nullptr, "force", 3, force.data(), nullptr, nullptr));
   EXPECT_NEAR(force[5], -load, 1e-8 * load);
   EXPECT_EQ(forces({ROLLCON_NORMAL}, 1, {4 * load}, force), ROLLCON_RIM_CONTACT);
-  // A contact of a few nodes goes before all that are only cut off or open.
+  // The status of a contact of a few nodes goes before that of all that are only cut off or open.
   EXPECT_EQ(forces({ROLLCON_NORMAL}, 4, {load, 0, 4 * load, 1e-3 * load}, force), ROLLCON_COARSE);
 }
 
@@ -135,11 +135,11 @@ TEST_F(solve_many, the_contact_keeps_scene_and_solution) {
   for (int c = 0; c < 3; ++c) EXPECT_EQ(slope[c], again[c]);
   ASSERT_EQ(rollcon_contact_get_stat(contact, "law_equilibrium", &number), 0);
   EXPECT_LT(number, 1e-9);
-  // The next solve is the one that was to come: warm, of the same scene.
+  // The next solve is warm, of the scene that it would have had without the list.
   ASSERT_OK(rollcon_contact_solve(contact));
   ASSERT_EQ(rollcon_contact_get_stat(contact, "iterations", &number), 0);
   EXPECT_EQ(number, 0);
-  // With a scene that changed since, the last solution is another scene's.
+  // The last solution is another scene's if the scene changed since.
   ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, 0.9 * load), 0);
   ASSERT_OK(forces(three, 60, grid(), force));
   EXPECT_FAILS(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, frame.nodes, after.data()), STATE, "solve");
@@ -165,7 +165,7 @@ TEST_F(solve_many, refuses_what_it_cannot_take) {
   refused(call("normal", -1, &good, "force", 3), ROLLCON_ERR_ARGUMENT, "n_cases is -1");
   refused(call("", INT64_MAX, nullptr, "", 0), ROLLCON_ERR_ARGUMENT, "n_cases is 9223372036854775807");
   refused(call("normal", 2, two, "force", INT64_MAX), ROLLCON_ERR_ARGUMENT, "address space");
-  // A list that no machine's memory holds, even without anything to be written.
+  // No machine's memory holds this list, even without anything to be written.
   refused(call("", std::int64_t{1} << 40, nullptr, "", 0), ROLLCON_ERR_MEMORY, "a list of 1099511627776 cases takes");
   refused(call("normal", 1, nullptr, "force", 3), ROLLCON_ERR_ARGUMENT, "values is NULL");
   refused(call("normal", 1, &negative, "force", 3), ROLLCON_ERR_ARGUMENT, "case 0");
@@ -185,7 +185,7 @@ TEST_F(solve_many, refuses_what_it_cannot_take) {
   EXPECT_OK(call("normal spin", 1, two, "derivatives tractions force", 0));
   EXPECT_EQ(needed, 20 + traction_columns + 3);
   for (const double v : room) EXPECT_EQ(v, 7);
-  // Room beyond the columns is left alone; a column may come twice.
+  // Room beyond the columns is not written; a column may come twice.
   EXPECT_OK(call("normal", 1, &good, "force approach  force ", 8));
   EXPECT_EQ(room[7], 7);
   EXPECT_TRUE(same(&room[0], &room[4], 3));

@@ -1,4 +1,4 @@
-/// Lists of load cases: neither order nor threads change a bit; callbacks, cancelling.
+/// Tests that neither order nor threads change a bit of lists of load cases; callbacks, cancelling.
 
 #include <csignal>
 #include <filesystem>
@@ -23,7 +23,7 @@ TEST_F(solve_many_threads, threads_and_order_change_no_bit) {
       shuffled.insert(shuffled.end(), values.begin() + 3 * static_cast<std::ptrdiff_t>(i),
                       values.begin() + 3 * static_cast<std::ptrdiff_t>(i + 1));
     EXPECT_EQ(differences(table(three, shuffled, 3), one, at), 0);
-    // What was solved before does not matter either.
+    // An earlier solve does not matter, either.
     ASSERT_OK(rollcon_contact_set_creep(contact, -1e-3, 1e-3, 1e-3));
     ASSERT_GE(rollcon_contact_solve(contact), 0);
     ASSERT_OK(rollcon_contact_set_creep(contact, 1e-3, 0, 0));
@@ -43,7 +43,7 @@ TEST_F(solve_many_threads, threads_and_order_change_no_bit) {
 }
 
 TEST_F(solve_many_threads, workers_share_the_operators) {
-  // Of a frame large enough for its operators to count: 41 x 41 nodes.
+  // The frame is large enough for its operators to count: 41 x 41 nodes.
   const SquareFrame wide(40, 4.5);
   ASSERT_OK(set_nodes(wide));
   ASSERT_OK(add_elements(wide));
@@ -58,7 +58,7 @@ TEST_F(solve_many_threads, workers_share_the_operators) {
     return bytes;
   };
   const double one = peak(1), four = peak(4);
-  const double blocks = 5.0 * 8 * std::pow(41.0, 4);  // dense, of one copy
+  const double blocks = 5.0 * 8 * std::pow(41.0, 4);  // dense blocks of one copy
   std::printf("41 x 41 nodes: %.1f MB with 1 thread, %.1f MB with 4 (one copy of the operators: at most %.1f MB)\n",
               one / 1e6, four / 1e6, blocks / 1e6);
   EXPECT_GT(four, one);
@@ -140,7 +140,7 @@ TEST_F(solve_many_threads, callbacks_and_cancelling_work_with_threads) {
 
 namespace {
 
-/// Threads of this process that would take an alarm of the host.
+/// Counts threads of this process that would take an alarm of the host.
 int threads_open_to_alarms() {
   int open = 0;
   for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
@@ -194,7 +194,7 @@ TEST_F(solve_many_threads, several_contacts_at_once_in_threads_of_their_own) {
       rollcon_context_release(own);
     });
   for (std::thread& t : callers) t.join();
-  // The number of BLAS threads belongs to the process: rounding differs.
+  // The number of BLAS threads belongs to the process, so rounding differs.
   double worst = 0;
   for (const auto& f : force)
     for (std::size_t i = 0; i < f.size(); ++i) worst = std::max(worst, std::abs(f[i] - right[i]) / load);

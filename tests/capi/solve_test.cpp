@@ -1,4 +1,4 @@
-/// Statuses of a solve, order of calls, and what is kept.
+/// Tests statuses of a solve, the order of calls, and what remains after a failure.
 
 #include "fixture.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Vectors and rotations in space, by rows.
+/// Defines vectors and rotations in space, by rows.
 
 #include <array>
 #include <cmath>
@@ -16,7 +16,7 @@ inline Vector operator*(const Matrix& q, const Vector& v) {
   return r;
 }
 
-/// Turn by an angle about an axis of any length.
+/// Returns the turn by an angle about an axis of any length.
 inline Matrix turned(Vector a, double angle) {
   const double l = std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]), c = std::cos(angle), s = std::sin(angle);
   for (double& x : a) x /= l;

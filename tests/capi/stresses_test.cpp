@@ -1,4 +1,4 @@
-// Stresses below a solved contact through the public interface, and their invariants.
+// Tests stresses below a solved contact through the public interface, and their invariants.
 
 #include "fixture.hpp"
 
@@ -8,7 +8,7 @@ using namespace capi_test;
 
 constexpr double pi = std::numbers::pi;
 
-/// Two half-spaces of their own materials, on a frame of the caller; creepages along both directions.
+/// Presses two half-spaces of their own materials, on a frame of the caller; creepages along both directions.
 class stresses : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -87,8 +87,8 @@ TEST_F(stresses, surface_displacements_are_those_of_the_surface) {
 }
 
 TEST_F(stresses, every_plane_below_carries_the_force) {
-  // Forces of the tractions, and of stresses on a plane at depth 1; beyond its rim at a distance R from the origin
-  // those of point forces, whose parts there are R^-3 and 1.5/R - 0.5/R^3.
+  // Forces of the tractions agree with those of stresses on a plane at depth 1; beyond its rim at a distance R from the
+  // origin the stresses are those of point forces, whose parts there are R^-3 and 1.5/R - 0.5/R^3.
   solve();
   double force[3];
   ASSERT_OK(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, force, nullptr));
@@ -175,7 +175,7 @@ TEST_F(stresses, fatigue_index_and_wear_number) {
 }
 
 TEST_F(stresses, hertz_index_of_fatigue) {
-  // Full sliding on frames of the library: mu - 2 pi a^2 k/(3 Fn).
+  // Full sliding on frames of the library has mu - 2 pi a^2 k/(3 Fn).
   const double mu = 0.4, load = 300, radius = 50, k = 30;
   ASSERT_OK(rollcon_contact_set_gap_quadratic(contact, 0.5 / radius, 0.5 / radius, 0));
   ASSERT_OK(rollcon_contact_set_friction(contact, "coulomb", 1, &mu));
@@ -217,7 +217,7 @@ TEST_F(stresses, accuracy_is_an_option) {
 }
 
 TEST(stress_invariants, known_states) {
-  // Pull, pressure on all sides, shear, and a pull along (1, 1, 1).
+  // The stresses are a pull, pressure on all sides, shear, and a pull along (1, 1, 1).
   const double s[][6] = {{2, 0, 0, 0, 0, 0}, {-3, -3, -3, 0, 0, 0}, {0, 0, 0, 0, 1, 0}, {1, 1, 1, 1, 1, 1}};
   const double principal[][3] = {{2, 0, 0}, {-3, -3, -3}, {1, 0, -1}, {3, 0, 0}};
   const double mises[] = {2, 0, std::sqrt(3.0), 3}, shear[] = {1, 0, 1, 1.5};

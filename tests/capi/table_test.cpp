@@ -1,4 +1,4 @@
-/// Creep-force tables through the C interface.
+/// Tests creep-force tables through the C interface.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-/// Threads, callbacks, cancelling.
+/// Tests threads, callbacks, cancelling.
 
 #include <atomic>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-/// A few thousand steps of a wheelset's oscillation: each converges in few iterations.
+/// Tests a few thousand steps of a wheelset's oscillation: each converges in few iterations.
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@ namespace run = rollcon::wheelset_run;
 
 class time_loop : public Api {
  protected:
-  /// Steel on a softer body, which couples normal and tangential problems, or steel on steel.
+  /// Makes steel on a softer body, which couples normal and tangential problems, or steel on steel.
   void make_pair(bool dissimilar) {
     rollcon_contact_release(contact);
     for (rollcon_body** body : {&sphere, &plane}) {

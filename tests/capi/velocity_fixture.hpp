@@ -1,5 +1,5 @@
 #pragma once
-/// Velocities through the public interface.
+/// Sets velocities through the public interface.
 
 #include "fixture.hpp"
 #include "space.hpp"

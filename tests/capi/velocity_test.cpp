@@ -1,5 +1,5 @@
-/// Slip from velocities of bodies without profiles, beside closed forms: a sphere on a plane, a curved mesh; the speed
-/// that follows; what is refused.
+/// Compares slip from velocities of bodies without profiles, a sphere on a plane, a curved mesh, with closed forms;
+/// tests the speed that follows, and what is refused.
 
 #include "fem_fixture.hpp"
 #include "support/testing.hpp"
@@ -7,12 +7,12 @@
 
 using namespace capi_test;
 
-/// Body 1 is the sphere of Api; n points out of it, upwards here.
+/// Uses the sphere of Api as body 1; n points out of it, upwards here.
 class velocity : public Api {
  protected:
   static constexpr double radius = 50;
 
-  /// Axes that stand anywhere, the frame in their plane.
+  /// Places axes anywhere, with the frame in their plane.
   void place(const Matrix& q, const Vector& origin) {
     set_scene();
     const Vector ahead = q * Vector{1, 0, 0}, up = q * Vector{0, 0, 1};
@@ -121,7 +121,7 @@ TEST_F(velocity, what_is_refused_leaves_the_contact_usable) {
                  "component y of angular_velocity");
     EXPECT_FAILS(rollcon_contact_set_velocity(contact, 0, nothing, nothing, wrong), NONFINITE, "component y of point");
   }
-  // Nothing was taken: creepages are those of before.
+  // The refused velocities were not taken: creepages are those of before.
   const Vector force = solved_force(contact);
   EXPECT_EQ(creep_of(contact)[0], 1e-3);
 
@@ -140,7 +140,7 @@ TEST_F(velocity, what_is_refused_leaves_the_contact_usable) {
   const Vector again = solved_force(contact);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(again[i], force[i], 1e-8 * std::abs(force[2]));
 
-  // Without any speed.
+  // A contact without any speed is refused.
   rollcon_contact* c = nullptr;
   const double mu = 0.3;
   ASSERT_OK(rollcon_contact_create(context, sphere, plane, &c));
@@ -182,12 +182,13 @@ TEST_F(velocity, curved_mesh_takes_the_part_along_its_surface) {
   const std::vector<double> slip = field_of(c, ROLLCON_FIELD_RIGID_SLIP, ROLLCON_GLOBAL);
   double worst = 0, least = 1;
   for (std::size_t k = 0; k < x.size(); k += 3) {
-    // The part of e_n along the surface, of those of e_1 and e_2.
-    const double squared = 1 - 1e2 * second[k + 1];  // of the normal's component 2
+    // The parts of e_n along the surface follow from those of e_1 and e_2.
+    const double squared = 1 - 1e2 * second[k + 1];  // from the normal's component 2
     ASSERT_NEAR(first[k], 1e-2, 1e-12) << "the surface is straight along the rolling direction";
     least = std::min(least, 1 - squared);
     const Vector third{0, 1e2 * second[k + 2], squared};
-    // Between both surfaces, half of each as neither is curved along the path. Along the nodes' own normals.
+    // The slip lies between both surfaces, half of each because neither is curved along the path, and along the nodes'
+    // own normals.
     const double n2 = -std::copysign(std::sqrt(std::max(squared, 0.0)), second[k + 2]), n3 = std::sqrt(1 - squared);
     const double half = 0.5 * -x[k + 2] / n3;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -195,7 +196,7 @@ TEST_F(velocity, curved_mesh_takes_the_part_along_its_surface) {
         const Vector w = v + capi_test::cross(omega, {along, x[k + 1] + half * n2, x[k + 2] + half * n3});
         return 1e2 * (w[0] * first[k + i] + w[1] * second[k + i]) + w[2] * third[i];
       };
-      // Slip is taken within a spacing upstream: linear there.
+      // Slip is taken within a spacing upstream, where it is linear.
       const double here = at(x[k]), ahead = at(x[k] + 1.0 / 6), value = slip[k + i];
       const double rounding = 1e-9;
       worst = std::max({worst, std::min(here, ahead) - rounding - value, value - std::max(here, ahead) - rounding});

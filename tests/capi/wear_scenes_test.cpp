@@ -1,4 +1,4 @@
-// Wear in random scenes: nothing is lost, mirrored scenes wear alike, and neither the mesh nor the step shows.
+// Tests wear in random scenes: nothing is lost, mirrored scenes wear alike, and neither the mesh nor the step shows.
 
 #include <random>
 
@@ -8,7 +8,7 @@ namespace {
 
 using namespace capi_test;
 
-/// Half-spaces that roll on one another under a gap of x^2 and y^2, worn across the rolling direction.
+/// Describes half-spaces that roll on one another under a gap of x^2 and y^2, worn across the rolling direction.
 struct Scene {
   double force, gap[2], mu, creep[3], young2;
   bool by_energy;
@@ -47,7 +47,7 @@ class wear_scenes : public ::testing::Test {
     }
     contact = nullptr;
   }
-  /// side: -1 mirrors the scene.
+  /// Begins the scene; side -1 mirrors it.
   void begin(const Scene& s, int along, int across, double side) {
     end();
     scene = s;
@@ -81,7 +81,7 @@ class wear_scenes : public ::testing::Test {
                                        static_cast<std::int64_t>(at.size()), at.data(), d.data(), volume));
     return d;
   }
-  /// Over a distance in steps of at most `deepest`.
+  /// Wears over a distance in steps of at most `deepest`.
   bool wear(double distance, double deepest) {
     for (int step = 0; distance > 0 && step < 400; ++step) {
       if (!solve()) return false;
@@ -101,7 +101,7 @@ class wear_scenes : public ::testing::Test {
     for (std::size_t j = 0; j + 1 < at.size(); ++j) sum += 0.5 * (at[j + 1] - at[j]) * (d[j] + d[j + 1]);
     return sum;
   }
-  /// Amplitude of what changes its sign from line to line, over the greatest depth.
+  /// Returns the amplitude of what changes its sign from line to line, over the greatest depth.
   static double saw(const std::vector<double>& d) {
     double most = 0;
     for (std::size_t j = 2; j + 2 < d.size(); ++j)
@@ -143,7 +143,7 @@ class wear_scenes : public ::testing::Test {
       worst.far += std::abs(whole / fine - 1) > 0.12;
       worst.mesh = std::max(worst.mesh, std::abs(whole / fine - 1));
       if (k >= loops) continue;
-      // As far as wears 4 um in the beginning, in steps of 0.2 and 0.1 um: more than the approach changes by.
+      // The distance wears 4 um in the beginning, in steps of 0.2 and 0.1 um: more than the approach changes by.
       const double distance = 4e-3 / *std::max_element(here.begin(), here.end());
       begin(s, 14, 20, 1);
       if (!wear(distance, 4e-4)) {

@@ -1,5 +1,5 @@
-// Wear through the public interface: volumes to rounding, symmetry, published discs, the limit of a flat-worn strip,
-// profiles that wear, a wheel on its rail.
+// Tests wear through the public interface: volumes to rounding, symmetry, published discs, the limit of a flat-worn
+// strip, profiles that wear, a wheel on its rail.
 
 #include <numeric>
 
@@ -15,7 +15,7 @@ std::vector<double> even(double from, double to, std::size_t n) {
   return x;
 }
 
-/// Sum of depth times the points' shares of x.
+/// Sums depth times the points' lengths along x.
 double volume_of(const std::vector<double>& depth, const std::vector<double>& x) {
   double sum = 0;
   for (std::size_t j = 0; j + 1 < x.size(); ++j) sum += 0.5 * (x[j + 1] - x[j]) * (depth[j] + depth[j + 1]);
@@ -28,7 +28,7 @@ double asymmetry(const std::vector<double>& v) {
   return most / *std::max_element(v.begin(), v.end());
 }
 
-/// Steel on steel along x, on a rectangle; gap curved along x, worn across it.
+/// Rolls steel on steel along x, on a rectangle; the gap is curved along x, wear is across it.
 class wear : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -66,7 +66,7 @@ class wear : public ::testing::Test {
                                        static_cast<std::int64_t>(at.size()), at.data(), d.data(), volume));
     return d;
   }
-  /// One step of at most `deepest`; what is taken of the distance.
+  /// Takes one step of at most `deepest`; returns what is taken of the distance.
   double wear_on(const std::vector<double>& rate, double distance, double deepest, double smoothing) {
     std::vector<double> yz;
     for (std::size_t j = 0; j < y.size(); ++j) yz.insert(yz.end(), {y[j], 0.0});
@@ -101,7 +101,7 @@ TEST_F(wear, volumes_are_those_of_the_law_on_any_points) {
   const double unlike = asymmetry(depth("archard", {i}, at));
   std::printf("symmetric to %.1e (bound 1e-9)\n", unlike);
   EXPECT_LE(unlike, 1e-9);
-  // Between the frame's lines depth is linear, whatever the points.
+  // Depth is linear between the frame's lines, whatever the points.
   const std::vector<double> coarse = depth("archard", {i}, y), fine = depth("archard", {i}, even(-0.55, 0.55, 401));
   double wave = 0;
   for (std::size_t j = 1; j + 1 < fine.size(); ++j)
@@ -110,7 +110,7 @@ TEST_F(wear, volumes_are_those_of_the_law_on_any_points) {
   EXPECT_LE(wave, 0.02);
   EXPECT_NEAR(fine[200], coarse[10], 0.02 * coarse[10]);
 
-  // Equal coefficients are one; an ellipse lies between.
+  // Equal coefficients give one wear; an ellipse lies between.
   double two = 0, one = 0, less = 0;
   depth("archard", {i, i, 0.3}, y, &two);
   depth("archard", {i, 0, 0}, y, &one);
@@ -128,8 +128,8 @@ TEST_F(wear, volumes_are_those_of_the_law_on_any_points) {
 
 using wear_long = wear;
 
-// Crowned disc on a cylinder, orthotropic friction and wear (Rodriguez-Tembleque, Abascal, Aliabadi): read off a
-// figure to 3 %, and sums over nodes, which miss 3 to 6 % on a mesh of that kind (docs/wear.md).
+// A crowned disc on a cylinder, orthotropic friction and wear (Rodriguez-Tembleque, Abascal, Aliabadi), are read off a
+// figure to 3 %, and sums over nodes miss 3 to 6 % on a mesh of that kind (docs/wear.md).
 TEST_F(wear_long, published_discs) {
   press(32, 80, 0.34, 1.7, 300, -5e-3);
   const double published[] = {0.0242, 0.0194, 0.0154}, angle[] = {0, std::numbers::pi / 4, std::numbers::pi / 2};
@@ -246,7 +246,7 @@ TEST_F(wear, refuses_what_makes_no_sense) {
   EXPECT_FAILS(rollcon_wear_profile(2, yz, i, 1, 1, 0, 0, out, nullptr), ARGUMENT, "most_depth is 0");
 }
 
-// S1002 on 60E1 in two positions, through tread and flange.
+// The wheel S1002 stands on 60E1 in two positions, through tread and flange.
 TEST_F(wear, wheel_and_rail_lose_what_the_law_says) {
   const double unit = 1, i = 1e-9, weights[] = {2, 0.5};
   rollcon_body *wheel = nullptr, *rail = nullptr;

@@ -1,19 +1,19 @@
 #pragma once
-/// Wheel S1002 on rail 60E1 at positions of the Manchester benchmark (case, right wheel).
+/// Puts a wheel S1002 on a rail 60E1 at positions of the Manchester benchmark (case, right wheel).
 
 #include "fixture.hpp"
 #include "space.hpp"
 
 namespace capi_test {
 
-/// What the benchmark prescribes, and CONTACT's answers on elements of 0.2 mm; mm, N and s, x forward, y to the right,
-/// z down. Creepages are those of the rail relative to the wheel, forces those on the rail, power in W.
+/// Holds what the benchmark prescribes, and CONTACT's answers on elements of 0.2 mm. Units are mm, N and s, x forward,
+/// y to the right, z down. Creepages are those of the rail relative to the wheel, forces those on the rail, power in W.
 struct Position {
-  double y, roll, yaw, z, pitch_rate;  ///< of the wheelset
-  double at[3], angle;                 ///< of the contact
+  double y, roll, yaw, z, pitch_rate;  ///< position of the wheelset
+  double at[3], angle;                 ///< place and angle of the contact
   double normal, largest_pressure, area;
   double creepage[2], spin, longitudinal, lateral, power;
-  double half_length, half_width;  ///< of a frame
+  double half_length, half_width;  ///< size of a frame
 };
 constexpr Position positions[] = {{0,
                                    0,
@@ -68,7 +68,7 @@ constexpr Position positions[] = {{0,
                                    3}};
 constexpr double forward_speed = 2000;
 
-/// The scene in other lengths, on the other side of the track, and anywhere.
+/// Makes the scene in other lengths, on the other side of the track, and anywhere.
 class wheel_and_rail : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -98,7 +98,7 @@ class wheel_and_rail : public ::testing::Test {
     ASSERT_OK(rollcon_body_extrude_profile(rail, origin, along, down));
   }
 
-  /// y of the canted rail, turned about its upright top, where it is 14 mm below its highest point; in mm.
+  /// Returns y of the canted rail, turned about its upright top, where it is 14 mm below its highest point; in mm.
   double gauge_side() {
     double low = 0, high = 0, point[2], tangent[2], curvature = 0;
     EXPECT_OK(rollcon_body_get_profile_length(rail, &high));
@@ -112,14 +112,14 @@ class wheel_and_rail : public ::testing::Test {
     return (point[0] * c + point[1] * s) / unit;
   }
 
-  /// Of the wheelset, from mm of the right side.
+  /// Turns a vector of the wheelset, from mm of the right side, into the scene.
   Vector in_track(double x, double y, double z) const { return {unit * x, side * unit * y, unit * z}; }
   Matrix attitude(const Position& p) const {
     const double cr = std::cos(p.roll), sr = side * std::sin(p.roll), cy = std::cos(p.yaw), sy = side * std::sin(p.yaw);
     return {cy, -sy * cr, sy * sr, sy, cy * cr, -cy * sr, 0, sr, cr};
   }
 
-  /// Overlapping as the position says; no velocities, no frame.
+  /// Makes a contact that overlaps the way the position says, without velocities and frame.
   rollcon_contact* contact_without_frame(const Position& p) {
     const Matrix q = attitude(p);
     const Vector wheel_at = in_track(0, p.y, p.z - nominal) + q * in_track(0, 750, nominal);
@@ -142,7 +142,7 @@ class wheel_and_rail : public ::testing::Test {
     return c;
   }
 
-  /// The wheelset goes forward and turns about its axle; the contact goes with it.
+  /// Rolls the wheelset forward, turning about its axle; the contact goes with it.
   void roll(rollcon_contact* c, const Position& p, double faster = 1) {
     const Vector forward = turn * Vector{unit * forward_speed, 0, 0}, none{};
     const Vector axle = turn * (attitude(p) * Vector{0, faster * p.pitch_rate, 0});

@@ -1,5 +1,5 @@
-/// Wheel S1002 on rail 60E1 from their profiles and positions: positions of the Manchester benchmark, beside CONTACT's
-/// results on elements of 0.2 mm.
+/// Compares wheel S1002 on rail 60E1 from their profiles and positions, at positions of the Manchester benchmark, with
+/// CONTACT's results on elements of 0.2 mm.
 
 #include "support/testing.hpp"
 #include "wheel_and_rail_fixture.hpp"
@@ -8,17 +8,18 @@ using namespace capi_test;
 
 TEST_F(wheel_and_rail, manchester_positions_give_contacts_forces) {
   for (const Position& p : {positions[0], positions[1]}) {
-    // The position says how far the bodies overlap: nothing else is prescribed.
+    // The position says how far the bodies overlap; nothing else is prescribed.
     rollcon_contact* c = contact_at(p);
     const double force = -solved_force(c)[2];
     double pressure = 0, area = 0;
     EXPECT_OK(rollcon_contact_get_stat(c, "max_pressure", &pressure));
     EXPECT_OK(rollcon_contact_get_stat(c, "contact_area", &area));
     const std::string at = "wheelset at y = " + std::to_string(p.y);
-    // z is known to 5e-5 mm, the approaches are 0.016 and 0.025 mm: 0.5 and 0.3 % of the force.
+    // The value z is known to 5e-5 mm, the approaches are 0.016 and 0.025 mm: 0.5 and 0.3 % of the force.
     rollcon::expect_error(at + ": normal force beside CONTACT's", force / p.normal - 1, 0.005);
     rollcon::expect_error(at + ": largest pressure", pressure / p.largest_pressure - 1, 0.005);
-    // Boundaries of elements: half an element of CONTACT's around, 0.1 mm of 20.2 mm2 is 8 %, of 51.6 mm2 6 %.
+    // The boundaries are those of elements: half an element of CONTACT's around, 0.1 mm of 20.2 mm2 is 8 %, of 51.6 mm2
+    // 6 %.
     rollcon::expect_error(at + ": area of contact", area / p.area - 1, 0.06);
     rollcon_contact_release(c);
   }
@@ -32,10 +33,11 @@ TEST_F(wheel_and_rail, lateral_force_of_the_spin) {
   rollcon_contact_release(c);
 }
 
-// Tread and flange: the library finds the patches on the surfaces and lays the frames.
+// Tread and flange touch; the library finds the patches on the surfaces and lays the frames.
 TEST_F(wheel_and_rail, manchester_positions_without_a_frame) {
   for (const Position& p : {positions[1], positions[2]}) {
-    // z is known to 5e-5 mm: the normal force to 0.3 %; on the flange the sideways slope of the profiles counts.
+    // The value z is known to 5e-5 mm, which gives the normal force to 0.3 %; on the flange the sideways slope of the
+    // profiles counts.
     const double bound = p.y < 5 ? 0.005 : 0.012;
     rollcon_contact* c = contact_without_frame(p);
     ASSERT_OK(rollcon_contact_set_creep(c, p.creepage[0], p.creepage[1], p.spin));

@@ -1,5 +1,5 @@
-/// Creepages of wheel and rail from velocities: the Manchester benchmark beside CONTACT, any axes and units, frames
-/// that the library makes, steps of a time loop.
+/// Compares creepages of wheel and rail from velocities with the Manchester benchmark; tests any axes and units, frames
+/// that the library makes, and steps of a time loop.
 
 #include "support/testing.hpp"
 #include "wheel_and_rail_fixture.hpp"
@@ -22,7 +22,7 @@ Answer answer(rollcon_contact* c, std::int32_t status = ROLLCON_OK) {
   return a;
 }
 
-/// Of forces, moments in mm and creepages per mm, over the largest of each.
+/// Compares forces, moments in mm and creepages per mm, over the largest of each.
 double difference(const Answer& a, const Answer& b) {
   double worst = 0;
   for (const auto& [v, w] :
@@ -55,7 +55,7 @@ TEST_F(wheel_and_rail, velocities_give_contacts_creepages_and_forces) {
     rollcon::expect_error(at + ": lateral force", -a.force[1] / p.lateral - 1, 0.01);
     // CONTACT sums over elements; its forces times creepages give 28.8 and 404.9 W.
     rollcon::expect_error(at + ": friction power", a.power / 1000 / p.power - 1, 0.02);
-    // It counts in the mean of the speeds of both surfaces.
+    // The power counts in the mean of the speeds of both surfaces.
     double speed = 0;
     EXPECT_OK(rollcon_contact_get_stat(c, "rolling_speed", &speed));
     rollcon::expect_error(at + ": rolling speed",
@@ -120,7 +120,7 @@ TEST_F(wheel_and_rail_long, velocities_on_frames_that_the_library_makes) {
   // The creepages are those over the origin, whatever the frame.
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(found.creep[i], wanted.creep[i], 1e-12);
 
-  // Another velocity with the frames found before is what a new contact finds.
+  // Another velocity with the frames found before gives what a new contact finds.
   roll(c, p);
   rollcon_contact* fresh = contact_without_frame(p);
   roll(fresh, p);
@@ -136,7 +136,7 @@ TEST_F(wheel_and_rail, steps_of_a_time_loop_are_solves_of_new_contacts) {
   double worst = 0;
   for (int step = 0; step < 8; ++step) {
     Position now = p;
-    // In turn the wheelset moves, turns faster, or is told twice.
+    // The wheelset moves, turns faster, or is told twice, by turns.
     now.y += 0.01 * (step / 2);
     const double faster = 1 + 1e-3 * (step % 3);
     rollcon_contact* fresh = contact_at(now, 24, 48);

@@ -1,11 +1,11 @@
 #pragma once
-/// A wheel on its rail through the public interface.
+/// Puts a wheel on its rail through the public interface.
 
 #include "fixture.hpp"
 
 namespace capi_test {
 
-/// Wheel S1002 and rail 60E1 of the benchmark, case; mm, N, s.
+/// Holds wheel S1002 and rail 60E1 of the benchmark, case; mm, N, s.
 class Wheel : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -33,7 +33,7 @@ class Wheel : public ::testing::Test {
     return w;
   }
 
-  /// The row y = 2 mm; of a left wheel its mirror image.
+  /// Gives the row y = 2 mm; a left wheel gets its mirror image.
   static void give(rollcon_wheelrail* w, double side = 1) {
     const double position[6] = {0, side * 2, 0.1529, side * -1.128e-4, side * 4.8e-3, 0};
     const double velocity[6] = {2000, 0, 0, 0, 0, -4.3459197};

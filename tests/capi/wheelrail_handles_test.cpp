@@ -1,4 +1,4 @@
-/// Handles of wheels and of the contacts of their patches: kinds, lives, busy ones.
+/// Tests handles of wheels and of the contacts of their patches: kinds, lives, busy ones.
 
 #include <cstring>
 
@@ -83,7 +83,7 @@ struct Watched {
   int calls;
 };
 
-// While a patch is solved, both of its owners are busy.
+// Both owners of a patch are busy while it is solved.
 std::int32_t ROLLCON_CALL ask_owners(const rollcon_event*, void* user) {
   auto& watched = *static_cast<Watched*>(user);
   ++watched.calls;

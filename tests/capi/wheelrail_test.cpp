@@ -1,4 +1,4 @@
-/// A wheel on its rail through the public interface: the Manchester benchmark, missing and bad inputs, geometry,
+/// Tests a wheel on its rail through the public interface: the Manchester benchmark, missing and bad inputs, geometry,
 /// states.
 
 #include <cstring>
@@ -25,7 +25,7 @@ TEST_F(wheelrail, manchester_at_2_mm) {
   expect_error("normal force, of CONTACT's", patch_stat(right, "normal_force") / 9799 - 1, 0.01);
   expect_error("longitudinal force, of the limit", (patch_stat(right, "longitudinal_force") - 517.3) / limit, 0.01);
   expect_error("lateral force, of the limit", (patch_stat(right, "lateral_force") - 2893) / limit, 0.01);
-  // CONTACT's slip, of first order, is on elements of 0.2 mm: about 25 along the patch.
+  // CONTACT's slip is of first order, on elements of 0.2 mm: about 25 along the patch.
   expect_error("power, of CONTACT's", patch_stat(right, "friction_power") / 28390 - 1, 0.02);
 
   ASSERT_OK(rollcon_wheelrail_prescribe_vertical(right, ROLLCON_BY_FORCE, 10000));
@@ -39,7 +39,8 @@ TEST_F(wheelrail, manchester_at_2_mm) {
                std::hypot(force[0], force[1], force[2]) / std::hypot(turned[0], turned[1], turned[2]) - 1, 1e-12);
 }
 
-// Forces of the contact turned into the track, and the moment that the place of its axes gives them about the wheelset.
+// Forces of the contact are turned into the track, with the moment that the place of its axes gives them about the
+// wheelset.
 TEST_F(wheelrail, axes_of_a_patch_put_its_contact_into_the_track) {
   for (const double side : {1.0, -1.0}) {
     rollcon_wheelrail* w = made(side > 0 ? ROLLCON_RIGHT : ROLLCON_LEFT);
@@ -68,8 +69,8 @@ TEST_F(wheelrail, axes_of_a_patch_put_its_contact_into_the_track) {
   EXPECT_EQ(rollcon_wheelrail_get_patch_axes(right, 0, nullptr, nullptr), ROLLCON_ERR_STATE);
 }
 
-// The patch lies on the rail's outline, and the wheel's is as deep below it as both overlap; without yaw, where the
-// outline of the wheel is its profile.
+// The patch lies on the rail's outline, and the wheel's is as deep below it as both overlap; without yaw, the outline
+// of the wheel is its profile.
 TEST_F(wheelrail, profiles_stand_where_the_patch_is) {
   for (const double side : {1.0, -1.0}) {
     rollcon_wheelrail* w = made(side > 0 ? ROLLCON_RIGHT : ROLLCON_LEFT);

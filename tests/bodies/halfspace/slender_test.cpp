@@ -195,7 +195,7 @@ std::int64_t evaluations(ElementType type, double ratio, double distortion) {
 TEST(slender_elements, cost_little_more) {
   struct Case {
     ElementType type;
-    double distortion, ratio, times;  ///< the round one's evaluations in `times`
+    double distortion, ratio, times;  ///< `times`: multiple of the round element's evaluations
   };
   for (const auto& [type, distortion, ratio, times] :
        {Case{ElementType::tri3, 0.2, 1e4, 5}, Case{ElementType::quad4, 0.2, 1e4, 25},

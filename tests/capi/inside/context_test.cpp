@@ -1,4 +1,4 @@
-/// Thread budget and log of a context.
+/// Tests the thread budget and the log of a context.
 
 #include "support/context.hpp"
 

@@ -1,4 +1,4 @@
-/// Every failure inside becomes a status and a text; handles run out late.
+/// Tests that every failure inside becomes a status and a text, and that handles run out late.
 
 #include "capi/guard.hpp"
 

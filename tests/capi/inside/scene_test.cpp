@@ -1,4 +1,4 @@
-/// What a scene counts as a change, and what its axes are.
+/// Tests what a scene counts as a change, and what its axes are.
 
 #include "contact/scene/scene.hpp"
 
@@ -23,7 +23,7 @@ void set_triangle(Scene& scene) {
   scene.add_frame_elements(203, 1, nodes, 0, 0);
 }
 
-/// All values of a time loop, times f.
+/// Sets all values of a time loop, times f.
 void set_all(Scene& scene, double f) {
   const double v[6] = {f, f, f, f, f, f};
   const double origin[3] = {f, 0, 0}, rolling[3] = {f, 1, 0}, normal[3] = {0, 0.1, f};
