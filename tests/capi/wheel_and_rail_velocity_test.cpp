@@ -55,7 +55,7 @@ TEST_F(wheel_and_rail, velocities_give_contacts_creepages_and_forces) {
     rollcon::expect_error(at + ": lateral force", -a.force[1] / p.lateral - 1, 0.01);
     // CONTACT sums over elements; its forces times creepages give 28.8 and 404.9 W.
     rollcon::expect_error(at + ": friction power", a.power / 1000 / p.power - 1, 0.02);
-    // The power counts in the mean of the speeds of both surfaces.
+    // The creepage is over the mean of the speeds of both surfaces.
     double speed = 0;
     EXPECT_OK(rollcon_contact_get_stat(c, "rolling_speed", &speed));
     rollcon::expect_error(at + ": rolling speed",

@@ -1,4 +1,4 @@
-/// The budget of threads is a maximum for the BLAS.
+/// Tests that the budget of threads is a maximum for the BLAS.
 
 #include "contact/scene_fixture.hpp"
 

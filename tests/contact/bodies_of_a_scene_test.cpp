@@ -1,4 +1,4 @@
-/// What a scene takes from its bodies: poses, frames made of faces, gaps from the geometry.
+/// Tests what a scene takes from its bodies: poses, frames made of faces, gaps from the geometry.
 
 #include "build_info.hpp"
 #include "contact/body_geometry.hpp"
@@ -38,7 +38,7 @@ TEST(pose, only_rotations_are_taken) {
   expect_refused([&] { scene.set_pose(1, nullptr, zero); }, Status::err_argument, "rotation");
   EXPECT_EQ(scene.revision.pose[0], 0);
 
-  // Rounded to seven digits: taken, and made orthonormal to the last bits.
+  // A rotation rounded to seven digits is taken, and made orthonormal to the last bits.
   const double c = 0.9210610, s = 0.3894183;  // 0.4 rad
   const double rounded[9] = {c, -s, 0, s, c, 0, 0, 0, 1};
   const double shift[3] = {1, 2, 3};
@@ -59,7 +59,7 @@ TEST(pose, only_rotations_are_taken) {
   EXPECT_EQ(scene.revision.pose[0], 0) << "the standard pose";
 }
 
-/// Closed box [0,2] x [0,1] x [0,1] of 4 x 2 x 2 elements, tags 1 to 6.
+/// Makes a closed box [0,2] x [0,1] x [0,1] of 4 x 2 x 2 elements, tags 1 to 6.
 SurfaceMesh box(ElementType type) {
   return surfaces::block(surfaces::brick({4, 2, 2}, {2, 1, 1}), type);
 }
@@ -85,7 +85,7 @@ TEST(frame_from_body, faces_of_body_1_and_2) {
       for (const Vec3& p : frame.mesh.node) EXPECT_EQ(p[2], which == 1 ? 1 : 0);
       EXPECT_EQ(contact.scene.mesh().tag[0], which == 1 ? 6 : 5);
 
-      // It follows its body, and keeps what belongs to its nodes.
+      // The frame follows its body; the gap belongs to its nodes and stays.
       std::vector<double> gap(static_cast<std::size_t>(contact.nodes()), 0.5);
       contact.scene.set_gap(contact.nodes(), gap.data());
       const double turn[9] = {0, -1, 0, 1, 0, 0, 0, 0, 1}, shift[3] = {5, 6, 7};
@@ -136,7 +136,7 @@ TEST(frame_from_body, refusals_and_replacement) {
   }
 }
 
-/// Elastic half-space under a rigid sphere of radius 50 given as a mesh.
+/// Puts an elastic half-space under a rigid sphere of radius 50 given as a mesh.
 struct SphereOnPlane {
   std::shared_ptr<Context> context = std::make_shared<Context>();
   std::shared_ptr<Body> plane = std::make_shared<Body>(context, 3);
@@ -166,10 +166,10 @@ double largest_part(const std::array<double, 3>& a, const std::array<double, 3>&
 }
 
 TEST(gap_from_geometry, a_rigid_sphere_given_as_a_mesh) {
-  // The same scene with the sphere's gap as a quadratic form on a flat frame. Slopes are 0.03 at most, and what is left
-  // between both is of their second order once the flat frame's tractions are added up in the directions of the sphere:
-  // those of the first order cancel by symmetry but for pressures that lean to one side and for friction towards the
-  // middle.
+  // The scene is solved once more with the sphere's gap as a quadratic form on a flat frame. Slopes are 0.03 at most,
+  // and what is left between both is of their second order once the flat frame's tractions are added up in the
+  // directions of the sphere: those of the first order cancel by symmetry, except for pressures that lean to one side
+  // and for friction towards the middle.
   Pair flat(1e4, 0.3, 1e4, -2);
   standard_scene(flat, 16);
   flat.contact->scene.set_creep(-1.2e-3, 4e-4, 3e-4);
@@ -231,7 +231,7 @@ TEST(gap_from_geometry, results_are_in_the_triads_of_their_nodes) {
   double resultant[3] = {}, turned = 0, tilt = 0, out_of_plane = 0, fastest = 0;
   for (std::size_t k = 0; k < n; ++k) {
     const Vec3 g{global[3 * k], global[3 * k + 1], global[3 * k + 2]};
-    // Outward normal of body 1: against the sphere's.
+    // The outward normal of body 1 is against the sphere's.
     const Vec3 radial{point[3 * k], point[3 * k + 1], point[3 * k + 2] - 50};
     const Vec3 normal = leveled((-1 / length(radial)) * radial);
     turned = std::max(turned, std::abs(dot(g, normal) - local[3 * k + 2]));

@@ -1,5 +1,5 @@
 #pragma once
-/// Rigid surfaces for tests of geometry: caps of spheres that face each other.
+/// Makes rigid surfaces for tests of geometry: caps of spheres that face each other.
 
 #include <cmath>
 #include <memory>
@@ -11,14 +11,14 @@
 
 namespace rollcon::contact_test {
 
-/// Square of n x n elements, half-width w, on the sphere of this radius that touches z = height at the z axis from
-/// below (outward normals up) or from above (down).
+/// Makes a square of n x n elements, half-width w, on the sphere of this radius that touches z = height at the z axis
+/// from below (outward normals up) or from above (down).
 inline SurfaceMesh sphere_cap(ElementType type, int n, double w, double radius, double height, bool below) {
   const std::vector<double> lines = frames::uniform_lines(-w, w, n);
   const double sign = below ? -1 : 1;
   SurfaceMesh mesh = frames::transform(frames::rectangle(type, lines, lines), [&](const Vec3& p) {
     const double r2 = p[0] * p[0] + p[1] * p[1];
-    // R - sqrt(R^2 - r^2) without cancellation
+    // The height R - sqrt(R^2 - r^2) is computed without cancellation.
     return Vec3{p[0], p[1], height + sign * r2 / (radius + std::sqrt(radius * radius - r2))};
   });
   return below ? mesh : surfaces::turn_inside_out(mesh);
@@ -40,13 +40,13 @@ inline std::shared_ptr<Body> rigid_body(const std::shared_ptr<Context>& context,
   return body;
 }
 
-/// What local axes make of a normal where the surface is level at the origin: its inclination along x is taken out,
-/// that across stays.
+/// Returns what local axes make of a normal where the surface is level at the origin: its inclination along x is taken
+/// out, that across stays.
 inline Vec3 leveled(const Vec3& n) {
   return {0, n[1], std::hypot(n[0], n[2])};
 }
 
-/// Least |t| for which from + t * direction (unit) lies on the sphere.
+/// Returns the least |t| for which from + t * direction (unit) lies on the sphere.
 inline double to_sphere(const Vec3& from, const Vec3& direction, const Vec3& centre, double radius) {
   const Vec3 q = from - centre;
   const double b = dot(q, direction), c = dot(q, q) - radius * radius;

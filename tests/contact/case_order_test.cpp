@@ -1,4 +1,4 @@
-/// The order in which lists of cases are solved.
+/// Tests the order in which lists of cases are solved.
 
 #include "contact/cases/case_order.hpp"
 
@@ -107,7 +107,7 @@ TEST(case_order, chains_cover_the_cases) {
     EXPECT_GE(order.chains(), std::min<std::int64_t>(cases / 4, 8)) << cases;
     EXPECT_LE(order.chains(), std::max<std::int64_t>(16, cases / 32 + 1)) << cases;
   }
-  // All cases alike: one is solved.
+  // All cases are alike, so one is solved.
   const std::vector<double> same(20, 1.0);
   const std::int64_t priority[1] = {0};
   EXPECT_EQ(order_cases(20, 1, same.data(), priority).solved.size(), 1U);

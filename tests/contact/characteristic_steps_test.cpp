@@ -1,5 +1,5 @@
-/// Steps of the characteristic scheme on quadratic quadrilaterals: nodes that stand equally far from each other step
-/// equally far.
+/// Tests steps of the characteristic scheme on quadratic quadrilaterals: nodes that stand equally far from each other
+/// step equally far.
 
 #include "contact/scene_fixture.hpp"
 
@@ -23,7 +23,7 @@ std::array<double, 3> force(ElementType type, int n, double young2, double poiss
   return f;
 }
 
-// With steps by dual cells: off by 0.13 and 0.09 (equal bodies), and by 0.37.
+// Steps by dual cells would be off by 0.13 and 0.09 (equal bodies), and by 0.37.
 TEST(characteristic_steps, friction_on_quad8) {
   struct Scene {
     double young2, poisson2;

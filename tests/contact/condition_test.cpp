@@ -1,4 +1,4 @@
-/// The statistic `condition`.
+/// Tests the statistic `condition`.
 
 #include "contact/scene_fixture.hpp"
 #include "linalg/fft.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-/// Frames, directions and views of the rows for tests of the convective derivative.
+/// Makes frames, directions and views of the rows for tests of the convective derivative.
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +75,7 @@ inline std::vector<double> dense(const SparseRows& d) {
   return a;
 }
 
-/// Largest difference of two operators' rows over the row's size.
+/// Returns the largest difference of two operators' rows over the row's size.
 inline double row_difference(const std::vector<double>& a, const std::vector<double>& b, double factor) {
   const auto n = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(a.size()))));
   double worst = 0;

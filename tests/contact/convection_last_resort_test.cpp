@@ -1,5 +1,5 @@
-// Nodes of which only one neighbour lies upstream, beside the path: least squares then take the difference to it, along
-// the path that leads there.
+// Tests nodes of which only one neighbour lies upstream, beside the path: least squares then take the difference to it,
+// along the path that leads there.
 
 #include "contact/convection/convection.hpp"
 #include "support/frames.hpp"

@@ -1,4 +1,4 @@
-/// The derivative of smooth fields, and the equation that the stick zone solves with it.
+/// Tests the derivative of smooth fields, and the equation that the stick zone solves with it.
 
 #include "contact/convection/convection.hpp"
 #include "contact/convection_frames.hpp"
@@ -19,7 +19,7 @@ double smooth_y(double x, double y) {
   return -0.9 * std::sin(1.3 * x + 0.4) * std::sin(0.9 * y - 0.2);
 }
 
-/// RMS over inner nodes of D w - v . grad w.
+/// Returns the root mean square over inner nodes of D w - v . grad w.
 double truncation(const Frame& frame, const SparseRows& d, Direction e) {
   double sum = 0;
   int count = 0;
@@ -34,8 +34,8 @@ double truncation(const Frame& frame, const SparseRows& d, Direction e) {
   return std::sqrt(sum / count);
 }
 
-/// Solves D w = v . grad(smooth) at inner nodes, w given on the rim, by sweeps downstream. This is what the stick zone
-/// does with D: rows that amplify make it blow up. RMS error of w.
+/// Solves D w = v . grad(smooth) at inner nodes, w given on the rim, by sweeps downstream. The stick zone does this
+/// with D: rows that amplify make it blow up. Returns the root mean square error of w.
 double march(const Frame& frame, const SparseRows& d, Direction e) {
   const std::size_t n = frame.x.size();
   std::vector<double> w(n);
@@ -102,7 +102,7 @@ TEST(Convection, MarchDoesNotAmplify) {
         worst_ls = std::max(worst_ls, march(f.frame, least_squares(f.frame, e.ex, e.ey), e));
         worst_flux = std::max(worst_flux, march(f.frame, godunov(f.frame, e.ex, e.ey), e));
       }
-      // First order: half the spacing 1/8 times second derivatives times the length 2.
+      // The march is of first order: half the spacing 1/8 times second derivatives times the length 2.
       expect_error("march with least squares, " + f.name, worst_ls, 0.12);
       expect_error("march with Godunov, " + f.name, worst_flux, 0.25);
     }

@@ -8,7 +8,7 @@ namespace {
 
 using namespace convection_test;
 
-/// 1 for nodes whose path upstream enters one of their cells; 0 where it leaves the frame.
+/// Returns 1 for nodes whose path upstream enters one of their cells; 0 where it leaves the frame.
 std::vector<char> path_enters(const Frame& frame, const LinearCells& cells, Direction e) {
   std::vector<char> enters(frame.x.size(), 0);
   auto side = [&](std::int32_t from, std::int32_t to) {
@@ -60,7 +60,7 @@ TEST(Convection, GodunovIsExactAlongTheLinesOfUniformSquares) {
     const SparseRows d = godunov(frame, e.ex, e.ey);
     double error = 0;
     for (std::size_t i = 0; i < frame.x.size(); ++i) {
-      // Leading rim: no inflow. Trailing rim: half a cell for a whole face.
+      // The leading rim has no inflow; the trailing rim has half a cell for a whole face.
       const double s = frame.x[i] * e.ex + frame.y[i] * e.ey;
       if (std::abs(s) > 0.99) continue;
       const double exact = -(2 * e.ex - 5 * e.ey);
@@ -107,8 +107,8 @@ TEST(Convection, GodunovTakesFromUpstreamOnly) {
 TEST(Convection, LeastSquaresHasNoColumnDownstream) {
   for (ElementType type : all_types)
     for (const NamedFrame& f : frames_of(type)) {
-      // On slender cells a row may take a neighbour of the cell through which the path enters although the half plane
-      // of upwind neighbours misses it; interpolating, never extrapolating.
+      // A row on slender cells may take a neighbour of the cell through which the path enters although the half plane
+      // of upwind neighbours misses it; it interpolates, and never extrapolates.
       int rows = 0, entries = 0;
       for (double degrees : directions) {
         const Direction e(degrees);
@@ -215,7 +215,7 @@ TEST(Convection, ChangesContinuouslyAcrossATie) {
     const auto at = dense(least_squares(frame, 1, 0));
     for (double turn : {1e-6, -1e-6}) {
       const auto off = dense(least_squares(frame, std::cos(turn), std::sin(turn)));
-      // Leading rim: rows appear when an upwind neighbour does; compare inner nodes.
+      // Rows at the leading rim appear when an upwind neighbour does, so inner nodes are compared.
       const std::size_t n = frame.x.size();
       double worst = 0;
       for (std::size_t i = 0; i < n; ++i) {

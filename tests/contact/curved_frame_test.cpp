@@ -1,4 +1,4 @@
-/// Curved frames: triads, areas and resultants against closed forms of a cylinder.
+/// Compares triads, areas and resultants of curved frames with closed forms of a cylinder.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ constexpr double radius = 2, half_angle = 0.6, half_width = 0.5;
 constexpr ElementType types[] = {ElementType::tri3, ElementType::tri6, ElementType::quad4, ElementType::quad8,
                                  ElementType::quad9};
 
-// Nodes on the cylinder, from (angle, width, 0): it touches the plane z = 0 from below.
+// Puts nodes on the cylinder, from (angle, width, 0): it touches the plane z = 0 from below.
 Vec3 on_cylinder(const Vec3& p) {
   return {radius * std::sin(p[0]), p[1], radius * (std::cos(p[0]) - 1)};
 }
@@ -30,7 +30,7 @@ Frame cylinder(ElementType type, int n, const Axes& axes = {}) {
   const SurfaceMesh plane = frames::rectangle(type, along, across);
   Frame frame = build_frame(frames::transform(plane, on_cylinder), axes);
   std::vector<Vec3> normal;
-  for (const Vec3& p : plane.node)  // of any length
+  for (const Vec3& p : plane.node)  // normals of any length
     normal.push_back((1 + p[0] * p[0]) * Vec3{std::sin(p[0]), 0, std::cos(p[0])});
   curve_frame(frame, normal);
   return frame;
@@ -52,7 +52,7 @@ Sums sums_on(const Frame& frame) {
     problem.convection.slip_y = frame.y;
     return load_on_body1(problem, motion, lambda).value;
   };
-  double moment = 0;  // about t2, of a unit traction along t1 everywhere
+  double moment = 0;  // moment about t2, of a unit traction along t1 everywhere
   for (std::size_t k = 0; k < n; ++k)
     moment += problem.moment_z[k] * problem.turn[k][0][0] - problem.moment_x[k] * problem.turn[k][0][2];
   return {frame.area, -load(2, approach), load(0, xi1), moment};
@@ -78,8 +78,8 @@ TEST(curved_frame, area_and_resultants_of_a_cylinder) {
       EXPECT_NEAR(cells, frame.area, 1e-13 * frame.area);
       EXPECT_NEAR(weights, frame.area, 1e-13 * frame.area);
     }
-    // Facets are flat: second order. Quadratic elements: fourth. The moment is a small difference. Measured on the
-    // coarsest mesh: 1.1e-2 and 0.14; quadratic 1.7e-5 and 1.6e-4.
+    // Flat facets are of second order, quadratic elements of fourth. The moment is a small difference. The coarsest
+    // mesh has measured errors of 1.1e-2 and 0.14; quadratic 1.7e-5 and 1.6e-4.
     const bool quadratic = is_quadratic(type);
     const double order_bound = quadratic ? 3.9 : 1.9;
     const double force_bound = quadratic ? 2.5e-5 : 1.5e-2, moment_bound = quadratic ? 2.5e-4 : 0.2;
@@ -114,7 +114,7 @@ TEST(curved_frame, triads_follow_the_surface) {
   }
 }
 
-// Of a displacement that grows by one with the distance in the projection: along the surface by the cosine.
+// A displacement grows by one with the distance in the projection, and along the surface by the cosine.
 TEST(curved_frame, derivatives_are_taken_along_the_surface) {
   const Frame frame = cylinder(ElementType::quad4, 10);
   const auto n = static_cast<std::size_t>(frame.nodes());

@@ -1,5 +1,5 @@
-// Solutions that no material bears are told, whatever the equations say; bodies may come in the wrong order; friction
-// may be next to none.
+// Tests that solutions that no material bears are reported, whatever the equations say; that bodies may come in the
+// wrong order; and that friction may be next to none.
 
 #include "contact/scene_fixture.hpp"
 #include "support/last_error.hpp"
@@ -28,7 +28,7 @@ TEST(doubts, pressures_above_the_modulus_are_too_deep) {
   const std::vector<double> lines = frames::uniform_lines(-2.5, 2.5, 20);
   const SurfaceMesh mesh = frames::rectangle(ElementType::quad4, lines, lines);
   pair.frame(mesh);
-  std::vector<double> ball;  // of radius 1, given as gaps alone
+  std::vector<double> ball;  // a ball of radius 1, given as gaps alone
   for (const Vec3& x : mesh.node) ball.push_back(0.5 * (x[0] * x[0] + x[1] * x[1]));
   pair.contact->scene.set_gap(mesh.nodes(), ball.data());
   pair.friction(0);

@@ -1,5 +1,5 @@
-/// Promises of error estimates: they cost nothing until asked for, change nothing, do not depend on units or on how a
-/// motion was prescribed, fall with the mesh, and are numbers in any state.
+/// Tests that error estimates cost nothing until asked for, change nothing, do not depend on units or on how a motion
+/// was prescribed, fall with the mesh, and are numbers in any state.
 
 #include "build_info.hpp"
 #include "contact/scene_fixture.hpp"
@@ -88,7 +88,7 @@ TEST(error_estimate, is_reproducible) {
 }
 
 TEST(error_estimate, does_not_depend_on_units_or_speed) {
-  // Lengths times 1e3, stresses times 1e-7, speed times 40.
+  // The units make lengths 1e3, stresses 1e-7 and the speed 40 times as large.
   constexpr double length = 1e3, stress = 1e-7, speed = 40;
   for (const double poisson2 : {0.3, rigid}) {
     const auto pair = rolling(12, poisson2);
@@ -161,7 +161,7 @@ TEST(error_estimate, falls_with_the_mesh) {
         ASSERT_EQ(pair->contact->solve(), Status::ok);
         sizes[finer] = estimates(*pair->contact);
       }
-      // Four times finer: order 3/2 for the normal force, about one for the rest.
+      // A mesh four times finer shows order 3/2 for the normal force, about one for the rest.
       const double bound[] = {0.25, 0.6, 0.6};
       for (std::size_t i = 0; i < 3; ++i) {
         std::printf("%s, %s: 8 x 8 %.2e, 32 x 32 %.2e, ratio %.3f (bound %.2f)\n", scheme, names[i], sizes[0][i],

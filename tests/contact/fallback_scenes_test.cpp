@@ -1,6 +1,6 @@
-// Small scenes at which the full step gets stuck: without friction worth the name between unlike bodies, with much of
-// it, spin moments and forces near what friction carries. However they are solved, they end solved or with a status
-// that says why not, they are left as they were given, and they can be interrupted anywhere.
+// Tests small scenes at which the full step gets stuck: without friction worth the name between unlike bodies, with
+// much of it, spin moments and forces near what friction carries. However they are solved, they end solved or with a
+// status that says why not, they are left unchanged, and they can be interrupted anywhere.
 
 #include "support/extremes.hpp"
 #include "support/testing.hpp"
@@ -13,12 +13,12 @@ using extremes::Scene;
 
 constexpr double law_bound = 1e-8;
 
-/// Seeds of random scenes. Solved, as far as is known: with one load or moment given and with several, approach or load
-/// given, all three schemes, like and unlike bodies, mu from 1e-12 to 10. Rounding does not decide them: all were
-/// solved with friction disturbed in its last digits, too, twelve times of twelve.
+/// The seeds are those of random scenes that are known to have solutions: with one load or moment given and with
+/// several, approach or load given, all three schemes, like and unlike bodies, mu from 1e-12 to 10. Rounding does not
+/// decide them: all were solved with friction disturbed in its last digits, too, twelve times of twelve.
 constexpr std::uint32_t solved[] = {73,   203,  241,  517,  597,  764,  857,  887,  905,  994, 997,
                                     1159, 1276, 1289, 1305, 1577, 1794, 1994, 2076, 2386, 3348};
-/// Forces that friction cannot carry, among them some that are seen with every node sliding only.
+/// Friction cannot carry the forces of these seeds; some of them show it with every node sliding only.
 constexpr std::uint32_t refused[] = {44, 177, 434, 878, 923, 1762, 2132, 2172, 2179, 3521};
 
 struct Solved {
@@ -63,7 +63,7 @@ TEST(fallback_scenes, end_solved_or_refused) {
   EXPECT_EQ(loads, static_cast<int>(std::size(refused)));
 }
 
-// Residuals are those of the scene, in the scale of every other solve: nothing is left to do.
+// Residuals are those of the scene, in the scale of every other solve, so nothing is left to do.
 TEST(fallback_scenes, are_solved_when_solved_again) {
   for (const double tolerance : {1e-4, 1e-10})
     for (const std::uint32_t seed : solved) {
@@ -77,13 +77,13 @@ TEST(fallback_scenes, are_solved_when_solved_again) {
       EXPECT_LE(again.iterations, first.end.residual < 0.99 * tolerance ? 0 : 1) << seed << ", tolerance " << tolerance;
       EXPECT_EQ(again.fallbacks, 0) << seed;
       if (again.iterations > 0) continue;
-      // But for the rounding of images made anew.
+      // The residuals agree except for the rounding of images made anew.
       EXPECT_NEAR(again.residual, first.end.residual, 1e-3 * first.end.residual + 1e-12)
           << seed << ", tolerance " << tolerance;
     }
 }
 
-// What friction can carry is a matter of the scene, not of where its iteration began.
+// The scene decides what friction can carry, not the place where its iteration began.
 TEST(fallback_scenes_long, are_refused_from_another_state_too) {
   std::vector<std::uint32_t> seeds(std::begin(refused), std::end(refused));
   seeds.insert(seeds.end(), {708, 1092});
@@ -131,7 +131,7 @@ std::int32_t stop(const rollcon_event*, void* user) {
   return s.seen++ >= s.after;
 }
 
-// Cancelled on the way: loads, friction and scales are those given when it goes on.
+// A scene is cancelled on the way: loads, friction and scales are those given when it goes on.
 TEST(fallback_scenes, can_be_interrupted_anywhere) {
   int cancelled = 0, deep = 0;
   double worst = 0;

@@ -1,5 +1,5 @@
-/// Friction that falls with the slip speed: Coulomb's law where it does not fall, sliding in closed form, branches, and
-/// the power that is lost.
+/// Tests friction that falls with the slip speed: Coulomb's law where it does not fall, sliding in closed form,
+/// branches, and the power that is lost.
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +38,8 @@ double creep_of(const Pair& pair) {
   return creep[0];
 }
 
-// The law's speed grows: what friction loses falls like the slip over it, and so does the difference to Coulomb's law.
+// The law's speed grows, so that what friction loses falls like the slip over it, and so does the difference to
+// Coulomb's law.
 TEST(falling_friction_long, the_limit_of_a_vanishing_slope_is_coulombs_law) {
   for (const char* law : families)
     for (const bool like : {true, false}) {
@@ -69,7 +70,7 @@ TEST(falling_friction_long, the_limit_of_a_vanishing_slope_is_coulombs_law) {
     }
 }
 
-// Where all nodes slide by far more than what elasticity adds, each has the coefficient of the creepage.
+// Each node has the coefficient of the creepage where all nodes slide by far more than what elasticity adds.
 TEST(falling_friction, sliding_has_the_coefficient_of_its_speed) {
   const double far = 50, s1 = 3000, s2 = 8000, slip = far * speed;
   const double wanted[] = {0.1 + 0.15 * std::max(0.0, 1 - slip / (2 * s1)) + 0.05 * std::max(0.0, 1 - slip / (2 * s2)),
@@ -91,8 +92,8 @@ TEST(falling_friction, sliding_has_the_coefficient_of_its_speed) {
   }
 }
 
-// A force below the greatest has two creepages: one that grows from stick, one on the falling side. From nothing the
-// first is found, from a solution on the falling side that side is kept; the plan says which.
+// A force below the greatest has two creepages: one that grows from stick, one on the falling side. The first is found
+// from nothing, and from a solution on the falling side that side is kept; the plan says which.
 TEST(falling_friction, branches_are_chosen_and_told) {
   for (const char* law : families) {
     Pair pair = pair_of(true);
@@ -116,15 +117,15 @@ TEST(falling_friction, branches_are_chosen_and_told) {
     EXPECT_GT(from_stick, 0);
     EXPECT_LT(from_stick, 0.2 * kept);
     EXPECT_LE(pair.worst_law(), 1e-9);
-    // The same force at that creepage.
+    // The creepage that was found gives this force.
     scene.set_creep(from_stick, 0, 0);
     pair.contact->solve();
     EXPECT_NEAR(force_of(pair)[0], force, 1e-8 * std::abs(force));
   }
 }
 
-// Above the greatest force of the branch that begins with stick there is no solution, below there is one on it. With a
-// lateral force of nothing beside it, it is one of several loads, and the greatest is the same by symmetry.
+// There is no solution above the greatest force of the branch that begins with stick; below it there is one on the
+// branch. A lateral force of nothing beside it makes it one of several loads, and the greatest is the same by symmetry.
 TEST(falling_friction, forces_beyond_the_greatest_are_refused) {
   for (const char* law : families) {
     Pair pair = pair_of(true);
@@ -158,7 +159,7 @@ TEST(falling_friction, forces_beyond_the_greatest_are_refused) {
   }
 }
 
-// Up and down in the creepage: power is lost at every node, and without a jump both ways are the same.
+// The creepage goes up and down: power is lost at every node, and without a jump both ways are the same.
 TEST(falling_friction, a_closed_loop_gains_no_energy) {
   for (const char* law : families) {
     Pair pair = pair_of(false);

@@ -1,5 +1,5 @@
-/// Contacts of too few nodes are not called success: status, warnings, plan and estimates say so, and contacts of
-/// enough nodes hear nothing of it.
+/// Tests that contacts of too few nodes are not called success: status, warnings, plan and estimates say so, and
+/// contacts of enough nodes hear nothing of it.
 
 #include "contact/estimate/few_nodes.hpp"
 
@@ -29,8 +29,8 @@ struct Warnings {
   }
 };
 
-/// Equal half-spaces, a sphere's gap about (shift, shift) spacings, elements `spacing` Hertzian radii wide. n even: a
-/// node at the middle.
+/// Presses equal half-spaces with a sphere's gap about (shift, shift) spacings, elements `spacing` Hertzian radii wide.
+/// An even n puts a node at the middle.
 struct Sphere : Pair {
   closed_forms::Hertz hertz;
   Sphere(double spacing, double shift, double mu, ElementType type = ElementType::quad4)
@@ -81,7 +81,7 @@ TEST(few_nodes, one_to_four_nodes_are_no_success) {
       }
 }
 
-// Whatever is success has a force that means something.
+// Every success has a force that means something.
 TEST(few_nodes_long, success_is_within_ten_percent) {
   double worst = 0;
   for (const double mu : {0.0, 0.3})
@@ -131,7 +131,7 @@ TEST(few_nodes, two_lines_of_many_nodes_are_too_few) {
   EXPECT_EQ(pair.contact->stat("nodes_inside"), 0);
 }
 
-// Elements within |x|, |y| <= 2 touch; nodes without an open neighbour, counted by hand.
+// Elements within |x|, |y| <= 2 touch; nodes without an open neighbour were counted by hand.
 TEST(few_nodes, counts_nodes_without_an_open_neighbour) {
   struct Count {
     ElementType type;
@@ -154,7 +154,7 @@ TEST(few_nodes, counts_nodes_without_an_open_neighbour) {
     }
     EXPECT_EQ(touching, c.touching);
     EXPECT_EQ(nodes_inside(s), c.inside) << static_cast<int>(c.type);
-    // Where the frame ends nothing is open.
+    // Nothing is open where the frame ends.
     std::fill(s.iterate.lambda[2].begin(), s.iterate.lambda[2].end(), -1.0);
     EXPECT_EQ(nodes_inside(s), frame.nodes());
   }

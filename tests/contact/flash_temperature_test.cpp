@@ -1,5 +1,5 @@
-/// Surface temperatures: closed forms of a uniform strip and of a parabola, bodies of unequal temperature, a sliding
-/// Hertzian contact, and friction that follows the temperature.
+/// Tests surface temperatures: closed forms of a uniform strip and of a parabola, bodies of unequal temperature, a
+/// sliding Hertzian contact, and friction that follows the temperature.
 
 #include "contact/heat/flash_temperature.hpp"
 
@@ -25,7 +25,8 @@ double factor(const BothHeats& heat) {
   return 1 / (sum * std::sqrt(pi * speed));
 }
 
-/// Power q(x) on |x| <= a, the frame's length; temperatures of both bodies at points on a line between nodes.
+/// Heats |x| <= a, the frame's length, by the power q(x); gives temperatures of both bodies at points on a line between
+/// nodes.
 struct Strip {
   Frame frame;
   StreamLines lines{frame};
@@ -65,7 +66,7 @@ TEST(flash_temperature, uniform_strip) {
   }
 }
 
-// q0 (1 - x^2/a^2): with d = a - x the integral of q(x')/sqrt(x' - x) is a polynomial times sqrt(d).
+// With the power q0 (1 - x^2/a^2) and d = a - x, the integral of q(x')/sqrt(x' - x) is a polynomial times sqrt(d).
 TEST(flash_temperature, parabola_with_second_order) {
   const auto antiderivative = [](double x, double t) {
     const double r = std::sqrt(t);
@@ -90,7 +91,7 @@ TEST(flash_temperature, parabola_with_second_order) {
   }
 }
 
-// Without friction: the common temperature in the contact, and behind it each body returns to its own.
+// Without friction, both bodies have a common temperature in the contact, and behind it each returns to its own.
 TEST(flash_temperature, bodies_of_unequal_temperature) {
   const Strip strip(ElementType::quad4, 12, [](double) { return 0.0; });
   BothHeats heat = steel;
@@ -107,7 +108,7 @@ TEST(flash_temperature, bodies_of_unequal_temperature) {
   }
 }
 
-/// Ball on a plane under a creepage at which all nodes slide; heat in both bodies.
+/// Presses a ball on a plane under a creepage at which all nodes slide, with heat in both bodies.
 Pair sliding_pair(int n) {
   Pair pair(1e4, 0.3, 1e4, 0.3);
   standard_scene(pair, n);
@@ -124,14 +125,15 @@ std::vector<double> field_of(const Pair& pair, Field field) {
   return v;
 }
 
-// mu p0 s sqrt(1 - x^2/a^2) on the middle line: greatest where the integral, 2.188 at -0.65 a, is.
+// The power mu p0 s sqrt(1 - x^2/a^2) on the middle line has the greatest temperature where the integral is greatest,
+// 2.188 at -0.65 a.
 TEST(flash_temperature_long, sliding_sphere) {
   for (const char* operators : {"dense", "fft"}) {
     Pair pair = sliding_pair(40);
     pair.contact->scene.options.set_text("operators", operators);
     ASSERT_EQ(pair.contact->solve(), Status::ok);
     const std::vector<double> t = field_of(pair, Field::temperature), p = field_of(pair, Field::pressure);
-    const double p0 = *std::max_element(p.begin(), p.end()), radius = 1;  // R = 50, approach 0.02
+    const double p0 = *std::max_element(p.begin(), p.end()), radius = 1;  // radius of R = 50 and approach 0.02
     double integral = 0;
     constexpr int steps = 2000;
     for (int at = 0; at <= 100; ++at) {
@@ -153,7 +155,7 @@ TEST(flash_temperature_long, sliding_sphere) {
     double at_points[2];
     const double middle[2] = {0, 0};
     pair.contact->temperatures_at(1, middle, at_points);
-    EXPECT_EQ(at_points[0], t[t.size() / 2]);  // the middle node's, of body 1: an odd number of nodes
+    EXPECT_EQ(at_points[0], t[t.size() / 2]);  // value of the middle node of body 1: the number of nodes is odd
   }
 }
 

@@ -1,4 +1,4 @@
-/// Newton's systems without the tractions that sliding gives.
+/// Tests Newton's systems without the tractions that sliding gives.
 
 #include "contact/linear/free_system.hpp"
 
@@ -21,7 +21,7 @@ using Rows = FreeSystem::Rows;
 constexpr std::int64_t nodes = 40;
 constexpr Part parts[] = {Part::normal, Part::tangential, Part::full};
 
-/// Random operators with heavy diagonals; a third of the nodes stick, one has no friction.
+/// Makes random operators with heavy diagonals; a third of the nodes stick, one has no friction.
 struct Example {
   Problem problem;
   ReducedSystem system;
@@ -152,7 +152,7 @@ double largest_row_sum(const double* a, std::size_t n) {
   return worst;
 }
 
-// From the inverse, column by column.
+// Returns the condition from the inverse, column by column.
 double exact_condition(ReducedSystem& system) {
   FreeSystem free;
   free.take(system);

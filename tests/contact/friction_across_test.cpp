@@ -1,4 +1,4 @@
-/// Friction that varies across the rolling direction, on frames of every maker.
+/// Tests friction that varies across the rolling direction, on frames of every maker.
 
 #include <algorithm>
 #include <cmath>
@@ -55,7 +55,7 @@ TEST(friction_across, is_the_field_of_the_same_coefficients) {
   EXPECT_LE(largest_difference(pair.tractions(), by_field), 1e-11);
 }
 
-// Frames of the library's choice: all nodes slide, the force is the integral of mu p over Hertz's ellipse.
+// All nodes slide on frames of the library's choice: the force is the integral of mu p over Hertz's ellipse.
 TEST(friction_across, frames_of_the_librarys_choice) {
   Pair pair(1e4, 0.3, 1e4, 0.3);
   pair.contact = std::make_unique<Contact>(pair.context, pair.body1, pair.body2, published, make_frame_maker);
@@ -68,7 +68,7 @@ TEST(friction_across, frames_of_the_librarys_choice) {
   ASSERT_EQ(pair.contact->solve(), Status::ok);
   double force[3];
   pair.contact->resultant(InAxes::local, force, nullptr);
-  // Of a strip at y of the unit disk: 3/4 (1 - y^2) of the load.
+  // A strip at y of the unit disk carries 3/4 (1 - y^2) of the load.
   double sum = 0;
   constexpr int steps = 20000;
   for (int i = 0; i < steps; ++i) {

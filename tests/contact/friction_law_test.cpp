@@ -1,5 +1,5 @@
-/// Every friction law: its derivative against finite differences, its fixed points, what it admits, and its solution at
-/// one node. Laws are those that callers may name.
+/// Tests every friction law that callers may name: its derivative against finite differences, its fixed points, what it
+/// admits, and its solution at one node.
 
 #include "contact/laws/friction_law.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double mu = 0.4;
 
-// Residual lambda_t - P(lambda_t - s), slip already scaled.
+// Returns the residual lambda_t - P(lambda_t - s), with the slip already scaled.
 std::array<double, 2> residual(const FrictionLaw& law, const double (&x)[5]) {
   const FrictionTraction t = law.traction({mu, -x[2], x[0], x[1], x[3], x[4], 1});
   return {x[0] - t.t1, x[1] - t.t2};
@@ -26,7 +26,7 @@ struct Tried {
   const FrictionLaw& law() const { return given.law ? *given.law : coulomb(); }
 };
 
-/// Every law that has a name, with parameters as they might be.
+/// Returns every law that has a name, with plausible parameters.
 std::vector<Tried> tried() {
   const std::vector<std::pair<const char*, std::vector<double>>> parameters = {
       {"coulomb", {mu}},
@@ -97,13 +97,13 @@ TEST(friction_law, a_fixed_point_satisfies_the_linearised_row) {
     frames::Random random(5);
     double worst = 0;
     for (int trial = 0; trial < 100; ++trial) {
-      // Some traction that slides against its slip.
+      // The traction slides against its slip.
       const double ln = -2 - random();
       const FrictionTraction t = law->traction({mu, -ln, 40 * random(), 40 * random()});
       if (!t.sliding) continue;
       const auto e = law->against({mu, -ln, t.t1, t.t2});
       const double slip = 1.5 + random(), s1 = -slip * e[0], s2 = -slip * e[1];
-      // Under friction that falls with slip, what is left of the traction.
+      // The factor is what friction that falls with slip leaves of the traction.
       const double less = law->coefficient({mu, -ln, t.t1, t.t2, s1, s2}) / law->coefficient({mu, -ln, 0, 0, 0, 0});
       for (const bool follows : {true, false}) {
         const TangentialLaw row = law->linearise({mu, -ln, less * t.t1, less * t.t2, s1, s2, 1}, follows);
@@ -144,7 +144,7 @@ TEST(friction_law, capacity_bounds_tractions_and_is_reached) {
   }
 }
 
-// The slip that is left belongs to the traction found: the projection leaves it where it is.
+// The slip that is left belongs to the traction found: the projection does not move it.
 TEST(friction_law, a_node_is_solved_with_its_own_response) {
   for (const Tried& each : tried()) {
     const FrictionLaw* law = &each.law();
@@ -169,7 +169,7 @@ TEST(friction_law, a_node_is_solved_with_its_own_response) {
   }
 }
 
-// Friction that falls from nothing: all parameters 0 but the speed.
+// Friction falls from nothing: all parameters are 0 except the speed.
 TEST(friction_law, laws_without_friction_are_numbers) {
   for (const LawName& name : law_names()) {
     if (std::string(name.parameters).find("s1") == std::string::npos) continue;

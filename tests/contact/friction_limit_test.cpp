@@ -1,4 +1,4 @@
-// Which loads friction can carry: a convex set, told by its extent in every direction of motion.
+// Tests which loads friction can carry: a convex set, told by its extent in every direction of motion.
 
 #include "contact/newton/friction_limit.hpp"
 
@@ -21,7 +21,7 @@ struct Loaded {
   std::vector<double> lambda[3];
 };
 
-/// An ellipsoid of pressure off the middle of a frame.
+/// Makes an ellipsoid of pressure off the middle of a frame.
 Loaded loaded(const SurfaceMesh& mesh, const std::array<bool, motion_count>& by_force) {
   Loaded l;
   Problem& p = l.problem;
@@ -53,7 +53,7 @@ constexpr std::array<std::array<bool, motion_count>, 7> combinations{{{true, fal
                                                                       {false, true, false, true},
                                                                       {true, true, false, true}}};
 
-// Tractions along a motion's share of each node are as far as friction reaches in that direction.
+// Tractions along each node's part of a motion are as far as friction reaches in that direction.
 TEST(friction_limit, full_sliding_is_the_limit) {
   constexpr double bound = 1e-6;
   double worst = 0, worst_sliding = 0;
@@ -93,7 +93,7 @@ TEST(friction_limit, full_sliding_is_the_limit) {
   EXPECT_LT(worst_sliding, bound);
 }
 
-// Whatever tractions friction allows, their loads are within the limit; and no direction tells more.
+// Tractions that friction allows have loads within the limit, and no direction tells more.
 TEST(friction_limit, no_admissible_tractions_are_beyond) {
   double most = 0, missed = 0;
   frames::Random random(11);
@@ -151,7 +151,7 @@ TEST(friction_limit, quadratic_frames_carry_mu_times_the_integrated_pressure) {
   }
 }
 
-/// Newton steps told of, and the text of an error.
+/// Holds the status, the Newton steps, and the text of an error.
 struct Ended {
   Status status = Status::ok;
   std::string text;
@@ -186,7 +186,7 @@ Loads loads(const Pair& pair) {
   return l;
 }
 
-// Each alone is carried, both together are not: refused soon, and said so.
+// Each load alone is carried, both together are not: they are refused soon, and the text says so.
 TEST(friction_limit, force_and_moment_together) {
   for (const double young2 : {2.1e5, 1e4})
     for (const bool by_force : {true, false}) {
@@ -285,7 +285,7 @@ TEST(friction_limit, quad8_frames_do_not_carry_more_than_mu_fn) {
     }
 }
 
-// A node at the origin has no moment: none that is asked for is carried whatever the spin, any other is not.
+// A node at the origin has no moment: a moment of none is carried whatever the spin, any other is not.
 TEST(friction_limit, one_node_at_the_origin_has_no_moment) {
   for (const double young2 : {2.1e5, 1e4})
     for (const int n : {20, 32})
@@ -315,7 +315,7 @@ TEST(friction_limit, one_node_at_the_origin_has_no_moment) {
       }
 }
 
-// Unlike bodies and an approach given: friction changes the load that bounds it.
+// The bodies are unlike and an approach is given, so friction changes the load that bounds it.
 TEST(friction_limit, refusals_do_not_take_many_times_a_solve) {
   for (const double share : {1.1, 1.5}) {
     Pair pair(512, 0.22, 1, -2);

@@ -1,4 +1,4 @@
-/// Friction with a length of slip to follow its speed: the equation along lines, its limits, and what is refused.
+/// Tests friction with a length of slip to follow its speed: the equation along lines, its limits, and what is refused.
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 using namespace contact_test;
 
 constexpr double speed = 100, at_rest = 0.3;
-constexpr int nodes = 15;  // a side of the frame, lines along x
+constexpr int nodes = 15;  // nodes along a side of the frame, lines along x
 constexpr double spacing = 2.6 / 14;
 
 Pair pair_of(const char* law, double s1) {
@@ -59,7 +59,7 @@ TEST(friction_memory, sliding_in_closed_form) {
   }
 }
 
-// The coefficients are those of the slip that is found: the equation again, by small steps along each line.
+// The coefficients are those of the slip that is found: the equation is solved again, by small steps along each line.
 TEST(friction_memory, coefficients_belong_to_the_solution) {
   for (const char* law : {"linear", "rational", "exponential"}) {
     const double s1 = 0.5, length = 1e-3, least = 0.02;
@@ -164,8 +164,8 @@ TEST(friction_memory, prescribed_force) {
   EXPECT_EQ(pair.contact->solve(), Status::ok);
 }
 
-// CONTACT's creep-force curve of a locomotive's wheel with friction that falls, a memory and a soft layer (G = 82000,
-// 44 x 44 elements; the speed, 10 m/s, is the one that fits the greatest creepage).
+// The curve is CONTACT's creep-force curve of a locomotive's wheel with friction that falls, a memory and a soft layer
+// (G = 82000, 44 x 44 elements; the speed, 10 m/s, is the one that fits the greatest creepage).
 TEST(friction_memory, published_creep_force_curve) {
   constexpr double load = 106700, mu = 0.33, exact[3][2] = {{1e-3, 0.1825}, {5e-3, 0.7029}, {1.6e-2, 0.9445}};
   Pair pair(2 * 82000 * 1.28, 0.28, 2 * 82000 * 1.28, 0.28);
@@ -192,7 +192,7 @@ TEST(friction_memory, published_creep_force_curve) {
   }
 }
 
-// Every law looks at the scene alone, not at how its axes lie in space: rounding decides nothing.
+// Every law looks at the scene alone, not at how its axes lie in space, so rounding decides nothing.
 TEST(friction_memory, turned_in_space) {
   enum class With { nothing, memory, heat, yield };
   struct Case {

@@ -1,4 +1,4 @@
-// The gap between the nodes against sums over rectangles, for quadrilaterals and for triangles that make the same
+// Compares the gap between the nodes with sums over rectangles, for quadrilaterals and for triangles that make the same
 // rectangles.
 
 #include "contact/prepare/gap_between_nodes.hpp"
@@ -42,7 +42,7 @@ class GapBetweenNodes : public ::testing::TestWithParam<ElementType> {
     ADD_FAILURE() << "no node at " << x << ", " << y;
     return 0;
   }
-  /// Two thirds of the mean rate, times area, times the gap less the displacement in the middle.
+  /// Returns two thirds of the mean rate, times area, times the gap less the displacement in the middle.
   double expected() const {
     std::vector<double> t(3 * on_->problem.gap.size());
     for (std::size_t k = 0; k < on_->problem.gap.size(); ++k)
@@ -73,7 +73,7 @@ TEST_P(GapBetweenNodes, is_summed_over_rectangles) {
 }
 
 TEST_P(GapBetweenNodes, cells_without_rate_have_no_share) {
-  // All but the rectangles at the corner of the first lines.
+  // The sum takes all but the rectangles at the corner of the first lines.
   for (std::size_t k = 0; k < rate_.size(); ++k)
     if (on_->frame.x[k] > x_[0] + 1e-9 || on_->frame.y[k] > y_[0] + 1e-9) rate_[k] = 0;
   for (auto& component : s_.iterate.lambda) std::fill(component.begin(), component.end(), 0.0);

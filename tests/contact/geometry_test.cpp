@@ -1,4 +1,4 @@
-/// Normals and gaps from the surfaces of bodies, against closed forms of spheres and planes.
+/// Compares normals and gaps from the surfaces of bodies with closed forms of spheres and planes.
 
 #include "contact/scene/geometry.hpp"
 
@@ -16,7 +16,7 @@ constexpr double radius1 = 2, radius2 = 3, clearance = 0.01;
 constexpr double cap = 0.7;
 constexpr std::int32_t zone_tag = 7;
 
-/// Sphere 1 below, touching z = 0; sphere 2 above, touching z = clearance.
+/// Puts sphere 1 below, touching z = 0, and sphere 2 above, touching z = clearance.
 Vec3 normal_of_1(double x, double y) {
   return leveled({x / radius1, y / radius1, std::sqrt(1 - (x * x + y * y) / (radius1 * radius1))});
 }
@@ -27,7 +27,7 @@ double distance_to_2(const Vec3& p, const Vec3& n) {
   return to_sphere(p, n, {0, 0, clearance + radius2}, radius2);
 }
 
-/// The cap with the middle half of its elements, in both directions, tagged as a zone.
+/// Makes the cap with the middle half of its elements, in both directions, tagged as a zone.
 SurfaceMesh cap_with_zone(ElementType type, int n, double radius, double height, bool below) {
   SurfaceMesh mesh = sphere_cap(type, n, cap, radius, height, below);
   const int parts = corner_count(type) == 3 ? 2 : 1;
@@ -45,8 +45,8 @@ struct Errors {
   double normal = 0, gap = 0, mean_gap = 0;
 };
 
-/// Largest (and root mean square) errors at the frame's nodes; the frame is a cap of a body or a flat mesh between
-/// them.
+/// Returns the largest (and root mean square) errors at the frame's nodes; the frame is a cap of a body or a flat mesh
+/// between them.
 Errors errors_of(ElementType type, int n, On on, const Pose& pose = {}) {
   auto context = std::make_shared<Context>();
   // The bodies' elements do not match, except on the body that carries the frame.
@@ -96,8 +96,8 @@ TEST(geometry, gap_of_two_spheres) {
        {ElementType::tri3, ElementType::quad4, ElementType::tri6, ElementType::quad8, ElementType::quad9})
     for (const On on : {On::body1, On::body2, On::plane}) {
       const Errors coarse = errors_of(type, 8, on), fine = errors_of(type, 16, on);
-      // A hundredth of the sagitta of linear elements, h^2 (1/8R1 + 1/8R2), twice for a diagonal: they stand for a
-      // smooth surface. The effect of the normal's error is of second order on all.
+      // The bound is a hundredth of the sagitta of linear elements, h^2 (1/8R1 + 1/8R2), twice for a diagonal, because
+      // they stand for a smooth surface. The effect of the normal's error is of second order on all.
       const bool quadratic = is_quadratic(type);
       const double h = 2 * cap / 6;
       const double bound = h * h * (1 / radius1 + 1 / radius2) / 4 * 0.01;
@@ -135,7 +135,7 @@ TEST(geometry, a_body_without_mesh_is_the_plane_of_the_axes) {
     return Vec3{p[0], p[1], 0.002 * p[0] + 0.001};
   });
   const Frame bare = build_frame(flat, {});
-  for (const int which : {0, 1}) {  // whose surface the sphere is
+  for (const int which : {0, 1}) {  // number of the body that has the sphere
     Frame frame = bare;
     PairOfBodies pair{{plane.get(), sphere.get()}, {}};
     if (which == 0) {  // the sphere is body 1: turned upside down, below the plane
@@ -221,7 +221,7 @@ TEST(geometry, nodes_beside_a_body_are_named) {
     expect_text(text, ": 1, 2, 3, 4, 5, ...");
     EXPECT_EQ(text.find("behind"), std::string::npos) << text;
   }
-  // Axes that point the wrong way see all that lies over the body from behind.
+  // Axes that point the wrong way see from behind all that lies over the body.
   Axes down;
   down.n = {0, 0, -1};
   down.t2 = {0, -1, 0};
@@ -231,7 +231,7 @@ TEST(geometry, nodes_beside_a_body_are_named) {
   expect_text(text,
               "9 such node(s) meet a contact face from behind (the normal of the axes must point out of body 1, into "
               "body 2): 7, 8, 9, 12, 13, ...");
-  // Faces that are not offered to contact.
+  // Some faces are not offered to contact.
   SurfaceMesh marked = sphere_cap(ElementType::quad4, 6, 0.6, radius2, clearance, false);
   for (std::int64_t e = 0; e < marked.elements(); ++e)
     marked.tag[static_cast<std::size_t>(e)] = unit_normal(marked, e, 0, 0)[0] > 0.05 ? 8 : 9;
@@ -246,7 +246,7 @@ TEST(geometry, nodes_beside_a_body_are_named) {
 }
 
 TEST(geometry, frames_that_end_where_the_body_does_may_be_rounded) {
-  // A frame of the size of the body, its coordinates written with seven digits.
+  // The frame has the size of the body, its coordinates written with seven digits.
   auto context = std::make_shared<Context>();
   auto plane = std::make_shared<Body>(context, 4);
   auto sphere = rigid_body(context, sphere_cap(ElementType::quad4, 6, 0.3, radius2, clearance, false));

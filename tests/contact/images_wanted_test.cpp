@@ -1,5 +1,5 @@
-// Images of tractions under operators that are not formed: those that were asked for, and no others unless they come
-// from the same transforms.
+// Tests images of tractions under operators that are not formed: those that were asked for are made, and no others
+// unless they come from the same transforms.
 
 #include <gtest/gtest.h>
 

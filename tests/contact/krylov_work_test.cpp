@@ -1,5 +1,5 @@
-// Linear systems are solved as accurately as Newton's step needs, the last one no more than the tolerance asks for:
-// counted where operators are not formed and each iteration costs transforms.
+// Tests that linear systems are solved as accurately as Newton's step needs, the last one no more than the tolerance
+// asks for. The work is counted where operators are not formed and each iteration costs transforms.
 
 #include "contact/scene_fixture.hpp"
 #include "linalg/fft.hpp"

@@ -1,4 +1,4 @@
-// What ends as converged carries its loads and keeps its laws, whichever part was solved last.
+// Tests that what ends as converged carries its loads and obeys its laws, whichever part was solved last.
 
 #include <gtest/gtest.h>
 
@@ -21,8 +21,8 @@ using namespace contact_test;
 
 constexpr double load = 10, bound = 1e-8;
 
-/// Equal steel half-spaces, a few nodes in contact, whose tangential loads are all given, near what friction carries; a
-/// moment of 0.25 is a fifth too much.
+/// Gives equal steel half-spaces, a few nodes in contact, tangential loads that are all given, near what friction
+/// carries; a moment of 0.25 is a fifth too much.
 void give_loads(Pair& pair, double moment) {
   const std::vector<double> lines = frames::uniform_lines(-1.3, 1.3, 13);
   pair.frame(frames::rectangle(ElementType::quad4, lines, lines));

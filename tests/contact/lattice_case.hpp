@@ -1,5 +1,5 @@
 #pragma once
-/// Lattices on which operators by offset are compared with assembled ones.
+/// Makes lattices on which operators by offset are compared with assembled ones.
 
 #include <cstdint>
 #include <utility>
@@ -11,8 +11,8 @@
 
 namespace rollcon {
 
-/// nx by ny cells of dx by dy, turned, with nodes and elements renumbered; with holes: a corner cell, one at a side,
-/// two that meet in a node and four around one lack, and a node lies loose.
+/// Makes nx by ny cells of dx by dy, turned, with nodes and elements renumbered. With holes, a corner cell, one at a
+/// side, two that meet in a node and four around one lack, and a node lies loose.
 inline Frame lattice_frame(int nx, int ny, double dx, double dy, double angle, bool holes = false) {
   SurfaceMesh mesh = frames::rotate(frames::rectangle(ElementType::quad4, frames::uniform_lines(-1, -1 + nx * dx, nx),
                                                       frames::uniform_lines(0.5, 0.5 + ny * dy, ny)),

@@ -13,7 +13,7 @@
 namespace rollcon {
 namespace {
 
-/// Of the rows of nodes that belong to an element.
+/// Compares the rows of nodes that belong to an element.
 double difference(const Frame& frame, const DenseOperators& a, const DenseOperators& b) {
   double worst = 0;
   for (int r = 0; r < 3; ++r) {

@@ -51,7 +51,7 @@ double difference(const Fields& a, const Fields& b) {
   return worst;
 }
 
-/// Traction on the nodes with whole hats alone, or on all.
+/// Puts traction on the nodes with whole hats alone, or on all.
 void expect_equals_dense(const LatticeCase& c, Scheme scheme, bool cut, bool holes) {
   const Frame frame = lattice_frame(c.nx, c.ny, c.dx, c.dy, c.angle, holes);
   const std::optional<Lattice> lattice = find_lattice(frame);
@@ -77,7 +77,7 @@ void expect_equals_dense(const LatticeCase& c, Scheme scheme, bool cut, bool hol
   std::printf("%-30s %-14s cut hats %d holes %d: error %.1e, bound 1e-13\n", c.name, scheme.name, cut, holes, error);
   EXPECT_LT(error, 1e-13);
 
-  // Fields left out.
+  // Some fields are left out.
   const double* normal_in[3] = {nullptr, nullptr, in[2]};
   double* normal_out[3] = {nullptr, nullptr, normal.value[2].data()};
   field.apply(normal_in, normal_out);
@@ -88,7 +88,7 @@ void expect_equals_dense(const LatticeCase& c, Scheme scheme, bool cut, bool hol
     EXPECT_NEAR(normal.value[2][k], frame.used[k] ? expected[k] : 0, 1e-13 * largest(expected));
   if (holes) return;
 
-  // Own entries and norms of the node in the middle.
+  // The own entries and norms are those of the node in the middle.
   const std::int32_t middle = lattice->node[static_cast<std::size_t>(lattice->ny / 2 * lattice->nx + lattice->nx / 2)];
   for (int r = 0; r < 3; ++r)
     for (int k = 0; k < 3; ++k)

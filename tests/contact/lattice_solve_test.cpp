@@ -1,5 +1,5 @@
-// Regular frames on half-spaces: operators applied by FFT give what dense ones give, in every kind of scene; work and
-// memory grow with the number of nodes.
+// Tests regular frames on half-spaces: operators applied by FFT give what dense ones give, in every kind of scene; work
+// and memory grow with the number of nodes.
 
 #include "support/steady_rolling.hpp"
 #include "support/testing.hpp"
@@ -25,11 +25,11 @@ struct Case {
   double lateral = 0, spin = 0, mu = steady_rolling::mu;
   const char* scheme = "characteristic";
   bool forces = false, approach = false;
-  double angle = 0;    ///< of the rolling direction to the frame's x axis
+  double angle = 0;    ///< angle of the rolling direction to the frame's x axis
   double narrow = 1;   ///< spacing across over spacing along
   double covered = 1;  ///< side of the frame over that of the usual one
   bool holes = false;  ///< cells lack amid the contact and at a corner
-  double off = 0;      ///< nodes off their places, in spacings
+  double off = 0;      ///< distance of nodes from their places, in spacings
 };
 
 rollcon::SurfaceMesh mesh_of(const Case& c, double half, int n) {
@@ -74,7 +74,7 @@ std::unique_ptr<RollingPair> make(const Case& c, const char* operators, int n = 
   return pair;
 }
 
-/// Largest difference of the tractions over the largest pressure, and of the motions.
+/// Returns the largest difference of the tractions over the largest pressure, and of the motions.
 double difference(const scenes::Solution& a, const scenes::Solution& b) {
   double scale = 0, worst = 0;
   for (std::size_t k = 0; k < a.nodes(); ++k) scale = std::max(scale, a.pressure[k]);
@@ -132,8 +132,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{.name = "holes_least_squares", .second = Second::softer, .scheme = "least_squares", .holes = true}),
     [](const auto& info) { return std::string(info.param.name); });
 
-// Rolling cases (a) and (b), alike and unlike: Newton's iterations and the applications of the operators hardly grow
-// with the lattice, the bytes of a node not at all.
+// Newton's iterations and the applications of the operators hardly grow with the lattice in the rolling cases (a) and
+// (b), alike and unlike; the bytes of a node do not grow at all.
 TEST(Lattice_long, WorkAndMemoryGrowWithTheNodes) {
   if (!have_fft()) GTEST_SKIP() << "built without FFTW";
   for (const Case& c : {Case{.name = "a"}, Case{.name = "b", .spin = steady_rolling::spin},
@@ -155,7 +155,7 @@ TEST(Lattice_long, WorkAndMemoryGrowWithTheNodes) {
   }
 }
 
-// Coordinates in single precision, cells that lack: as fast as without, and off by as little.
+// Coordinates in single precision and missing cells do not slow it down, and results are off by as little.
 TEST(Lattice, FlawsKeepTheFft) {
   if (!have_fft()) GTEST_SKIP() << "built without FFTW";
   for (const Case& c : {Case{.name = "rounded", .off = 2e-6}, Case{.name = "holes", .holes = true}}) {
@@ -172,7 +172,7 @@ TEST(Lattice, FlawsKeepTheFft) {
     EXPECT_NE(fast->plan().find(c.holes ? "4 cell(s) of the grid missing" : "of a spacing off"), std::string::npos)
         << fast->plan();
   }
-  // What is missing to be one is said.
+  // The text says what is missing to be a lattice.
   const auto jittered = make(Case{.name = "jittered", .off = 1e-3}, "auto", 12);
   EXPECT_EQ(jittered->solve(), ROLLCON_OK);
   EXPECT_NE(jittered->plan().find("not a regular grid of quad4 elements: node"), std::string::npos) << jittered->plan();
@@ -193,7 +193,7 @@ TEST(Lattice, AnythingElseIsRefusedByName) {
   const std::string message = error_of(triangles);
   EXPECT_NE(message.find("operators"), std::string::npos) << message;
   EXPECT_NE(message.find(have_fft() ? "grid" : "FFTW"), std::string::npos) << message;
-  // Two lines of nodes have no inner one: dense operators, whatever their number.
+  // Two lines of nodes have no inner one, so operators are dense, whatever their number.
   RollingPair strip(steady_rolling::steel, steady_rolling::steel);
   strip.rectangle(rollcon::ElementType::quad4, 320, 1, 6, 0.1);
   strip.gap_quadratic(0.01, 0).load(10).friction(0.3);
@@ -216,7 +216,7 @@ TEST(Lattice, DisplacementsOfEachBodyAreThoseOfIntegrals) {
   const scenes::Solution s = pair->solution();
   std::vector<double> xy;
   for (std::size_t k = 0; k < s.nodes(); ++k) xy.insert(xy.end(), {s.x[k], s.y[k]});
-  const std::vector<double> few(xy.begin(), xy.end() - 2);  // by integrals: not all the nodes
+  const std::vector<double> few(xy.begin(), xy.end() - 2);  // not all the nodes, so by integrals
   for (const int body : {1, 2}) {
     const std::vector<double> fft = pair->displacements_at(body, xy);
     const std::vector<double> integrals = pair->displacements_at(body, few);
@@ -230,7 +230,7 @@ TEST(Lattice, DisplacementsOfEachBodyAreThoseOfIntegrals) {
   }
 }
 
-// Fx of the next finer lattices tells the error, which the estimate finds to a factor of a few.
+// The force Fx of the next finer lattices tells the error, which the estimate finds to a factor of a few.
 TEST(Lattice_long, ErrorEstimatesFollowTheErrors) {
   if (!have_fft()) GTEST_SKIP() << "built without FFTW";
   const Case c{.name = "a"};
@@ -254,7 +254,7 @@ TEST(Lattice_long, ErrorEstimatesFollowTheErrors) {
   }
 }
 
-// Where the edge of the contact falls between the nodes, two lattices can agree by accident: from these two alone
+// Two lattices can agree by accident where the edge of the contact falls between the nodes: from these two alone
 // estimates were a fifth (characteristic, 64) and a tenth (least squares, against a coarse lattice by another scheme)
 // of the errors.
 TEST(Lattice_long, ErrorEstimatesDoNotMissErrorsByAccident) {

@@ -1,4 +1,4 @@
-// Statistics of the laws at an unfinished iterate: large, and the same in all units.
+// Tests statistics of the laws at an unfinished iterate: they are large, and the same in all units.
 
 #include "contact/scene_fixture.hpp"
 #include "support/testing.hpp"
@@ -10,7 +10,7 @@ using namespace contact_test;
 
 constexpr std::array<const char*, 4> laws{"law_normal", "law_friction", "law_slip", "law_equilibrium"};
 
-/// The laws after `iterations` of a scene whose stresses and lengths are multiplied.
+/// Returns the laws after `iterations` of a scene whose stresses and lengths are multiplied.
 std::array<double, 4> unfinished(double stress, double length, std::int64_t iterations) {
   Pair pair(1e4 * stress, 0.3, 2e4 * stress, 0.1);
   const std::vector<double> lines = frames::uniform_lines(-1.3 * length, 1.3 * length, 10);
@@ -58,8 +58,8 @@ std::vector<double> field(const Pair& pair, Field which) {
   return v;
 }
 
-// Little friction: slip counts against the greatest slip velocity. Where nodes slide, the part of it that is across
-// their traction or along it; elsewhere all of it.
+// Slip counts against the greatest slip velocity, because friction is little. Where nodes slide, the part of it that is
+// across their traction or along it counts; elsewhere all of it.
 TEST(law_statistics, slip_of_unfinished_iterates_is_that_of_the_fields) {
   double worst = 0;
   for (const std::int64_t iterations : {2, 3}) {

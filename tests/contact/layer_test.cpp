@@ -1,5 +1,5 @@
-/// An elastic layer between the bodies: alone it is the brush of the simplified theory, whose tractions grow linearly
-/// from where material enters; all forms of the operators agree about it.
+/// Tests an elastic layer between the bodies: alone it is the brush of the simplified theory, whose tractions grow
+/// linearly from where material enters; all forms of the operators agree about it.
 
 #include <algorithm>
 #include <cmath>
@@ -18,13 +18,13 @@ std::vector<double> field_of(const Pair& pair, Field field) {
   return v;
 }
 
-// Bodies that give way 1e-9 times as much: t = -xi (x0 - x)/L from the node x0 before the contact on, up to mu p.
+// Bodies that give way 1e-9 times as much leave t = -xi (x0 - x)/L from the node x0 before the contact on, up to mu p.
 TEST(layer, a_soft_layer_is_a_brush) {
   constexpr double flexibility = 1e6, creep = 8e6;
   for (const ElementType type : {ElementType::quad4, ElementType::tri3})
     for (const char* operators : {"dense", "table", "fft"}) {
       if (type == ElementType::tri3 && operators[0] != 'd') continue;
-      // Where slip is taken is known of the grid.
+      // The grid tells where slip is taken.
       const double spin = type == ElementType::quad4 ? 4e6 : 0;
       Pair pair(1e4, 0.3, 1e4, 0.3);
       standard_scene(pair, 20);
@@ -66,7 +66,7 @@ TEST(layer, a_soft_layer_is_a_brush) {
     }
 }
 
-// Of the size of the bodies' own: the forms agree, and less force comes of a small creepage.
+// The layer gives way about as much as the bodies: the forms agree, and a small creepage causes less force.
 TEST(layer, forms_of_the_operators_agree) {
   std::vector<double> first;
   double stiff = 0;
@@ -95,7 +95,7 @@ TEST(layer, forms_of_the_operators_agree) {
     }
 }
 
-// Set and taken away again; the bodies' displacements are their own.
+// The layer is set and taken away again; the bodies' displacements are their own.
 TEST(layer, changes_and_goes) {
   Pair pair(1e4, 0.3, 1e4, 0.3);
   sharp_scene(pair);
@@ -137,8 +137,8 @@ TEST(layer, sensitivities_are_those_of_differences) {
   EXPECT_NEAR(f[0], difference, 1e-5 * std::abs(difference));
 }
 
-// A brush that flows: from tc0 on its traction grows by k xi/(1 + k L) a length instead of xi/L, and no further than
-// friction allows; without hardening it stays at tc0.
+// A brush that flows has a traction that grows from tc0 on by k xi/(1 + k L) a length instead of xi/L, and no further
+// than friction allows; without hardening it stays at tc0.
 TEST(layer, a_brush_that_flows) {
   constexpr double flexibility = 1e6, creep = 3e6, yield = 3;
   for (const double hardening : {0.0, 3e-7, 1e-6}) {
@@ -201,7 +201,7 @@ TEST(layer, that_never_flows_is_elastic) {
   const double off = largest_difference(pair.tractions(), elastic.tractions());
   std::printf("tractions off those of the elastic layer by %.1e (bound 1e-10)\n", off);
   EXPECT_LE(off, 1e-10);
-  // Where it flows less friction is mobilised.
+  // Less friction is mobilised where it flows.
   s.set_layer_yield(4, 0);
   ASSERT_EQ(pair.contact->solve(), Status::ok);
   const std::vector<double> t = pair.tractions();

@@ -43,7 +43,7 @@ Case make_case(std::string name, std::shared_ptr<const Frame> frame, std::shared
   if (dense) {
     assemble_operators(*c.frame, *c.compliance, p.convection, true, *op);
     set_scales(p);
-  } else {  // as if of half-spaces with square cells
+  } else {  // half-spaces with square cells, roughly
     p.rn.resize(n);
     for (std::size_t k = 0; k < n; ++k) p.rn[k] = stress / std::sqrt(p.cell_area[k]);
     p.rt.assign(n, stress);
@@ -152,7 +152,7 @@ Problem written_out(const Case& c) {
 
 namespace {
 
-/// Tangential displacements at the nodes.
+/// Computes tangential displacements at the nodes.
 void tangential_rows(const Case& c, RowMatrix<double> (&a)[2][3]) {
   const std::int64_t n = c.problem.nodes;
   ComplianceBlock out;

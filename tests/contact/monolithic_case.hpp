@@ -1,6 +1,6 @@
 #pragma once
-/// One linearised step on any pair of bodies, and its solution by condensed formulas: dense compliance, convected, one
-/// equation per traction and motion.
+/// Makes one linearised step on any pair of bodies, and its solution by condensed formulas: dense compliance,
+/// convected, one equation per traction and motion.
 
 #include <memory>
 #include <string>
@@ -20,7 +20,7 @@ struct Case {
   Problem problem;  ///< with the dense blocks assembled
   Tangential tangential = Tangential::slip;
   Step step;
-  Point z;              ///< tractions and motions of the last iterate; nothing else
+  Point z;              ///< tractions and motions of the last iterate; nothing else is filled
   double traction = 1;  ///< size of the tractions
 };
 
@@ -28,45 +28,45 @@ struct Motions {
   bool approach_by_force = false, creep_by_force = false;
 };
 
-/// Gap, loads, states and laws at random, but such that the step has one solution. length and stress: half the frame's
-/// width and Young's modulus. dense: with the condensed blocks.
+/// Makes a case with gap, loads, states and laws at random, but such that the step has one solution. `length` and
+/// `stress` are half the frame's width and Young's modulus; with `dense` it has the condensed blocks.
 Case make_case(std::string name, std::shared_ptr<const Frame> frame, std::shared_ptr<const Compliance> compliance,
                Scheme scheme, const Motions& motions, double length, double stress, bool dense = true);
 std::shared_ptr<const Frame> square_frame(int n, double length);
-/// A square frame of n x n elements on half-spaces: E = 1, Poisson's ratios; below -1: rigid.
+/// Makes a square frame of n x n elements on half-spaces: E = 1, Poisson's ratios; below -1: rigid.
 Case halfspaces(int n, double poisson1, double poisson2, Scheme scheme, const Motions& motions, double length = 1,
                 double stress = 1);
-/// Two bodies with random equations, one sparse and symmetric, one dense and not symmetric; half of the compliance
-/// direct, if `direct`.
+/// Makes two bodies with random equations, one sparse and symmetric, one dense and not symmetric; half of the
+/// compliance is direct, if `direct`.
 Case random_bodies(int n, bool direct, Scheme scheme, const Motions& motions);
 
 enum class Model { fem, bem, halfspace, rigid };
-/// Blocks with a fine zone of n x n elements on top of each other, which is the frame; of half-spaces likewise.
-/// `curved`: their tops bulge, and the frame has local triads.
+/// Puts blocks with a fine zone of n x n elements, which is the frame, on top of each other; a body may be a
+/// half-space. With `curved`, their tops bulge, and the frame has local triads.
 struct MeshedPair {
   Model model[2] = {Model::fem, Model::rigid};
   int n = 4, grade = 1, deep = 2;
   bool curved = false;
-  bool own_frame = false;  ///< of other elements than the bodies'
+  bool own_frame = false;  ///< true for a frame of other elements than the bodies'
   double length = 1, stress = 1;
 };
 Case meshed(const MeshedPair& pair, Scheme scheme, const Motions& motions);
 
 void make_frictionless(Case& c);
-/// Reduced unknowns, with random targets.
+/// Makes the case one of reduced unknowns, with random targets.
 void make_reduced(Case& c);
 
 /// Opens a few sliding pairs, lets a few sticking ones slide.
 void shift_states(Case& c);
 
-/// What the tractions of z do: slip, depth and, in `shift`, tangential displacements.
+/// Returns what the tractions of z do: slip, depth and, in `shift`, tangential displacements.
 Point image_of(const Case& c, Point z);
-/// The next iterate from the condensed system.
+/// Returns the next iterate from the condensed system.
 Point condensed_step(const Case& c);
-/// Without the dense blocks.
+/// Returns the problem without the dense blocks.
 Problem written_out(const Case& c);
 
-/// Largest difference of any field, relative to the field.
+/// Returns the largest difference of any field, relative to the field.
 double difference(const Case& c, const Point& a, const Point& b);
 
 }  // namespace rollcon::monolithic_test

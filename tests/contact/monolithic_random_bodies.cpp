@@ -12,8 +12,8 @@ std::size_t at(std::int64_t i) {
   return static_cast<std::size_t>(i);
 }
 
-/// Two bodies that stand for elastic ones: unknowns near every node, equations at random, and displacements
-/// interpolated with bell-shaped weights.
+/// Stands for two elastic bodies: unknowns near every node, equations at random, and displacements interpolated with
+/// bell-shaped weights.
 class RandomBodies final : public Compliance {
  public:
   RandomBodies(const Frame& frame, bool direct) : frame_(frame), direct_(direct) {

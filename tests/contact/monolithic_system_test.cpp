@@ -1,5 +1,5 @@
-/// A step of the monolithic system is that of the condensed one, whatever the bodies, the scheme, the loads, the form
-/// and the solver.
+/// Tests that a step of the monolithic system is that of the condensed one, whatever the bodies, the scheme, the loads,
+/// the form and the solver.
 
 #include "contact/monolithic_case.hpp"
 #include "procedures/step_system.hpp"
@@ -18,8 +18,8 @@ StepOptions monolithic(const Case& c, LinearMethod linear = LinearMethod::lu,
   return {true, c.tangential, linear, preconditioner};
 }
 
-/// Difference of the step from that by condensed formulas: with the bodies' unknowns written out, and with them
-/// eliminated.
+/// Returns the difference of the step from that by condensed formulas: with the bodies' unknowns written out, and with
+/// them eliminated.
 double step_error(const Case& c) {
   double worst = 0;
   const Point expected = condensed_step(c);
@@ -107,7 +107,7 @@ const char* name_of(Preconditioner p) {
   return p == Preconditioner::none ? "none" : p == Preconditioner::diagonal ? "diagonal" : "factors";
 }
 
-/// Steps one after the other, the last with other states and laws, as Newton's iteration takes them.
+/// Takes steps one after the other, the last with other states and laws, in the way of Newton's iteration.
 double gmres_error(Case c, const StepOptions& options, StepCounters& counters) {
   const Problem problem = options.monolithic ? written_out(c) : c.problem;
   StepSystem system(problem, *c.frame, *c.compliance, options);
@@ -144,7 +144,7 @@ TEST(monolithic_system_long, gmres_with_every_preconditioner) {
                            std::to_string(counters.iterations) + " iterations",
                        error, 1e-8);
           EXPECT_GT(counters.iterations, 0);
-          // Converged without help: factors are those that the preconditioner is made of.
+          // The solution converged without help if factors are those that the preconditioner is made of.
           const bool plain = p != Preconditioner::automatic;
           EXPECT_LE(counters.factorizations, plain && !whole ? 0 : plain ? 2 : 4);
         }
@@ -195,7 +195,7 @@ TEST(monolithic_system, units_change_nothing) {
           scale = std::max(scale, std::abs(one));
         }
       EXPECT_EQ(iterations[0], iterations[1]);
-      // Boundary integrals are cut off at the same relative accuracy, rounding aside.
+      // Boundary integrals are cut off at one relative accuracy, rounding aside.
       expect_error(solver == LinearMethod::lu ? "LU, other units" : "GMRES, other units", worst / scale, 1e-6);
     }
 }

@@ -1,5 +1,5 @@
-/// The solver's promises: loads and motions are two views of one solution, scales and linear solvers do not change it,
-/// warm starts are cheap, statuses are right.
+/// Tests that loads and motions are two views of one solution, that scales and linear solvers do not change it, that
+/// warm starts are cheap, and that statuses are right.
 
 #include "contact/scene_fixture.hpp"
 
@@ -102,7 +102,7 @@ TEST(newton, a_warm_start_ends_where_a_cold_one_does) {
 }
 
 TEST(newton, every_change_of_the_scene_is_seen) {
-  // Change one input after a solve; the answer must be that of a fresh contact.
+  // One input changes after a solve; the answer must be that of a fresh contact.
   const auto change = [](int which, Pair& pair) {
     Scene& s = pair.contact->scene;
     switch (which) {
@@ -211,7 +211,7 @@ TEST(newton, no_load_after_a_loaded_solve_leaves_nothing_behind) {
 }
 
 TEST(newton, a_far_start_is_not_held_against_the_load) {
-  // A spin moment that the small patch of the last solution could not carry but the new one can.
+  // The small patch of the last solution could not carry the spin moment, but the new one can.
   for (const double moment : {5.0, 10.0}) {
     Pair pair(1e4, 0.3, 1e4, rigid);
     standard_scene(pair, 12);
@@ -250,8 +250,8 @@ TEST(newton, a_creep_field_that_is_a_spin_acts_like_the_spin) {
 }
 
 TEST(newton, loads_that_the_first_nodes_cannot_carry_are_found_from_the_approach) {
-  // One corner node of a serendipity element in contact: its weight is negative, so that no compressive pressure there
-  // carries the load.
+  // One corner node of a serendipity element is in contact: its weight is negative, so that no compressive pressure
+  // there carries the load.
   Pair pair(1e4, 0.3, 1e4, 0.3);
   const std::vector<double> lines = frames::uniform_lines(-1.3, 1.3, 4);
   pair.frame(frames::rectangle(ElementType::quad8, lines, lines));

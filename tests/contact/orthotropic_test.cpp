@@ -1,5 +1,5 @@
-/// Orthotropic friction: Coulomb's law where both coefficients are equal, the same in all axes, the ellipse at every
-/// node, and exact derivatives.
+/// Tests orthotropic friction: Coulomb's law where both coefficients are equal, the same in all axes, the ellipse at
+/// every node, and exact derivatives.
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +37,7 @@ TEST(orthotropic, equal_coefficients_are_coulombs_law) {
     }
 }
 
-// The scene turned in space with its axes, and the law's axes turned against the rolling direction: lateral creepage
+// The scene is turned in space with its axes, and the law's axes turned against the rolling direction: lateral creepage
 // under axes at an angle is that under axes at the mirrored one, mirrored.
 TEST(orthotropic, the_same_in_all_axes) {
   for (const char* law : both) {
@@ -63,7 +63,7 @@ TEST(orthotropic, the_same_in_all_axes) {
       std::printf("%s, turned by %.1f: tractions off by %.1e (bound 1e-9)\n", law, turn, off);
       EXPECT_LE(off, 1e-9);
     }
-    // Mirrored at the rolling direction.
+    // The scene is mirrored at the rolling direction.
     Vec3 force[2];
     for (const double sign : {1.0, -1.0}) {
       Pair pair(1e4, 0.3, 2e4, 0.1);
@@ -82,8 +82,8 @@ TEST(orthotropic, the_same_in_all_axes) {
   }
 }
 
-// Axes turned by 0 and 90 degrees give no lateral force. Those at 45 degrees give one where slip is normal to the
-// ellipse: nearly every node slides along the creepage, and its traction is not along that.
+// Axes turned by 0 and 90 degrees give no lateral force; those at 45 degrees do where slip is normal to the ellipse:
+// nearly every node slides along the creepage, and its traction is not along that.
 TEST(orthotropic, a_lateral_force_at_45_degrees) {
   for (const char* law : both)
     for (const int eighths : {0, 1, 2}) {

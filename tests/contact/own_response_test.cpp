@@ -1,5 +1,6 @@
-// The characteristic scheme: a node's traction drags the surface at the node further than at the point upstream of it,
-// wherever the node lies. Else its slip would grow with the friction that opposes it, and no solution need exist.
+// Tests of the characteristic scheme that a node's traction drags the surface at the node further than at the point
+// upstream of it, wherever the node lies. Otherwise its slip would grow with the friction that opposes it, and no
+// solution need exist.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@
 namespace rollcon {
 namespace {
 
-/// n + 1 lines from -1 to 1 in spacings that grow by a factor.
+/// Returns n + 1 lines from -1 to 1 in spacings that grow by a factor.
 std::vector<double> growing_lines(int n, double factor) {
   std::vector<double> lines{0};
   double spacing = 1;
@@ -53,7 +54,7 @@ std::vector<Named> meshes() {
 }
 
 void expect_positive(std::initializer_list<double> angles) {
-  // Least response to both components, over the median one.
+  // The least response to both components is bounded over the median one.
   constexpr double bound = 0.01;
   for (const double angle : angles)
     for (const Named& named : meshes()) {

@@ -1,4 +1,4 @@
-/// Power of friction from the balance of work, beside the sum of traction times slip at nodes.
+/// Compares the power of friction from the balance of work with the sum of traction times slip at nodes.
 
 #include "contact/time_step_case.hpp"
 
@@ -34,7 +34,7 @@ std::unique_ptr<Pair> solved(const Rolling& r, int n, double speed = 1) {
 
 TEST(power, of_the_balance_is_right_on_coarse_grids) {
   for (const Rolling& r : scenes) {
-    // Both ways meet as the grid is refined; the sum at nodes from below, and slowly.
+    // Both ways meet as the grid is refined, the sum at nodes from below, and slowly.
     const auto fine = solved(r, 96), coarse = solved(r, 32);
     const double limit = fine->contact->stat("friction_power_balance");
     const double balance = coarse->contact->stat("friction_power_balance") / limit - 1;
@@ -75,7 +75,7 @@ TEST(power_long, does_not_depend_on_the_kind_of_element) {
   for (const ElementType type :
        {ElementType::tri3, ElementType::tri6, ElementType::quad4, ElementType::quad8, ElementType::quad9}) {
     Pair pair(2e5, 0.3, 7e4, 0.4);
-    // quad8 knows slip least (docs/theory.md): 0.23 off with 10 elements.
+    // The type quad8 knows slip least (docs/theory.md): 0.23 off with 10 elements.
     const int elements = type == ElementType::quad8 ? 16 : is_quadratic(type) ? 10 : 20;
     const std::vector<double> lines = frames::uniform_lines(-1.3, 1.3, elements);
     pair.frame(frames::perturb(frames::rectangle(type, lines, lines), 0.1, 5));
@@ -106,7 +106,7 @@ TEST(power, takes_no_slope_from_nodes_that_are_never_to_touch) {
   EXPECT_LT(after, 2 * before);
 }
 
-// Work that forces put in around a closed loop of load is lost by friction.
+// Friction loses the work that forces put in around a closed loop of load.
 TEST(power, of_steps_adds_up_to_the_work_of_a_closed_loop) {
   for (const bool rolling : {false, true}) {
     double error[2] = {};

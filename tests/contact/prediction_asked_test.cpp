@@ -1,5 +1,5 @@
-// What is asked between two solves does not change the next one: slips that nobody asked for are computed where a
-// predicted start needs them.
+// Tests that what is asked between two solves does not change the next one: slips that nobody asked for are computed
+// where a predicted start needs them.
 
 #include "support/steady_rolling.hpp"
 #include "support/testing.hpp"
@@ -28,7 +28,7 @@ Work growing_load(const closed_forms::Elastic& body2, double step, const char* s
     EXPECT_GE(pair.solve(), 0);
     work.iterations += pair.stat("iterations");
     work.predictions += pair.stat("predictions");
-    // Needs the slip of every node.
+    // This statistic needs the slip of every node.
     if (ask) {
       EXPECT_LT(pair.stat("law_slip"), 1e-8);
     }

@@ -1,4 +1,4 @@
-/// Warm starts that go on along the line of the last change.
+/// Tests warm starts that go on along the line of the last change.
 
 #include <gtest/gtest.h>
 
@@ -14,14 +14,14 @@ namespace {
 using scenes::RollingPair;
 namespace steady_rolling = scenes::steady_rolling;
 
-constexpr std::int64_t on = 2, off = 1;  // warm_start
+constexpr std::int64_t on = 2, off = 1;  // values of warm_start
 const closed_forms::Elastic soft{.shear = 41000, .poisson = 0.45};
 
 struct Work {
   double iterations = 0, predictions = 0, fallbacks = 0, force = 0;
 };
 
-/// Load, creepages and spin vary slowly, each with a period of its own.
+/// Varies load, creepages and spin slowly, each with a period of its own.
 Work time_loop(const closed_forms::Elastic& body2, std::int64_t warm_start) {
   RollingPair pair(steady_rolling::steel, body2, 1);
   steady_rolling::prepare(pair, steady_rolling::grid(11), "b");

@@ -1,5 +1,5 @@
-/// What the discrete problem takes from bodies: displacements they have anyway, coupling that turns out to be none, and
-/// what a change of pose makes stale.
+/// Tests what the discrete problem takes from bodies: displacements they have anyway, coupling that turns out to be
+/// none, and what a change of pose makes stale.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ namespace {
 
 using namespace contact_test;
 
-/// Another compliance with displacements of its own, and coupling as given.
+/// Replaces a compliance by displacements of its own, and coupling as given.
 class Changed final : public Compliance {
  public:
   using Field = std::array<double, 3> (*)(double x, double y);
@@ -92,7 +92,7 @@ TEST(bodies_displaced, gap_and_slip_take_it) {
     std::printf("%s: gap off by %.1e (bound 1e-15), slip %.1e (bound 1e-13)\n", scheme, gap, slip);
     EXPECT_LT(gap, 1e-15);
     EXPECT_LT(slip, 1e-13);
-    // A creep field adds to it, and again when it changes.
+    // A creep field adds to the slip, and again when it changes.
     for (const double creep : {0.07, 0.14}) {
       const std::vector<double> field(2 * p.gap.size(), creep);
       scene.pair.contact->scene.set_creep_field(scene.pair.contact->nodes(), field.data());
@@ -129,7 +129,7 @@ TEST(coupling, blocks_of_rounding_are_dropped) {
   }
 }
 
-/// Block of boundary elements, held at its bottom, under a rigid sphere.
+/// Puts a block of boundary elements, held at its bottom, under a rigid sphere.
 struct SphereOnBlock {
   std::shared_ptr<Context> context = std::make_shared<Context>();
   std::shared_ptr<Body> block = std::make_shared<Body>(context, 2);
@@ -201,7 +201,7 @@ TEST(pose_of_both_bodies, moves_the_scene_without_a_trace) {
   EXPECT_LT(off, 1e-8 * std::abs(force[2]));
 }
 
-// setters_test.cpp has the others.
+// The test takes the setters of a scene with meshes; setters_test.cpp has the others.
 TEST(setter_of_a_meshed_scene_long, makes_only_what_depends_on_it) {
   if (ROLLCON_BUILD_BEM == 0) GTEST_SKIP() << "this build has no boundary elements";
   const std::vector<std::string> counted{"body_preparations", "frame_builds", "compliance_builds",

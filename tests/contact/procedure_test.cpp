@@ -1,4 +1,4 @@
-/// Solution procedures from options, and the adaptive tolerance of their linear systems.
+/// Tests solution procedures from options, and the adaptive tolerance of their linear systems.
 
 #include "contact/scene/procedure.hpp"
 
@@ -83,7 +83,7 @@ TEST(adaptive_tolerance, begins_with_the_largest) {
 }
 
 TEST(adaptive_tolerance, follows_the_decrease_of_squared_residuals) {
-  // (72), (73): 0.3 * 0.04 = 0.012; the safeguard 0.3 * 0.2^2 = 0.012 is below 0.1 and rests.
+  // By (72), (73), 0.3 * 0.04 = 0.012; the safeguard 0.3 * 0.2^2 = 0.012 is below 0.1 and rests.
   EXPECT_DOUBLE_EQ(adaptive_tolerance(0.5, 0.08, 2, 0.2), 0.012);
   EXPECT_DOUBLE_EQ(adaptive_tolerance(0.5, 2e-6, 2, 0.2), 3e-7);
   EXPECT_EQ(adaptive_tolerance(0.5, 0, 2, 0.2), 0) << "solved";
@@ -96,9 +96,9 @@ TEST(adaptive_tolerance, is_not_beyond_the_largest) {
 }
 
 TEST(adaptive_tolerance, is_safeguarded_far_from_the_solution) {
-  // 0.3 * 0.8^2 = 0.192 > 0.1.
+  // The safeguard 0.3 * 0.8^2 = 0.192 exceeds 0.1.
   EXPECT_DOUBLE_EQ(adaptive_tolerance(0.9, 1e-6, 1, 0.8), 0.192);
-  // Next: 0.3 * 0.192^2 = 0.011 < 0.1.
+  // The next safeguard 0.3 * 0.192^2 = 0.011 is below 0.1.
   EXPECT_DOUBLE_EQ(adaptive_tolerance(0.9, 1e-6, 1, 0.192), 3e-7);
   EXPECT_DOUBLE_EQ(adaptive_tolerance(0.9, 0.7, 1, 0.8), 0.21) << "the larger";
   // The bound holds for the safeguard too: 0.3 * 0.8^2 = 0.192.

@@ -1,4 +1,4 @@
-// Contact over the full width of a body: where the body ends, a frame laid on it has no rim.
+// Tests contact over the full width of a body: where the body ends, a frame laid on it has no rim.
 
 #include "support/frames.hpp"
 #include "support/scene.hpp"
@@ -17,7 +17,7 @@ scenes::MeshedBody block(std::int32_t held, VolumeType type = VolumeType::hex8) 
   return body;
 }
 
-/// Linear quadrilaterals from `margin` to side - margin in both directions.
+/// Returns linear quadrilaterals from `margin` to side - margin in both directions.
 SurfaceMesh laid(double margin, double z) {
   const auto lines = frames::uniform_lines(margin, side - margin, 5);
   return surfaces::transform(frames::rectangle(ElementType::quad4, lines, lines), [z](const Vec3& x) {
@@ -54,7 +54,7 @@ TEST_F(RimAtEdges, the_edge_of_body_2_is_none) {
   EXPECT_EQ(pair.stat("nodes_rim"), 0);
 }
 
-// Nothing is measured then, and the edges are looked for in the mesh.
+// Nothing is measured if the gap is given, and the edges are looked for in the mesh.
 TEST_F(RimAtEdges, a_gap_given_node_by_node_changes_nothing) {
   for (const VolumeType type : {VolumeType::hex8, VolumeType::hex20})
     for (const double margin : {0.0, 0.05}) {
@@ -80,10 +80,10 @@ TEST_F(RimAtEdges, one_that_ends_within_the_body_keeps_its_other_rims) {
     return Vec3{x[0], x[1], height};
   }));
   EXPECT_EQ(press(pair, height), ROLLCON_RIM_CONTACT);
-  EXPECT_EQ(pair.stat("nodes_rim"), 6);  // its last line, at whose ends the contact is cut off as well
+  EXPECT_EQ(pair.stat("nodes_rim"), 6);  // its last line, at whose ends the contact is cut off, too
 }
 
-// The edge of a rigid surface that moves along: the frame is not made anew.
+// The edge of a rigid surface moves along; the frame is not made anew.
 TEST_F(RimAtEdges, follows_a_rigid_body_that_moves) {
   scenes::MeshedBody plate;
   plate.mesh = surfaces::block(surfaces::brick({2, 2, 1}, {side, side, height}), ElementType::quad4);
@@ -92,7 +92,7 @@ TEST_F(RimAtEdges, follows_a_rigid_body_that_moves) {
   const std::array<Vec3, 3> same{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   pair.pose(2, same, {0.1, 0, height});
   EXPECT_EQ(press(pair, height), ROLLCON_RIM_CONTACT);
-  EXPECT_EQ(pair.stat("nodes_rim"), 16);  // the plate ends over the first line of six, but for its corners
+  EXPECT_EQ(pair.stat("nodes_rim"), 16);  // the plate ends over the first line of six, except at its corners
   pair.pose(2, same, {0, 0, height});
   EXPECT_EQ(press(pair, height), ROLLCON_RIM_CONTACT);
   EXPECT_EQ(pair.stat("nodes_rim"), 20);

@@ -1,5 +1,5 @@
 #pragma once
-/// A half-space scene for tests of the solver itself.
+/// Makes a half-space scene for tests of the solver itself.
 
 #include <gtest/gtest.h>
 
@@ -59,7 +59,7 @@ struct Pair {
   }
 };
 
-/// Square quadrilateral frame of n x n elements, half-width 1.3, gap of a sphere of radius 50.
+/// Sets a square quadrilateral frame of n x n elements, half-width 1.3, and the gap of a sphere of radius 50.
 inline void standard_scene(Pair& pair, int n) {
   const std::vector<double> lines = frames::uniform_lines(-1.3, 1.3, n);
   pair.frame(frames::rectangle(ElementType::quad4, lines, lines));
@@ -68,7 +68,7 @@ inline void standard_scene(Pair& pair, int n) {
   pair.contact->scene.prescribe(3, 1, 0.02);
 }
 
-/// Rolling on 15 x 15 nodes, tolerance 1e-13, dense operators.
+/// Sets rolling on 15 x 15 nodes, tolerance 1e-13, dense operators.
 inline void sharp_scene(Pair& pair) {
   standard_scene(pair, 14);
   Scene& s = pair.contact->scene;

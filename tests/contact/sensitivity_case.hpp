@@ -1,5 +1,5 @@
 #pragma once
-/// Solved contacts of half-spaces or blocks whose results are asked for derivatives.
+/// Solves contacts of half-spaces or blocks whose results are asked for derivatives.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ using scenes::RollingPair;
 
 inline constexpr std::int32_t parameters[] = {ROLLCON_LONGITUDINAL, ROLLCON_LATERAL, ROLLCON_NORMAL, ROLLCON_SPIN,
                                               ROLLCON_FRICTION};
-/// Force, moment, approach, creepages and spin.
+/// Holds force, moment, approach, creepages and spin.
 using Values = std::array<double, 10>;
 inline void must(std::int32_t status) {
   ASSERT_EQ(status, ROLLCON_OK) << rollcon_status_string(status);
@@ -45,11 +45,11 @@ inline std::vector<std::int32_t> states(const RollingPair& pair) {
   return pair.solution().state;
 }
 
-/// What is prescribed: motions first; those of `by_force` then by the loads that they cause.
+/// Says what is prescribed: motions first; those of `by_force` then by the loads that they cause.
 struct Drive {
   double approach, along, across, spin, mu;
   std::array<bool, 4> by_force{};  ///< longitudinal, lateral, normal, spin
-  /// A law other than Coulomb's, given by a function of mu.
+  /// Sets a law other than Coulomb's, given by a function of mu.
   std::function<void(RollingPair&, double)> law{};
 };
 
@@ -58,7 +58,7 @@ struct Setting {
   Drive drive;
   std::array<double, 4> value{};
 
-  /// Blocks are touched by a few nodes: rates of the discrete problem are exact all the same.
+  /// Solves; a few nodes touch blocks, but rates of the discrete problem are exact all the same.
   void solve() {
     const std::int32_t status = pair->solve();
     EXPECT_TRUE(status == ROLLCON_OK || status == ROLLCON_COARSE) << status;
@@ -96,7 +96,7 @@ struct Setting {
     if (parameter == ROLLCON_FRICTION) return 1;
     const auto d = static_cast<std::size_t>(parameter) - 1;
     if (value[d] != 0) return std::abs(value[d]);
-    return 1e-3;  // of a creepage or spin that is zero
+    return 1e-3;  // step for a creepage or spin that is zero
   }
 
   /// Solves with the parameter moved; the states of the nodes are those of the last solve.
@@ -117,7 +117,7 @@ struct Setting {
     return v;
   }
 
-  /// Fourth-order central difference.
+  /// Returns the fourth-order central difference.
   Values difference(std::int32_t parameter) {
     const double h = 1e-4 * scale(parameter);
     const Values a = moved(parameter, -2 * h), b = moved(parameter, -h), c = moved(parameter, h),
@@ -128,7 +128,7 @@ struct Setting {
   }
 };
 
-// Sphere of radius 50 on a half-space or a rigid plane; contact radius about 1.
+// The scene is a sphere of radius 50 on a half-space or a rigid plane, with a contact radius of about 1.
 inline const Elastic steel{.shear = 1e4 / 2.6, .poisson = 0.3};
 inline const Elastic soft{.shear = 1e4 / 2.2, .poisson = 0.1};
 

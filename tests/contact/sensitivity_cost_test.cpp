@@ -1,4 +1,4 @@
-/// What derivatives cost, and that asking for them changes nothing.
+/// Tests what derivatives cost, and that asking for them changes nothing.
 
 #include <algorithm>
 #include <cstdio>
@@ -10,7 +10,7 @@ namespace {
 
 using namespace sensitivity_test;
 
-// Of the part that ends the solve.
+// Returns the seconds of an iteration of the part that ends the solve.
 double seconds_of_an_iteration(const RollingPair& pair) {
   std::int64_t count = 0;
   must(rollcon_contact_get_history(pair.handle(), 0, nullptr, &count));
@@ -27,7 +27,7 @@ struct Cost {
   int first_krylov = 0, all_krylov = 0;
 };
 
-// All five, one after the other, each twice; counters after each stage.
+// Asks for all five, one after the other, each twice; counts after each stage.
 void ask_for_all(const RollingPair& pair, bool coupled, bool lu, Cost& cost) {
   const auto count = [&](const char* what) {
     return static_cast<int>(pair.stat((std::string("sensitivity_") + what).c_str()));
@@ -42,7 +42,7 @@ void ask_for_all(const RollingPair& pair, bool coupled, bool lu, Cost& cost) {
   cost.first = std::min(cost.first, pair.stat("seconds_sensitivity"));
   cost.first_krylov = count("linear_iterations");
   for (const std::int32_t p : parameters) derivatives(pair, p);
-  // Pressures that stand alone: one system of them and one of the tangential tractions.
+  // Pressures that stand alone need one system of them and one of the tangential tractions.
   const int systems = coupled ? 1 : 2, right_sides = coupled ? 5 : 6;
   EXPECT_EQ(count("right_sides"), right_sides);
   EXPECT_GE(count("factorizations"), lu ? systems : 0);

@@ -1,5 +1,5 @@
-/// Derivatives of results against central differences of whole solves on both sides, at which every node keeps its
-/// state; and sums that must hold.
+/// Compares derivatives of results with central differences of whole solves on both sides, at which every node keeps
+/// its state; tests sums that must hold.
 
 #include <algorithm>
 
@@ -22,8 +22,8 @@ struct Group {
 constexpr Group groups[] = {
     {"force", 0, 3}, {"moment", 3, 6}, {"approach", 6, 7}, {"creepages", 7, 9}, {"spin", 9, 10}};
 
-/// Error of each kind of result over the largest derivative of that kind; where all of a kind vanish, over the result
-/// itself (moments: the normal force times a length of 1) per size of the parameter.
+/// Returns the error of each kind of result over the largest derivative of that kind; where all of a kind vanish, over
+/// the result itself (moments: the normal force times a length of 1) per size of the parameter.
 double error_of(const Values& found, const Values& wanted, const Values& result, double scale) {
   double worst = 0;
   for (const Group& g : groups) {
@@ -94,7 +94,7 @@ TEST(sensitivity, with_gaps_a_creep_field_and_turned_axes) {
   }
 }
 
-// The top of an elastic block, curved or flat, under a sphere.
+// Puts the top of an elastic block, curved or flat, under a sphere.
 std::unique_ptr<RollingPair> block(bool finite_elements, double bulge) {
   surfaces::Block shape = surfaces::brick({8, 8, 4}, {2, 2, 1});
   shape.map = [=](const Vec3& p) {
@@ -121,7 +121,7 @@ TEST(sensitivity, of_boundary_and_finite_elements) {
 }
 
 TEST(sensitivity, where_everything_slides_or_little_is_prescribed) {
-  // Full sliding: the direction of friction still turns with the creepages.
+  // The direction of friction still turns with the creepages under full sliding.
   check("full sliding", half_spaces(std::nullopt), {0.02, -8e-2, 3e-2, 2e-2, 0.3, {}});
   check("full sliding under a load", half_spaces(steel), {0.02, 5e-2, 4e-2, 1e-2, 0.2, ways[1]});
   check("lateral creepage alone", half_spaces(std::nullopt), {0.02, 0, 7e-4, 0, 0.3, ways[1]});
@@ -156,7 +156,7 @@ TEST(sensitivity, under_friction_that_falls_with_slip) {
 
 using Matrix = std::array<std::array<double, 4>, 4>;
 
-// Rates of (F1, F2, -F3, M3) and of (xi1, xi2, approach, spin), by what is prescribed.
+// Returns the rates of (F1, F2, -F3, M3); below, those of (xi1, xi2, approach, spin), by what is prescribed.
 std::array<double, 4> loads(const Values& v) {
   return {v[0], v[1], -v[2], v[5]};
 }
@@ -180,7 +180,7 @@ TEST(sensitivity, by_motions_and_by_loads_are_inverse) {
                         std::abs(loads(b)[i] - (i == d)) * by_load.value[d] / by_load.value[i]});
       }
     }
-    // Products of different units: in units of the values themselves.
+    // The products have different units, so they are taken in units of the values themselves.
     double worst = 0;
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = 0; j < 4; ++j) {
@@ -193,7 +193,7 @@ TEST(sensitivity, by_motions_and_by_loads_are_inverse) {
     expect_error(what + ": stiffness times flexibility", worst, 1e-8);
     expect_error(what + ": what is prescribed, by itself", own, 1e-9);
 
-    // Friction with loads held: motions give back what friction does with motions held.
+    // Motions give back, with loads held, what friction does with motions held.
     const auto at_motion = loads(derivatives(*by_motion.pair, ROLLCON_FRICTION));
     const auto at_load = motions(derivatives(*by_load.pair, ROLLCON_FRICTION));
     double error = 0;
@@ -207,7 +207,7 @@ TEST(sensitivity, by_motions_and_by_loads_are_inverse) {
 }
 
 TEST(sensitivity, tangential_loads_of_like_bodies_are_homogeneous) {
-  // Creepages, spin and friction times f: tangential forces and the spin moment times f.
+  // Creepages, spin and friction times f give tangential forces and the spin moment times f.
   Setting s(half_spaces(steel), rolling);
   const Values v = observe(*s.pair), by_friction = derivatives(*s.pair, ROLLCON_FRICTION);
   for (const std::size_t i : {0U, 1U, 5U}) {

@@ -1,5 +1,5 @@
-/// Caches are keyed by what they depend on: one test for each setter of the scene and each option. Only what depends on
-/// the change is made again, and results are those of a fresh contact.
+/// Tests that caches are keyed by what they depend on, for each setter of the scene and each option: only what depends
+/// on the change is made again, and results are those of a fresh contact.
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ namespace {
 using namespace contact_test;
 using Names = std::set<std::string>;
 
-// Everything that a solve may do before its iteration, as statistics count it.
+// The statistics count everything that a solve may do before its iteration.
 const std::vector<std::string> counted{
     "body_preparations",   "frame_builds",    "compliance_builds",  "stencil_builds",       "gap_builds",
     "friction_builds",     "slip_builds",     "scale_builds",       "fields_derived",       "laws_checked",
@@ -39,7 +39,7 @@ const Names whole_compliance{"compliance_builds", "stencil_builds",     "frictio
 struct Change {
   const char* name;
   std::function<void(Contact&)> apply;
-  Names made;  ///< what it makes anew, and nothing else
+  Names made;  ///< what the setter makes anew, and nothing else
   double bound = 1e-10;
 };
 
@@ -134,7 +134,7 @@ std::vector<Change> changes() {
       {"monolithic", text("system", "monolithic"), {"scale_builds", "kernel_evaluations"}, 1e-9},
       {"published", text("jacobian", "simplified"), {"scale_builds"}, 1e-9},
   };
-  if (ROLLCON_BUILD_PROCEDURES == 0)  // the last two are published
+  if (ROLLCON_BUILD_PROCEDURES == 0)  // the last two are published procedures
     list.erase(list.end() - 2, list.end());
   for (const int which : {1, 2})
     list.push_back({which == 1 ? "set_pose_1" : "set_pose_2",

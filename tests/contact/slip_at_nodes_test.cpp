@@ -1,4 +1,4 @@
-/// The characteristic scheme on frames that end at the contact's edge: slip at the nodes.
+/// Tests slip at the nodes by the characteristic scheme on frames that end at the contact's edge.
 
 #include <cmath>
 
@@ -13,7 +13,8 @@ Frame strips(std::int64_t along, std::int64_t across) {
   return build_frame(strips_mesh({}, strips_of_ellipse(2, 1, 0, across), along), {});
 }
 
-/// D w of w = x^2 in both components, less the derivative against the flow at the nodes; rows that take slip there.
+/// Holds D w of w = x^2 in both components, less the derivative against the flow at the nodes, and rows that take slip
+/// there.
 struct Defect {
   double at_nodes = 0, elsewhere = 0;
   int nodes = 0;

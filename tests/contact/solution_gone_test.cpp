@@ -1,4 +1,5 @@
-/// What discards a solution discards all that was known of it: results, derivatives, estimates, history.
+/// Tests that what discards a solution discards all that was known of it: results, derivatives, estimates, iteration
+/// log.
 
 #include "contact/cases/solve_many.hpp"
 #include "contact/time_step_case.hpp"

@@ -29,7 +29,7 @@ void expect_products(InstructionSet set, double bound) {
         job.field[m] = reinterpret_cast<const double*>(f[m].data());
         job.factor[m] = m == 1 ? -1.0 : 1.0;
       }
-      // One number more, which must stay as it is.
+      // The vector has one number more, which must not change.
       std::vector<std::complex<double>> sum(n + 1, {7.0, 9.0});
       job.terms = terms;
       job.count = count;

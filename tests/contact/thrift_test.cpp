@@ -1,4 +1,5 @@
-/// Each row of the plan: what a scene does not need is not there, by counters, and results are those with it to 1e-10.
+/// Tests each row of the plan: counters show that what a scene does not need is not there, and results are those with
+/// it to 1e-10.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-/// Tilts of body 1, given or found for moments, follow closed forms of paraboloids and of a flat punch, are reciprocal,
-/// and come out alike by all ways to solve.
+/// Tests that tilts of body 1, given or found for moments, follow closed forms of paraboloids and of a flat punch, are
+/// reciprocal, and come out alike by all ways to solve.
 
 #include <algorithm>
 #include <array>
@@ -54,7 +54,7 @@ Pair unlike() {
   return {2.1e5, 0.28, 7e4, 0.1};
 }
 
-// A paraboloid that is tilted by the slope of the gap at (x, y) touches there as it does at the origin.
+// A paraboloid that is tilted by the slope of the gap at (x, y) touches there the way it does at the origin.
 TEST(tilt, carries_a_contact_of_paraboloids_along_the_surface) {
   constexpr double load = 800, x = 0.33, y = -0.47;
   const double expected[] = {curvature[1] * y, -curvature[0] * x};
@@ -103,7 +103,7 @@ TEST(tilt, given_as_found_gives_the_moments_back) {
   }
 }
 
-// Moment over tilt of a rigid disc on a half-space is 4/3 E* a^3 (Johnson, 3.34).
+// The moment over the tilt of a rigid disc on a half-space is 4/3 E* a^3 (Johnson, 3.34).
 TEST(tilt, of_a_rigid_disc_follows_its_closed_form) {
   constexpr double a = 1, load = 1000, moment = 100, young = 2.1e5, poisson = 0.3;
   double error[2];
@@ -133,8 +133,8 @@ TEST(tilt, of_a_rigid_disc_follows_its_closed_form) {
   EXPECT_LT(error[1], 0.03);
 }
 
-// The bodies' response without friction has a potential: a moment changes the approach as the load changes the tilt
-// (the pressures' moment is minus that of the tractions on body 1).
+// The bodies' response without friction has a potential: a moment changes the approach in the way that the load changes
+// the tilt (the pressures' moment is minus that of the tractions on body 1).
 TEST(tilt, and_approach_respond_to_each_other_alike) {
   constexpr double load = 500;
   Pair pair = steel();

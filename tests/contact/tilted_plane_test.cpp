@@ -1,4 +1,4 @@
-/// The same flat half-space scene in axes that stand askew on its plane: every node then has a local triad that differs
+/// Tests a flat half-space scene in axes that stand askew on its plane: every node then has a local triad that differs
 /// from the axes, and the answer is known exactly.
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ struct Quiet final : Monitor {
   bool step(const StepRecord&) override { return false; }
 };
 
-/// Points come in the askew axes' projection.
+/// Takes points in the askew axes' projection.
 class Stretched final : public Compliance {
  public:
   Stretched(std::unique_ptr<Compliance> inner, double factor) : inner_(std::move(inner)), factor_(factor) {}
@@ -63,7 +63,7 @@ struct Solved {
   NewtonReport report;
 };
 
-/// Sphere on the plane; axes askew by `tilt` about t2.
+/// Puts a sphere on the plane, with axes askew by `tilt` about t2.
 struct Setting {
   Frame flat, askew;
   double cosine, sine;
@@ -195,7 +195,7 @@ TEST(tilted_plane, normal_load_without_friction) {
 }
 
 TEST(tilted_plane, a_load_beyond_friction_is_seen_for_what_friction_carries) {
-  // Pressures alone push along the askew t1; the part of friction is what counts.
+  // Pressures alone push along the askew t1; what counts is the part of friction.
   const Setting s(0.4, pairs[0]);
   const Solved slow = s.solve(true, Scheme::characteristic, by_motion, askew_motion(s), 0.3);
   double pressures = 0, force = 0;
@@ -213,7 +213,7 @@ TEST(tilted_plane, a_load_beyond_friction_is_seen_for_what_friction_carries) {
   }
 }
 
-// Work of loads is work of tractions: load rows are the motions' columns times the weights.
+// The work of loads is the work of tractions: load rows are the motions' columns times the weights.
 TEST(tilted_plane, load_rows_are_the_transposed_columns) {
   const std::vector<double> lines = frames::cosine_lines(1, 6);
   const SurfaceMesh plane = frames::perturb(frames::rectangle(ElementType::quad9, lines, lines), 0.1, 7);
@@ -245,7 +245,7 @@ TEST(tilted_plane, load_rows_are_the_transposed_columns) {
     const auto push = p.load_row(approach, k);
     worst = std::max(worst, std::abs(push[2] + w * p.closing(k)));
     worst = std::max(worst, std::abs(push[0] + w * t.t1[2]));
-    // Spin: N x r per unit; the moment rows integrate r over the node's shape function.
+    // A spin moves by N x r per unit; the moment rows integrate r over the node's shape function.
     const Vec3 arm{-frame.y[k], frame.x[k], 0};
     const auto turning = p.slip_column(spin, k);
     for (std::size_t c = 0; c < 2; ++c) worst = std::max(worst, std::abs(turning[c] - dot(arm, direction[c])));

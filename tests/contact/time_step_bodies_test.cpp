@@ -1,4 +1,4 @@
-// Time steps of bodies with a mesh, and lists of cases beside each other.
+// Tests time steps of bodies with a mesh, and lists of cases beside each other.
 
 #include <algorithm>
 #include <cmath>
@@ -49,7 +49,7 @@ TEST(time_steps_of_bodies_long, shift_then_roll_to_the_steady_state) {
       ASSERT_EQ(rollcon_contact_set_step(c, ROLLCON_SHIFT_STEP, 1), ROLLCON_OK);
       ASSERT_GE(steps->solve(), 0);
       double worst = worst_law(*steps);
-      steps->creep(-0.01, 0.003, 0);  // over the distance that the steady scheme looks ahead
+      steps->creep(-0.01, 0.003, 0);  // over the distance that the steady scheme looks upstream
       ASSERT_EQ(rollcon_contact_set_step(c, ROLLCON_ROLLING_STEP, 0.12), ROLLCON_OK);
       // What is left of the start falls by a factor of 50 to 60 in 20 steps, down to 3e-12 after 140.
       for (int k = 0; k < 80; ++k) {
@@ -81,7 +81,7 @@ TEST(time_steps_of_bodies, another_frame_is_refused_and_the_past_stays) {
   expect_error("the step after a refusal", pair->solution().force[0] / twin->solution().force[0] - 1, 1e-8);
 }
 
-// Of one past, each case a step; the past is the contact's still.
+// All cases are steps from one past, which stays the contact's.
 TEST(time_steps_of_bodies, lists_of_cases) {
   RollingPair pair(soft_steel, std::nullopt);
   pair.rectangle(ElementType::quad4, 14, 14, 1, 1).gap_quadratic(0.15, 0.12).friction(0.3).load(0.05);

@@ -1,5 +1,5 @@
 #pragma once
-/// Scenes of time steps: two equal spheres with closed forms, and those of Kalker's transient.
+/// Makes scenes of time steps: two equal spheres with closed forms, and those of Kalker's transient.
 
 #include <numbers>
 
@@ -9,8 +9,8 @@ namespace rollcon::contact_test {
 
 enum : std::int32_t { rolling_step = 1, shift_step = 2 };
 
-/// Two equal spheres of radius 50 (R = 50 of the pair's curvature as in Cattaneo's example), G = 200, nu = 0.42, mu
-/// 0.4.
+/// Presses two equal spheres of radius 50 (R = 50 of the pair's curvature like in Cattaneo's example), G = 200, nu =
+/// 0.42, mu 0.4.
 struct Spheres {
   double g = 200, nu = 0.42, mu = 0.4, load = 9.1954;
   double young = 2 * g * (1 + nu);
@@ -29,7 +29,7 @@ struct Spheres {
   }
   Scene& scene() { return pair.contact->scene; }
   Contact& contact() { return *pair.contact; }
-  /// Cattaneo's and Mindlin's shift of equal bodies under a force Q of mu P, from nothing.
+  /// Returns Cattaneo's and Mindlin's shift of equal bodies under a force Q of mu P, from nothing.
   double shift(double q) const { return 3 * mu * load * (2 - nu) / (8 * g * a) * (1 - std::pow(1 - q, 2.0 / 3)); }
   double creep() {
     double c[3];
@@ -43,7 +43,7 @@ struct Spheres {
   }
 };
 
-/// Kalker's two spheres: G = 1, nu = 0.28, a = 3.5, mu = 0.4013.
+/// Presses Kalker's two spheres: G = 1, nu = 0.28, a = 3.5, mu = 0.4013.
 struct KalkerSpheres {
   static constexpr double g = 1, nu = 0.28, a = 3.5, load = 0.4705, mu = 0.4013;
   Pair pair{2 * g * (1 + nu), nu, 2 * g*(1 + nu), nu};
@@ -64,7 +64,7 @@ struct KalkerSpheres {
   }
 };
 
-/// Rolling under changing loads, motions, approach, friction and gap.
+/// Rolls under changing loads, motions, approach, friction and gap.
 inline void change_scene(Scene& scene, int k) {
   const double t = 0.3 * k;
   scene.prescribe(3, 2, KalkerSpheres::load * (1 + 0.3 * std::sin(t)));

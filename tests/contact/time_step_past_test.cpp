@@ -1,4 +1,4 @@
-// The past of time steps: changed scenes, failures, repetition, saving, other frames, derivatives.
+// Tests the past of time steps: changed scenes, failures, repetition, saving, other frames, derivatives.
 
 #include <array>
 
@@ -26,7 +26,7 @@ TEST(TimeStep_long, everything_changes_from_step_to_step) {
   EXPECT_LT(law, 1e-6);
 }
 
-// A force that friction cannot carry, a load that is taken off, a solve that is stopped: the past stays.
+// The past stays after a force that friction cannot carry, a load that is taken off, and a solve that is stopped.
 TEST(TimeStep, failed_steps_leave_the_past) {
   KalkerSpheres s(16), twin(16);
   const auto step = [](KalkerSpheres& k, double share) {
@@ -102,7 +102,7 @@ TEST(TimeStep, repeated_saved_restored_and_copied) {
               copied);
   for (const double off : {repeated, restored, copied}) EXPECT_LT(off, 1e-10);
   EXPECT_EQ(copy.contact().stat("steps"), 6);
-  // Not on another frame, not when changed.
+  // The past fits neither another frame nor a changed one.
   change_scene(other.scene(), 0);
   EXPECT_THROW(other.contact().restore_past(size, past.data()), Error);
   std::vector<double> bad = past;
@@ -117,7 +117,7 @@ TEST(TimeStep, repeated_saved_restored_and_copied) {
   EXPECT_LT(largest_difference(first, next(copy)), 1e-10);
 }
 
-// Half-spaces: the past goes along to a finer frame, or to one that follows the contact.
+// The past of half-spaces goes along to a finer frame, or to one that follows the contact.
 TEST(TimeStep, past_on_another_frame) {
   const auto rolled = [](bool change) {
     KalkerSpheres s(20, "dense");
@@ -143,7 +143,7 @@ TEST(TimeStep, past_on_another_frame) {
   }
 }
 
-// A steady state is where steps may start, and a failed one is not.
+// Steps may start from a steady state, not from a failed one.
 TEST(TimeStep, from_a_steady_state) {
   KalkerSpheres s(16);
   s.scene().set_creep(-1e-3, 0, 0);
@@ -167,7 +167,7 @@ TEST(TimeStep, from_a_steady_state) {
   EXPECT_EQ(s.contact().solve(), Status::ok);
 }
 
-// Derivatives of a step, the past held, against differences.
+// Derivatives of a step, with the past held, agree with differences.
 TEST(TimeStep, sensitivities) {
   KalkerSpheres s(16, "dense");
   s.scene().options.set_real("tolerance", 1e-13);
@@ -218,7 +218,7 @@ TEST(TimeStep, published_procedures) {
 }
 #endif
 
-// Of a step: what the frame makes of the forces, the past being what it is.
+// The error of a step is what the frame makes of the forces, with the past unchanged.
 TEST(TimeStep, error_estimate) {
   for (const char* operators : {"dense", "fft"}) {
     Spheres s(32, operators);

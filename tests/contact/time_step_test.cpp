@@ -1,5 +1,5 @@
-// Shift and rolling in time steps: closed forms and published numbers (Cattaneo 1938, Mindlin & Deresiewicz 1953,
-// Spence 1975, Kalker 1990).
+// Compares shift and rolling in time steps with closed forms and published numbers (Cattaneo 1938, Mindlin &
+// Deresiewicz 1953, Spence 1975, Kalker 1990).
 
 #include "contact/time_step_case.hpp"
 
@@ -17,7 +17,7 @@ TEST(TimeStep, cattaneo_shift) {
                 100 * std::abs(found / exact - 1));
     EXPECT_NEAR(std::abs(found), exact, 0.01 * exact);
     EXPECT_LT(s.pair.worst_law(), 1e-5);
-    // Stick inside half the radius.
+    // The nodes within half the radius stick.
     const double stick = s.contact().stat("nodes_stick"), all = stick + s.contact().stat("nodes_slip");
     std::printf("stick %.0f of %.0f nodes: %.3f (0.25)\n", stick, all, stick / all);
     EXPECT_NEAR(stick / all, 0.25, 0.02);
@@ -58,7 +58,7 @@ TEST(TimeStep, mindlin_loop) {
       100 * worst, cycle, exact, 100 * (cycle / exact - 1), friction);
   EXPECT_LT(worst, 0.01);
   EXPECT_NEAR(cycle, exact, 0.01 * exact);
-  // Friction's own work, at the end of steps: of first order in the step.
+  // Friction's own work, at the end of steps, is of first order in the step.
   EXPECT_NEAR(friction, exact, 0.1 * exact);
 }
 
@@ -95,7 +95,7 @@ TEST(TimeStep, spence_compression) {
   EXPECT_LT(ratio1, 0.9 * ratio);
 }
 
-// Cattaneo's shift, then rolling under the same force: Kalker's transient.
+// Cattaneo's shift is followed by rolling under its force: Kalker's transient.
 TEST(TimeStep, from_cattaneo_to_carter) {
   constexpr double step = 0.25;
   KalkerSpheres s(34);
@@ -120,7 +120,7 @@ TEST(TimeStep, from_cattaneo_to_carter) {
   EXPECT_NEAR(s.contact().stat("step_time"), 1 + 80 * step, 1e-12);
 }
 
-// A step over the distance that the characteristic scheme looks ahead has the steady solution for its limit.
+// A step over the distance that the characteristic scheme looks upstream has the steady solution for its limit.
 TEST(TimeStep, steady_limit) {
   for (const char* operators : {"dense", "fft", "table"})
     for (const bool by_force : {false, true}) {
@@ -143,7 +143,7 @@ TEST(TimeStep, steady_limit) {
     }
 }
 
-// From rest, the force over the distance rolled: errors fall with the step, to first order at least.
+// The force over the distance rolled from rest has errors that fall with the step, to first order at least.
 TEST(TimeStep, order_in_the_step) {
   const auto force_after = [](int steps) {
     KalkerSpheres s(24, "table");
@@ -192,7 +192,7 @@ TEST(TimeStep, growth_tells_the_error_of_steps) {
   }
 }
 
-// Material that travels so far that a lattice's offsets are no numbers any more.
+// The material travels so far that a lattice's offsets are no numbers any more.
 TEST(TimeStep, steps_that_overflow_are_refused) {
   for (const double dt : {1e30, 1e160, 1e300}) {
     KalkerSpheres spheres(12);
@@ -212,8 +212,8 @@ TEST(TimeStep, steps_that_overflow_are_refused) {
   }
 }
 
-// Of 35 mm, five times the contact: all material is new, and what it brings along is what is left of displacements so
-// far away.
+// The steps take 35 mm, five times the contact: all material is new, and what it brings along is what is left of
+// displacements so far away.
 TEST(TimeStep, steps_longer_than_the_contact) {
   KalkerSpheres s(24);
   s.scene().set_creep(-1e-4, 2e-5, 1e-5);

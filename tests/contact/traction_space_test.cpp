@@ -1,4 +1,4 @@
-// Spaces of fewer tractions: what is spread, gathered and picked, node by node.
+// Tests spaces of fewer tractions: what is spread, gathered and picked, node by node.
 
 #include "contact/operators/traction_space.hpp"
 
