@@ -17,7 +17,7 @@ FOLDERS = ["src", "tests", "examples", "bench", "fortran", "bindings", "scripts"
 EXEMPT = ["src/contact", "src/framing", "src/wheelrail", "src/tables", "src/bodies"]
 # First words that lean on the line above, or that leave the sentence without a subject.
 FIRST = ("also", "and", "as", "but", "ditto", "else", "likewise", "nor", "of", "or", "same", "similarly", "such", "than",
-         "that of", "the same", "those", "unlike", "which", "whose")
+         "that of", "the same", "those", "which", "whose")
 BEGINS = re.compile(rf"(?:{'|'.join(FIRST)})\b(?!_)", re.IGNORECASE)
 
 C = {".c", ".cpp", ".h", ".hpp"}

@@ -1,5 +1,5 @@
-# Tests that need components of the library: not built where one of them is absent. The public tests
-# ask rollcon_has_feature instead, and skip.
+# Drops tests that need components of the library where one of them is absent. The public tests ask rollcon_has_feature
+# instead, and skip.
 
 function(rollcon_tests_need components pattern)
   foreach(_name IN LISTS components)
@@ -10,7 +10,7 @@ function(rollcon_tests_need components pattern)
   set(sources "${sources}" PARENT_SCOPE)
 endfunction()
 
-# rollcon_drop_absent_tests(): takes them out of the caller's list `sources`.
+# Takes such tests out of the caller's list `sources`: rollcon_drop_absent_tests().
 macro(rollcon_drop_absent_tests)
   rollcon_tests_need(FEM "bodies/fem/|mesh/(volume_|surface_coupling)")
   rollcon_tests_need(FEM "validation/(ring_on_halfspace|tet10_faces)")

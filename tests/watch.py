@@ -68,7 +68,7 @@ class Report:
                 print(line, flush=True)
         else:
             self._lines.append(line)
-            # Output without an end of line stands before.
+            # Output without an end of line may stand before.
             ends = re.search(r"\[(       OK|  FAILED |  SKIPPED)\s*\] " + re.escape(self.running), line)
             if ends:
                 if "FAILED" in ends.group(1):

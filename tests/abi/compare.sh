@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Binary interface of the library just built against the stored dump:
+# Compares the binary interface of the library just built with the stored dump:
 # compare.sh <stored dump> <library> <include folder>
 set -euo pipefail
 stored=$1 library=$2 include=$3

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The public header alone, in two translation units of one program, under every standard a caller
-# may use: header_matrix.sh <include folder> <work folder> <c compiler> <c++ compiler>
+# Compiles the public header alone, in two translation units of one program, under every standard a caller may use:
+# header_matrix.sh <include folder> <work folder> <c compiler> <c++ compiler>
 set -euo pipefail
 include=$1 work=$2 cc=$3 cxx=$4
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What the shared library exports is the API table and nothing else; its SONAME is the ABI number;
-# it asks for no executable stack. symbols.sh <library> <version script> <abi number>
+# Checks that the shared library exports the API table and nothing else, that its SONAME is the ABI number, and that it
+# asks for no executable stack: symbols.sh <library> <version script> <abi number>
 set -euo pipefail
 library=$1 map=$2 abi=$3
 

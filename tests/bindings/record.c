@@ -1,4 +1,4 @@
-/* What record.h promises. One thread at a time. */
+/* Implements the recorder of record.h, for one thread at a time. */
 #include "record.h"
 
 #include <stdarg.h>
@@ -42,7 +42,7 @@ const char* recorder_missing(void) {
 }
 
 void record_begin(int function) {
-  if (function >= FUNCTIONS) abort(); /* no room: FUNCTIONS wants to be greater */
+  if (function >= FUNCTIONS) abort(); /* no room: FUNCTIONS must be greater */
   called[function] = 1;
   line = lines[function];
   line[0] = 0;
@@ -52,7 +52,7 @@ static void blank(void) {
   if (line[0]) put(" ");
 }
 
-/* Kind and number, as give_handle makes them. */
+/* Writes down kind and number, which give_handle made. */
 void record_handle(const void* handle) {
   static const char* const kinds[] = {"handle", "context", "body", "contact", "wheelrail", "table"};
   const intptr_t id = (intptr_t)handle;

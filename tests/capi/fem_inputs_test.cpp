@@ -145,7 +145,7 @@ TEST_F(fem_inputs, later_tags_win) {
   ASSERT_OK(rollcon_body_tag_faces(body, 1, &element, &face, 0, 4));
   EXPECT_EQ(frame_size(3).second, 3);
   EXPECT_EQ(frame_size(4).second, 1);
-  const std::int32_t quad[4] = {23, 26, 27, 24};  // the same face, counted from 1 and the other way round
+  const std::int32_t quad[4] = {23, 26, 27, 24};  // that face, counted from 1 and the other way round
   ASSERT_OK(rollcon_body_add_elements(body, ROLLCON_QUAD4, 1, quad, 1, 5));
   EXPECT_EQ(frame_size(3).second, 3);
   EXPECT_EQ(frame_size(4).second, -1);

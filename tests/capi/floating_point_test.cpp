@@ -87,7 +87,7 @@ TEST_F(floating_point, hosts_that_trap_survive_every_call) {
     const auto check = [](const char* name, bool, std::int32_t) { EXPECT_EQ(fegetexcept(), trapped) << name; };
     with_each_body_call(body2, check);
     with_each_contact_call(contact2, check);
-    rollcon_body_release(body2);  // as often as it was retained
+    rollcon_body_release(body2);  // once for each time it was retained
     rollcon_contact_release(contact2);
   }
   EXPECT_SURVIVES(set_scene());

@@ -108,7 +108,7 @@ TEST_F(latch, returns_the_first_failure_at_once_and_at_the_end) {
   };
   with_each_body_call(sphere, check);
   with_each_contact_call(contact, check);
-  rollcon_body_release(sphere);  // as often as it was retained
+  rollcon_body_release(sphere);  // once for each time it was retained
   rollcon_contact_release(contact);
   EXPECT_EQ(rollcon_contact_get_stat(contact, "no such thing", &number), ROLLCON_ERR_ARGUMENT);
   EXPECT_EQ(number, -7);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# include_77.sh <gfortran> <source tree>: programs of the FORTRAN 77 layer compile with fortran/rollcon.inc in every unit,
-# in fixed and free form, and one that forgets an argument, or gives a number of another type, does not.
+# Tests by include_77.sh <gfortran> <source tree> that programs of the FORTRAN 77 layer compile with fortran/rollcon.inc
+# in every unit, in fixed and free form, and one that forgets an argument, or gives a number of another type, does not.
 set -euo pipefail
 compiler=$1 root=$2
 work=$(mktemp -d)
@@ -8,7 +8,7 @@ trap 'rm -rf "$work"' EXIT
 compile() { "$compiler" -fsyntax-only -I"$root/fortran" "$@"; }
 
 for source in "$root"/examples/*_77.f; do
-  # Behind the first statement of each unit, continued lines included.
+  # The include goes behind the first statement of each unit, continued lines included.
   awk '/^      (PROGRAM|SUBROUTINE)/ { print; due = 1; next }
     due && !/^     [^ ]/ { print "      INCLUDE '\''rollcon.inc'\''"; due = 0 } { print }' "$source" >"$work/good.f"
   grep -q INCLUDE "$work/good.f"

@@ -1,4 +1,4 @@
-!> Texts of failures found by the types themselves, and a program that checks once, at its end.
+!> Tests texts of failures found by the types themselves, and a program that checks once, at its end.
 program last_error_test
   use rollcon
   implicit none

@@ -1,4 +1,4 @@
-!> For the tests of the Fortran layers over the recorder (tests/bindings/record.h): what a call wrote down, what it
+!> Serves the tests of the Fortran layers over the recorder (tests/bindings/record.h): what a call wrote down, what it
 !> gave, and how it passes on a failure.
 module mapping
   use, intrinsic :: iso_c_binding, only: c_ptr
@@ -84,7 +84,7 @@ contains
     call wrong(what//', status', digits(1), digits(2))
   end subroutine
 
-  !> The status and the text of the recorder arrive.
+  !> Checks that the status and the text of the recorder arrive.
   subroutine failed(function, stat, message)
     character(len=*), intent(in) :: function, message
     integer, intent(in) :: stat
@@ -93,7 +93,7 @@ contains
     call answers(ROLLCON_OK)
   end subroutine
 
-  !> A refusal of the layer itself: its words are the last error, by rollcon_report.
+  !> Checks a refusal of the layer itself: its words are the last error, by rollcon_report.
   subroutine refused(handle, stat, message, words, status)
     character(len=*), intent(in) :: handle, message, words
     integer, intent(in) :: stat
@@ -108,7 +108,7 @@ contains
     call wrong(words, message, 'text of last_error')
   end subroutine
 
-  !> Numbers one after the other, as the recorder gives them.
+  !> Checks numbers that come one after the other from the recorder.
   subroutine gave_reals(what, found, first)
     character(len=*), intent(in) :: what
     real(rc_real), intent(in) :: found(:), first
@@ -142,7 +142,7 @@ contains
     write (*, '(2a)') 'not so: ', what
   end subroutine
 
-  !> All functions were called but those.
+  !> Checks that all functions were called except those named.
   subroutine done(but)
     character(len=*), intent(in) :: but
     call wrong('never called', f_text_at(recorder_missing()), but)

@@ -1,4 +1,4 @@
-!> The subroutines of the FORTRAN 77 layer whose calls follow no rule, its refusals, and its handling of texts.
+!> Tests the subroutines of the FORTRAN 77 layer whose calls follow no rule, its refusals, and its handling of texts.
 module mapping_77_by_hand
   use mapping
   implicit none
@@ -118,7 +118,7 @@ contains
     call refused(handle, ierr, text, words, wanted)
   end subroutine
 
-  !> What the layer finds itself, in its own names.
+  !> Tests what the layer finds itself, in its own names.
   subroutine refusals()
     external :: rcnode, rcnodt, rcbnod, rcbndt, rcelem, rcbelm, rcbtgf, rcbtgn, rcsupp, rchold, rcfree, rckeep
     integer :: ids(4), dead
@@ -157,7 +157,7 @@ contains
     call told('contact_add_frame_elements', 'contact1 999 1 [] 1 1', ierr)
   end subroutine
 
-  !> Names in any case, paths as they are, texts cut and padded.
+  !> Tests names in any case, paths unchanged, texts cut and padded.
   subroutine texts()
     external :: rcseti, rcsets, rcbsav, rcgets, rcplan, rcfric
     character(len=4) :: short

@@ -1,4 +1,4 @@
-!> The procedures of the Fortran 2008 layer that are written by hand: arguments, results, refusals.
+!> Tests the procedures of the Fortran 2008 layer that are written by hand: arguments, results, refusals.
 module mapping_by_hand
   use, intrinsic :: iso_c_binding, only: c_associated, c_f_pointer, c_int32_t, c_int64_t, c_loc, c_ptr
   use mapping
@@ -144,13 +144,13 @@ contains
     call context%check(stat)
     call wrong('context_check', f_text_at(recorder_said(c_text('context_check'))), 'context1')
     call status_is('a status > 0', stat, int(ROLLCON_NOT_CONVERGED))
-    call contact%solve()  ! does not stop
+    call contact%solve()  ! this does not stop
     call answers(ROLLCON_ERR_STATE)
     call context%check(stat, message)
     call failed('context_check', stat, message)
   end subroutine
 
-  !> What the recorder calls: the event is 7.
+  !> Is called by the recorder: the event is 7.
   function watch(event, user) result(stop_now) bind(c)
     type(c_ptr), value :: event, user
     integer(c_int32_t) :: stop_now
@@ -218,7 +218,7 @@ contains
     call body%add_elements(ROLLCON_TRI3, nodes, stat=stat)
     call told('body_add_elements', 'body1 203 2 [1 2 3 4 5 6] 1 1', stat)
     wide = nodes
-    wide(2, 1) = far  ! names no node, instead of node 3
+    wide(2, 1) = far  ! this names no node, instead of node 3
     call body%add_elements(ROLLCON_TRI3, wide, 9, stat, message)
     call told('body_add_elements', 'body1 203 2 [1 0 3 4 5 6] 1 9', stat)
     call body%add_elements(ROLLCON_TET4, reshape([1, 2, 3, 4], [4, 1]), stat=stat)
@@ -236,7 +236,7 @@ contains
     call widths(body)
   end subroutine
 
-  !> Elements of every type have as many nodes as the library takes them to have.
+  !> Tests that elements of every type have as many nodes as the library takes them to have.
   subroutine widths(b)
     type(rc_body), intent(inout) :: b
     integer(rc_int), parameter :: types(11) = [ROLLCON_TRI3, ROLLCON_TRI6, ROLLCON_QUAD4, ROLLCON_QUAD8, &
@@ -284,7 +284,7 @@ contains
     call refused('body1', stat, message, 'rc_body%set_node_tractions: the extents of tractions must be 3 and the number of nodes')
   end subroutine
 
-  !> Settings by name, of a value's type.
+  !> Tests settings by name, of a value's type.
   subroutine settings()
     integer(c_int32_t) :: narrow
     integer(c_int64_t) :: wide
@@ -373,7 +373,7 @@ contains
     end subroutine
   end subroutine
 
-  !> The frame has 3 nodes, a field 6 values, a solve 2 iterations.
+  !> Tests results: the frame has 3 nodes, a field 6 values, a solve 2 iterations.
   subroutine results()
     real(rc_real), allocatable :: v(:, :), s(:), seconds(:)
     integer(rc_int), allocatable :: states(:)
@@ -422,7 +422,7 @@ contains
     call failing(v, s, states)
   end subroutine
 
-  !> Without displacements given a body's own are read first, 3 nodes.
+  !> Tests fields inside bodies: without displacements given a body's own are read first, 3 nodes.
   subroutine inside_bodies()
     real(rc_real), allocatable :: s(:, :), u(:, :), xyz(:, :)
     call contact%get_body_displacements(2, u, stat)
@@ -502,7 +502,7 @@ contains
     call failed('contact_get_stresses_at', stat, message)
   end subroutine
 
-  !> Failures of what asks for a size first: they are told, and leave no results.
+  !> Tests failures of calls that ask for a size first: they are reported, and leave no results.
   subroutine failing(v, s, states)
     real(rc_real), allocatable, intent(inout) :: v(:, :), s(:)
     integer(rc_int), allocatable, intent(inout) :: states(:)
@@ -524,7 +524,7 @@ contains
     call failed('displacements', stat, message)
   end subroutine
 
-  !> Columns of the table of cases: 3 + 3 + 1 + 3 + 20 + 2 + 9 numbers, the first of which is 600.5.
+  !> Tests the columns of the table of cases: 3 + 3 + 1 + 3 + 20 + 2 + 9 numbers, the first of which is 600.5.
   subroutine cases()
     integer(rc_int), parameter :: parameters(2) = [ROLLCON_NORMAL, ROLLCON_FRICTION]
     real(rc_real), allocatable :: force(:, :), moment(:, :), approach(:), creep(:, :), slopes(:, :, :)
@@ -565,7 +565,7 @@ contains
     end function
   end subroutine
 
-  !> Patches count from 1; the reference that C gave becomes the variable's.
+  !> Tests patches, which count from 1; the reference that C gave becomes the variable's.
   subroutine patches()
     type(rc_contact) :: of_patch
     call wheelrail%set_table(table, stat, message)

@@ -1,5 +1,6 @@
 #!/bin/sh
-# must_stop.sh program: it must fail, say so on standard error in the library's words, and print nothing.
+# Tests by must_stop.sh PROGRAM that the program fails, says so on standard error in the library's words, and prints
+# nothing.
 if text=$("$1" 2>&1 >/dev/null); then
   echo "the program did not fail"
   exit 1

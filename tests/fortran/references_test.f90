@@ -1,4 +1,5 @@
-!> Life of objects behind Fortran variables: assignment adds a reference, free and the end of a variable's life drop it.
+!> Tests the life of objects behind Fortran variables: assignment adds a reference, free and the end of a variable's
+!> life drop it.
 module reference_cases
   use, intrinsic :: iso_c_binding, only: c_ptr
   use rollcon
@@ -134,7 +135,7 @@ contains
     call demand(.not. alive(p), 'the contact is gone')
     call demand(.not. alive(q), 'and with it the context')
 
-    ! 65536 slots for handles: leaks would use them up
+    ! Leaks would use up the 65536 slots for handles.
     call context%create()
     do i = 1, 100000
       call local_variable(p)

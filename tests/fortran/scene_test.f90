@@ -1,6 +1,6 @@
-!> One scene over the library itself from both Fortran layers: results that agree, callbacks, statuses that are no
-!> failures, derivatives and cases. Built with trapping of invalid operations, divisions by zero and overflows, which no
-!> call may trigger in the caller. What each argument means is the C tests' business, that it arrives is mapping_test's.
+!> Runs one scene over the library itself from both Fortran layers: results that agree, callbacks, statuses that are no
+!> failures, derivatives and cases. It is built with trapping of invalid operations, divisions by zero and overflows,
+!> which no call may trigger in the caller. The C tests show what each argument means, and mapping_test that it arrives.
 module scene
   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
   use, intrinsic :: iso_c_binding, only: c_ptr
@@ -13,7 +13,7 @@ module scene
   real(rc_real), parameter :: half_width = 1.3_rc_real, mu = 0.1_rc_real, load = 298.6_rc_real
   type(rc_context) :: context
   type(rc_body) :: sphere, plane
-  type(rc_contact) :: contact  ! module variable: the callbacks look at it
+  type(rc_contact) :: contact  ! module variable, which the callbacks look at
   integer :: failures = 0, calls = 0, status_inside = 0, icon = 0
 
 contains
@@ -26,7 +26,7 @@ contains
     write (*, '(2a)') 'not so: ', what
   end subroutine
 
-  !> A sphere of radius 50 on a plane.
+  !> Makes a sphere of radius 50 on a plane.
   subroutine make()
     real(rc_real) :: x(3, nodes)
     integer :: connectivity(4, elements), i, j, k, n
@@ -105,7 +105,7 @@ contains
     call demand(ierr == ROLLCON_OK .and. calls == 1, 'not called again')
   end subroutine
 
-  !> Both layers give the same, and the results of one call fit those of others.
+  !> Checks that both layers give the same, and that the results of one call fit those of others.
   subroutine agree()
     external :: rctrac, rcsens, rccase
     real(rc_real), allocatable :: t(:, :), weight(:), force(:, :), slopes(:, :, :)
@@ -131,7 +131,7 @@ contains
       .and. all(.not. abs(table(4:, :) - slopes(:, 1, :)) > 0), 'RCCASE')
   end subroutine
 
-  !> Every law of friction set from both layers: the same forces, and others than Coulomb's.
+  !> Sets every law of friction from both layers: the same forces, and others than Coulomb's.
   subroutine laws()
     external :: rcfric, rcfrim, rcfria, rclayr, rclayy, rcheat, rctmps, rcresu, rcsolv
     character(len=21), parameter :: name(6) = [character(len=21) :: 'orthotropic', 'orthotropic_collinear', 'linear', &
@@ -179,7 +179,7 @@ contains
       call demand(maxval(abs(f - coulomb)) > 1e-4_rc_real*load, 'a law that is not Coulomb''s')
       call contact%get_temperatures_at(point, temperature)
       call demand(temperature(1, 1) > 0, 'a temperature')
-      ! Away and back by the other layer.
+      ! The rim goes away and comes back by the other layer.
       call rcfrim(icon, 0d0, 0d0, ierr)
       call rclayr(icon, 0d0, ierr)
       call rclayy(icon, 0d0, 0d0, ierr)

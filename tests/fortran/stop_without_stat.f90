@@ -1,4 +1,4 @@
-!> Without the argument stat a failure must print the library's message and end the program with an error.
+!> Must print the library's message and end with an error at a failure without the argument stat.
 program stop_without_stat
   use rollcon
   implicit none

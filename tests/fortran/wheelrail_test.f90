@@ -1,5 +1,5 @@
-!> A wheel on its rail over the library itself from both Fortran layers: the Manchester benchmark at y = 2 mm, where
-!> CONTACT has 9799 N, and results of both layers that agree. mm, N, s.
+!> Runs a wheel on its rail over the library itself from both Fortran layers: the Manchester benchmark at y = 2 mm,
+!> where CONTACT has 9799 N, and results of both layers that agree. Units are mm, N, s.
 program wheelrail_test
   use rollcon
   implicit none
@@ -71,7 +71,7 @@ contains
     call demand(name == 'z' .and. rc_wheelrail_patch_stat_count() > rc_wheelrail_stat_count(), 'names of statistics')
   end subroutine
 
-  !> Rigid geometry of a wheelset, by both layers.
+  !> Checks the rigid geometry of a wheelset, by both layers.
   subroutine geometry()
     external :: rcwpts, rcwcnc
     type(rc_wheelrail) :: left, right

@@ -1,4 +1,4 @@
-/// Contacts without a caller's frame: results, their accuracy, statuses.
+/// Tests contacts without a caller's frame: results, their accuracy, statuses.
 
 #include "rollcon.h"
 #include "support/frames.hpp"
@@ -15,7 +15,7 @@ using scenes::Solution;
 namespace steady_rolling = scenes::steady_rolling;
 const Elastic steel = steady_rolling::steel;
 
-// Force and spin moment over what friction carries.
+// Returns force and spin moment over what friction carries.
 std::array<double, 3> shares(const Solution& s, double bound, double length) {
   return {s.force[0] / bound, s.force[1] / bound, s.moment[2] / (bound * length)};
 }
@@ -66,8 +66,8 @@ TEST(automatic_frames, frictionless_contact_is_that_of_hertz) {
   }
 }
 
-// Ellipses at any angle to the rolling direction, beside a fine lattice; lattices of this size are off by half a per
-// cent themselves.
+// Ellipses at any angle to the rolling direction are compared with a fine lattice; lattices of this size are off by
+// half a per cent themselves.
 TEST(automatic_frames_long, ellipses_at_any_angle_beside_lattices) {
   const double a = 2, b = 1, mu = 0.3;
   const auto hertz = closed_forms::hertz_from_axes(a, b, 1000, closed_forms::effective_modulus(steel, steel));
@@ -153,7 +153,7 @@ TEST(automatic_frames, bodies_apart_are_told) {
 }
 
 TEST(automatic_frames_long, an_accuracy_beyond_the_finest_frame_is_not_called_success) {
-  // Pressure of a body on a rigid one strains it alone: slow convergence.
+  // The pressure of a body on a rigid one strains it alone, which converges slowly.
   RollingPair pair(steel, std::nullopt);
   const auto hertz = closed_forms::hertz_from_axes(1, 3, 1000, closed_forms::effective_modulus(steel));
   hertzian(pair, hertz, 0.3);
@@ -179,13 +179,13 @@ TEST(automatic_frames, what_is_missing_is_told) {
   EXPECT_EQ(rollcon_contact_set_gap(pair.handle(), 1, &h), ROLLCON_ERR_STATE);
   pair.gap_quadratic(1e-3, 1e-3).load(100);
   EXPECT_EQ(pair.solve(), ROLLCON_OK);
-  // Its nodes are the library's: nothing can be given at them.
+  // The nodes are the library's, so nothing can be given at them.
   const std::vector<double> mu(static_cast<std::size_t>(pair.solution().nodes()), 0.1);
   EXPECT_EQ(rollcon_contact_set_friction_field(pair.handle(), static_cast<std::int64_t>(mu.size()), mu.data()),
             ROLLCON_ERR_STATE);
 }
 
-// Each on frames of its own: as solved one by one, on any number of threads.
+// Each case on frames of its own is solved like one by one, on any number of threads.
 TEST(automatic_frames, lists_of_cases) {
   RollingPair pair(steel, steel);
   hertzian(pair, steady_rolling::hertz, 0.3).creep(0, 0, 2e-4).option("frame_accuracy", 0.01);
@@ -226,7 +226,7 @@ TEST(automatic_frames, lists_of_cases) {
     ASSERT_EQ(
         rollcon_contact_get_sensitivity(single.handle(), ROLLCON_LONGITUDINAL, by_creepage, nullptr, nullptr, nullptr),
         ROLLCON_OK);
-    // Of relative changes of all coefficients, there.
+    // The sensitivity is that to relative changes of all coefficients.
     ASSERT_EQ(
         rollcon_contact_get_sensitivity(single.handle(), ROLLCON_FRICTION, by_friction, nullptr, nullptr, nullptr),
         ROLLCON_OK);

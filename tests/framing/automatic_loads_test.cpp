@@ -1,5 +1,5 @@
-/// Contacts without a caller's frame under given tangential loads: up to what friction can carry, and none beyond it;
-/// creepages that vanish.
+/// Tests contacts without a caller's frame under given tangential loads, up to what friction can carry and none beyond
+/// it, and creepages that vanish.
 
 #include "rollcon.h"
 #include "support/scene.hpp"
@@ -19,10 +19,11 @@ struct Ellipse {
   closed_forms::Hertz hertz(const Elastic& other) const {
     return closed_forms::hertz_from_axes(a, b, 1000, closed_forms::effective_modulus(steel, other));
   }
-  /// Moment of friction all around over mu Fn: 3/8 of the larger semi-axis times E(m), for a circle 3 pi / 16.
+  /// Returns the moment of friction all around over mu Fn: 3/8 of the larger semi-axis times E(m), for a circle 3 pi /
+  /// 16.
   double arm() const {
     double sum = 0;
-    constexpr int n = 20000;  // of the integral of sqrt(a^2 cos^2 + b^2 sin^2)
+    constexpr int n = 20000;  // points of the integral of sqrt(a^2 cos^2 + b^2 sin^2)
     for (int i = 0; i < n; ++i) {
       const double angle = std::numbers::pi / 2 * (i + 0.5) / n;
       sum += std::hypot(a * std::cos(angle), b * std::sin(angle)) / n;
@@ -118,7 +119,7 @@ TEST(automatic_loads, forces_under_a_given_approach) {
   }
 }
 
-// The loads together: on the line between both limits.
+// The loads together lie on the line between both limits.
 TEST(automatic_loads, forces_and_moments) {
   const Ellipse e{1, 2};
   for (const Elastic& other : {steel, aluminium}) {
@@ -138,7 +139,7 @@ TEST(automatic_loads, forces_and_moments) {
   }
 }
 
-// By symmetry; their error is a matter of forces, not of themselves.
+// The creepages vanish by symmetry; their error is measured by forces, not by themselves.
 TEST(automatic_loads, creepages_that_vanish) {
   const auto hertz = Ellipse{1, 2}.hertz(steel);
   RollingPair pair(steel, steel);

@@ -1,6 +1,6 @@
-/// Contacts without a caller's frame against theory and published numbers: Kalker's coefficients, strips of Carter's
-/// rolling across a wide ellipse, unlike bodies in free rolling, a creep curve, fine frames; and that the accuracy
-/// asked for is had.
+/// Compares contacts without a caller's frame with theory and published numbers: Kalker's coefficients, strips of
+/// Carter's rolling across a wide ellipse, unlike bodies in free rolling, a creep curve, fine frames; tests that the
+/// accuracy asked for is reached.
 
 #include <numbers>
 
@@ -31,14 +31,14 @@ Hertz ellipse(double a, double b, double e_star) {
 
 // ------------------------------------------------------------------------------------ linear theory
 
-/// By motion: longitudinal and lateral creepage, spin; measured at most 1.1, 1.2 and 1.0 % of the force, 0.6 and 1.6 %
-/// of the moment. The table has three digits.
+/// The bounds are by motion, longitudinal and lateral creepage, spin; measured were at most 1.1, 1.2 and 1.0 % of the
+/// force, 0.6 and 1.6 % of the moment. The table has three digits.
 constexpr double kalker_force[] = {0.018, 0.018, 0.016}, kalker_moment[] = {1e-9, 0.009, 0.026};
-/// Of long ellipses, a/b = 10, the moment of lateral creepage converges last: 3.2 % found.
+/// The moment of lateral creepage on long ellipses, a/b = 10, converges last: 3.2 % were found.
 constexpr double moment_of_long_ellipse = 0.05;
 
 void expect_kalker(double ratio, double nu) {
-  constexpr double share = 0.006;  // of mu Fn, that the creepage would carry without slip
+  constexpr double share = 0.006;  // fraction of mu Fn that the creepage would carry without slip
   const Elastic body{.shear = 82000, .poisson = nu};
   const Hertz hertz = linear::ellipse(ratio, body);
   const linear::Coefficients table = linear::table(ratio, nu);
@@ -72,8 +72,9 @@ TEST(automatic_proofs_nightly, kalkers_coefficients) {
 
 // --------------------------------------------------------------------------------- wide ellipses
 
-/// Every strip of an ellipse that is wide across rolling rolls like Carter's cylinder; creepage takes the same length
-/// from the sticking part of each (Haines and Ollerton). Force over mu Fn where that length is `part` of the middle's.
+/// Returns the force over mu Fn where the length that creepage takes from the sticking part of each strip is `part` of
+/// the middle's. Every strip of an ellipse that is wide across rolling rolls like Carter's cylinder, and creepage takes
+/// the same length from each (Haines and Ollerton).
 double force_of_strips(double part) {
   constexpr int n = 20000;
   double force = 0, load = 0;
@@ -88,12 +89,12 @@ double force_of_strips(double part) {
 TEST(automatic_proofs, strips_across_a_wide_ellipse_are_carters) {
   constexpr double mu = 0.3, part = 0.4;
   const double e_star = closed_forms::effective_modulus(steel, steel);
-  // Of the force and of the creepage.
+  // The columns are the ratio, and the bounds of the force and of the creepage.
   const std::array<double, 3> wide[] = {{10, 7e-3, 0.013}, {40, 3e-3, 4.5e-3}, {160, 2.5e-3, 4e-3}};
   double last = INFINITY;
   for (const auto& [width, force_bound, creepage_bound] : wide) {
     const Hertz hertz = ellipse(1, width, e_star);
-    // Of cylinders with the same pressures in the middle.
+    // The radius is that of cylinders with the same pressures in the middle.
     const double radius = e_star / (2 * hertz.p0);
     RollingPair pair(steel, steel);
     hertzian(pair, hertz, mu).creep(-part * mu / radius, 0, 0);
@@ -102,14 +103,14 @@ TEST(automatic_proofs, strips_across_a_wide_ellipse_are_carters) {
     expect_error("b/a = " + std::to_string(std::lround(width)) + ": force of strips, over mu Fn", error, force_bound);
     EXPECT_LT(std::abs(error), last);
     last = std::abs(error);
-    // The other way round: the creepage of that force.
+    // The creepage of that force is found the other way round.
     pair.tangential_force(ROLLCON_LONGITUDINAL, force_of_strips(part) * mu * hertz.load);
     ASSERT_EQ(pair.solve(), ROLLCON_OK);
     expect_error("  creepage of that force", relative(pair.solution().creep[0], -part * mu / radius), creepage_bound);
   }
 }
 
-// Hardly any friction: slip is what pressure leaves of plane strain, xi - C p, and as much load slips forwards as
+// Hardly any friction leaves as slip what pressure leaves of plane strain, xi - C p, and as much load slips forwards as
 // backwards. The load within a line of equal pressure p is 1 - (p / p0)^3 of all.
 TEST(automatic_proofs_long, unlike_bodies_roll_freely_on_a_wide_ellipse) {
   const auto strain = [](const Elastic& body) { return (1 - 2 * body.poisson) * (1 + body.poisson) / body.young(); };
@@ -119,7 +120,7 @@ TEST(automatic_proofs_long, unlike_bodies_roll_freely_on_a_wide_ellipse) {
     const Hertz hertz = ellipse(1, width, e_star);
     const double exact = (strain(aluminium) - strain(steel)) * hertz.p0 * std::cbrt(0.5);
     RollingPair pair(steel, aluminium);
-    // Of first order here: the finest frames show 1 %.
+    // The convergence is of first order here: the finest frames show 1 %.
     hertzian(pair, hertz, 1e-5).tangential_force(ROLLCON_LONGITUDINAL, 0).option("frame_accuracy", 0.02);
     ASSERT_EQ(pair.solve(), ROLLCON_OK);
     const double error = pair.solution().creep[0] / exact - 1;
@@ -131,7 +132,7 @@ TEST(automatic_proofs_long, unlike_bodies_roll_freely_on_a_wide_ellipse) {
 
 // ------------------------------------------------------------------------------------ creep curve
 
-// Of a contact with b = 2 a from stick to slip, forward and from the forces back to the creepages.
+// The curve of a contact with b = 2 a goes from stick to slip, forward and from the forces back to the creepages.
 TEST(automatic_proofs, creep_curve) {
   constexpr double mu = 0.33;
   const Hertz hertz =
@@ -154,12 +155,12 @@ TEST(automatic_proofs, creep_curve) {
     EXPECT_GT(found.force[0], last);
     EXPECT_LE(found.force[0], 1 + 1e-12);
     last = found.force[0];
-    if (last > 0.99) continue;  // creepage there is no matter of the force
+    if (last > 0.99) continue;  // the force does not determine the creepage there
     back.tangential_force(ROLLCON_LONGITUDINAL, last * bound);
     ASSERT_EQ(back.solve(), ROLLCON_OK);
     expect_error("  creepage of that force", relative(back.solution().creep[0], -xi), 2e-3);
   }
-  // Linear range: 243.30 N at 1e-5 by Kalker's theory.
+  // The linear range has 243.30 N at 1e-5 by Kalker's theory.
   pair.creep(-1e-5, 0, 0);
   ASSERT_EQ(pair.solve(), ROLLCON_OK);
   expect_error("force at xi = 1e-5 against linear theory", relative(pair.solution().force[0], 243.30), 0.008);
@@ -167,12 +168,12 @@ TEST(automatic_proofs, creep_curve) {
 
 // ------------------------------------------------------------------------------------ limits
 
-/// Of forces and moment, over mu Fn.
+/// Returns the difference of forces and moment, over mu Fn.
 std::array<double, 2> difference(const RollingAnswer& one, const RollingAnswer& other) {
   return {std::hypot(one.force[0] - other.force[0], one.force[1] - other.force[1]), one.moment - other.moment};
 }
 
-// What CONTACT's grids tend to, known to 0.08 and 0.04 % of the force.
+// CONTACT's grids tend to these limits, known to 0.08 and 0.04 % of the force.
 TEST(automatic_proofs_long, cases_a_and_b) {
   for (const std::string which : {"a", "b"})
     for (const auto& [accuracy, bound] : {std::pair{0.005, 2.5e-3}, {0.0005, 2e-3}}) {
@@ -187,7 +188,7 @@ TEST(automatic_proofs_long, cases_a_and_b) {
     }
 }
 
-// With spin the pole of sliding moves through the contact where creepages carry it. The limit of vast creepages is an
+// The pole of sliding moves with spin through the contact where creepages carry it. The limit of vast creepages is an
 // integral of the pressure: slip is that of the rigid bodies.
 TEST(automatic_proofs, vast_creepages_and_spin_slide_as_rigid_bodies_do) {
   const Hertz hertz = steady_rolling::hertz;
@@ -222,7 +223,7 @@ struct Rolling {
   const char* name;
   std::optional<Elastic> other;
   double a, b;
-  std::array<double, 3> creep;  ///< over that which linear theory gives mu Fn at, roughly
+  std::array<double, 3> creep;  ///< over the creepage at which linear theory gives mu Fn, roughly
 
   bool alike() const { return other && other->shear == steel.shear; }
 };
@@ -260,8 +261,8 @@ RollingAnswer roll(RollingPair& pair, const Prepared& p) {
   return scenes::found_forces(pair.solution(), p.bound, p.arm);
 }
 
-/// On regular lattices slip is taken half a step upstream of the nodes: an error of first order that two sizes
-/// extrapolate. They end a fifth beyond Hertz's ellipse, whose edge friction of unlike bodies moves.
+/// Extrapolates two sizes of regular lattices, where slip is taken half a step upstream of the nodes, an error of first
+/// order. They end a fifth beyond Hertz's ellipse, whose edge friction of unlike bodies moves.
 RollingAnswer roll_on_lattices(const Rolling& r, const Prepared& p, int intervals) {
   const auto on = [&](int n) {
     RollingPair pair(steel, r.other);
@@ -296,7 +297,7 @@ TEST(automatic_proofs_nightly, creepages_and_spin_beside_fine_lattices) {
 
 // ---------------------------------------------------------------------------- accuracy asked for
 
-// Approach of Hertz. The last pair of frames is twice as fine as the one before.
+// The approach is Hertz's. The last pair of frames is twice as fine as the one before.
 TEST(automatic_proofs_long, frictionless_errors_fall) {
   for (const double ratio : {0.2, 1.0, 5.0}) {
     const Hertz hertz = ellipse(std::sqrt(ratio), 1 / std::sqrt(ratio), closed_forms::effective_modulus(steel, steel));
@@ -323,7 +324,7 @@ TEST(automatic_proofs_long, errors_fall_with_the_accuracy_asked_for) {
     pair.option("frame_accuracy", accuracy);
     return roll(pair, prepare(r));
   };
-  // The finest frames there are.
+  // The exact results come from the finest frames there are.
   for (const Rolling& r : rollings) exact.push_back(on(r, 1e-4));
   struct Asked {
     double accuracy, force, moment;

@@ -1,4 +1,4 @@
-/// Frames of the library in time loops: they follow the contact, results have no jumps.
+/// Tests frames of the library in time loops: they follow the contact, and results have no jumps.
 
 #include <functional>
 
@@ -15,7 +15,7 @@ using scenes::RollingPair;
 const Elastic steel{.shear = 82000, .poisson = 0.28}, aluminium{.shear = 27000, .poisson = 0.34};
 constexpr double mu = 0.3;
 
-/// What a vehicle changes from step to step, of a wheel of radius 460 mm on rails; mm, N.
+/// Holds what a vehicle changes from step to step, for a wheel of radius 460 mm on rails; mm, N.
 struct Step {
   double load = 1e5, radius = 300;
   std::array<double, 3> creep{5e-4, -6e-4, 1e-4};
@@ -33,7 +33,7 @@ double largest(const std::array<double, 3>& v) {
   return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
 }
 
-// A frame that was stretched through many places gives what a new one gives there; accuracies that keep one level.
+// A frame that was stretched through many places gives what a new one gives there; accuracies stay on one level.
 TEST(following_frames, the_way_does_not_matter) {
   for (const Elastic& second : {steel, aluminium}) {
     RollingPair follows(steel, second);
@@ -77,7 +77,7 @@ TEST(following_frames, loads_alone_assemble_nothing) {
   const auto anew = solve(fresh, s);
   expect_error("another size beside a new frame", largest({there[0] - anew[0], there[1] - anew[1], there[2] - anew[2]}),
                1e-9);
-  // What is computed from integrals knows where the frame went.
+  // Laws that are computed from integrals know where the frame went.
   for (const char* law : {"law_normal", "law_friction", "law_slip", "law_equilibrium"})
     expect_error(law, follows.stat(law), 1e-9);
 }
@@ -97,8 +97,8 @@ TEST(following_frames, frames_follow_the_axes) {
   for (std::size_t k = 0; k < x.size(); k += 3) EXPECT_NEAR(x[k + 1], 2, 1e-12);
 }
 
-/// Largest second difference of force and moment along 500 steps, of a frame made by the library and of a fine one that
-/// stays.
+/// Expects the largest second difference of force and moment along 500 steps to be small, for a frame made by the
+/// library and a fine one that stays.
 void expect_smooth(const char* what, const std::function<Step(double)>& at) {
   constexpr int steps = 500;
   RollingPair follows(steel, steel), stays(steel, steel);

@@ -1,5 +1,5 @@
-/// What laws of friction other than Coulomb's share with it: frames of the library's choice, error estimates, lists of
-/// cases, the plan, and the refusal of the published procedures.
+/// Tests what laws of friction other than Coulomb's have in common with it: frames of the library's choice, error
+/// estimates, lists of cases, the plan, and the refusal of the published procedures.
 
 #include "rollcon.h"
 #include "support/scene.hpp"

@@ -1,4 +1,4 @@
-/// Heights between the points of a grid.
+/// Tests heights between the points of a grid.
 
 #include "geometry/height_grid.hpp"
 
@@ -56,7 +56,7 @@ TEST(height_grid, ends_where_there_is_no_height) {
   EXPECT_EQ(grid(2.1, 0), none);
   EXPECT_TRUE(grid.ends_at(0.5, 0.3));
   EXPECT_FALSE(grid.ends_at(0.4, 0.3));
-  EXPECT_FALSE(grid.ends_at(-2, 0.3));  // of the grid, not of the surface
+  EXPECT_FALSE(grid.ends_at(-2, 0.3));  // the end of the grid, not of the surface
 }
 
 // The height and its slopes do not jump where cells meet.

@@ -1,4 +1,4 @@
-/// Hertz's ellipse from curvatures, load and approach.
+/// Tests Hertz's ellipse from curvatures, load and approach.
 
 #include "framing/hertz.hpp"
 
@@ -10,7 +10,7 @@ namespace {
 
 using std::numbers::pi;
 
-// A gap of principal curvatures `least` and `largest`, the first along the direction `angle`.
+// Returns a gap of principal curvatures `least` and `largest`, the first along the direction `angle`.
 QuadraticGap turned(double least, double largest, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   return {least * c * c + largest * s * s, least * s * s + largest * c * c, 2 * (least - largest) * c * s};
@@ -32,7 +32,7 @@ TEST(hertz, agrees_with_the_closed_form_of_the_tests) {
   expect_error("Hertz, ratios of curvatures 1 to 1e5, turned", worst, 1e-10);
 }
 
-// Published to all digits shown.
+// The published ellipse has all digits shown.
 TEST(hertz, published_ellipse_of_ratio_50) {
   const HertzContact h = hertz_by_load({0.0005, 0.025, 0}, 113888.8889, 1e4);
   EXPECT_NEAR(h.larger, 6.23462653, 1e-8);

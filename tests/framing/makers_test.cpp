@@ -1,4 +1,4 @@
-/// Frames that the library makes for callers: what they cover, their elements, refusals.
+/// Tests frames that the library makes for callers: what they cover, their elements, refusals.
 
 #include "framing/makers.hpp"
 
@@ -23,7 +23,7 @@ TEST(makers, rectangles_of_every_element_cover_their_bounds) {
     const auto [left, right] = std::minmax_element(frame.x.begin(), frame.x.end());
     const auto [low, high] = std::minmax_element(frame.y.begin(), frame.y.end());
     EXPECT_EQ(std::vector({*left, *right, *low, *high}), (std::vector<double>{-1, 3, -2, 0}));
-    // Line by line from the least y.
+    // The nodes come line by line from the least y.
     EXPECT_TRUE(std::is_sorted(frame.y.begin(), frame.y.end()));
   }
 }

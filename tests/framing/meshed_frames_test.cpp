@@ -1,5 +1,5 @@
-// Frames that the library makes where a body has a mesh: bodies beside half-spaces and lattices of their own, thin
-// bodies, bodies that end; the first, second and fourth example without their frames.
+// Tests frames that the library makes where a body has a mesh: bodies compared with half-spaces and lattices of their
+// own, thin bodies, bodies that end; the first, second and fourth example without their frames.
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ namespace example4 = scenes::example4;
 const Elastic soft{.shear = 2000 / 2.6, .poisson = 0.3};
 constexpr double ball = 200, mu = 0.3;
 
-/// Held at its bottom.
+/// Makes a block held at its bottom.
 MeshedBody block(const surfaces::ZoneBlock& shape, VolumeType type = VolumeType::hex8) {
   MeshedBody body = scenes::meshed(volumes::zone_block(shape, type), soft);
   body.held_tag = {3};
@@ -35,7 +35,7 @@ MeshedBody block(const surfaces::ZoneBlock& shape, VolumeType type = VolumeType:
   return body;
 }
 
-/// A rigid ball rolls with creepages and spin.
+/// Rolls a rigid ball with creepages and spin.
 void roll(RollingPair& pair, double load) {
   pair.load(load).friction(mu).speed(10).creep(2e-3, 1e-3, 8e-4).option("frame_accuracy", 0.02);
 }
@@ -63,7 +63,7 @@ TEST(meshed_frames_long, a_ball_on_a_block_of_finite_elements) {
   ASSERT_EQ(pair.solve(), ROLLCON_OK) << rollcon_last_error();
   const Solution s = pair.solution();
   const double radius = std::cbrt(0.75 * 100 * ball / closed_forms::effective_modulus(soft));
-  // Frames that end at the edge, of either maker, beside one that is wider.
+  // Frames that end at the edge, of either maker, are compared with one that is wider.
   ASSERT_EQ(rollcon_contact_frame_ellipse(pair.handle(), 16, 12, 1.02 * radius, 1.02 * radius, 0), ROLLCON_OK);
   ASSERT_EQ(pair.solve(), ROLLCON_OK) << rollcon_last_error();
   expect_same("beside an ellipse of the caller's", s, pair.solution(), radius, 0.01, 0.005);
@@ -78,7 +78,7 @@ TEST(meshed_frames_long, a_ball_on_a_block_of_finite_elements) {
   expect_same("beside a half-space", s, half_space.solution(), radius, 0.04, 0.06);
 }
 
-// Its contact is a fifth smaller than that of a half-space, whose frame would have open nodes all around.
+// The contact is a fifth smaller than that of a half-space, whose frame would have open nodes all around.
 TEST(meshed_frames_long, a_layer_thinner_than_its_contact_is_wide) {
   const surfaces::ZoneBlock shape{.side = 14, .depth = 2, .zone = 10, .n = 12, .grade = 1, .deep = 2};
   RollingPair pair(block(shape, VolumeType::hex20), scenes::RigidBody{}, 1);
@@ -96,7 +96,7 @@ TEST(meshed_frames_long, a_layer_thinner_than_its_contact_is_wide) {
   pair.rectangle(ElementType::quad4, 30, 30, 1.2 * radius, 1.2 * radius);
   ASSERT_EQ(pair.solve(), ROLLCON_OK);
   expect_same("beside a lattice", s, pair.solution(), radius, 0.025, 0.02);
-  // By approach the search knows no load, and half-spaces of the same overlap touch elsewhere.
+  // The search knows no load if the approach is given, and half-spaces of the same overlap touch elsewhere.
   without_frame(pair, 0.02);
   pair.approach(s.approach);
   ASSERT_EQ(pair.solve(), ROLLCON_OK) << rollcon_last_error();

@@ -1,4 +1,4 @@
-/// Contacts without a caller's frame under gaps given on grids: of any shape, of several patches, cut by edges.
+/// Tests contacts without a caller's frame under gaps given on grids: of any shape, of several patches, cut by edges.
 
 #include "rollcon.h"
 #include "support/scene.hpp"
@@ -51,7 +51,8 @@ struct Scene {
   double force_bound, moment_bound;
 };
 
-/// What lattices of 64 and 128 intervals tend to at first order: slip is taken half a step upstream of the nodes.
+/// Returns what lattices of 64 and 128 intervals tend to at first order: slip is taken half a step upstream of the
+/// nodes.
 Solution limit_of_lattices(RollingPair& pair, const std::array<double, 4>& sides) {
   Solution all[2];
   for (const int i : {0, 1}) {
@@ -69,7 +70,7 @@ Solution limit_of_lattices(RollingPair& pair, const std::array<double, 4>& sides
   return all[1];
 }
 
-// Each beside fine lattices under the same gap.
+// Compares the scene with fine lattices under the same gap.
 void expect_lattice(const Scene& scene) {
   RollingPair pair(steel, steel);
   pair.load(load).friction(mu).creep(-4e-4, 2e-4, 1e-4);
@@ -135,7 +136,7 @@ TEST(patches_long, cut_by_an_edge_of_a_body) {
   for (const Scene& scene : scenes) expect_lattice(scene);
 }
 
-// Galin: h = c r^4 gives an approach of 8/3 c a^4 and a load of 8/5 E* a times it.
+// Galin's solution for h = c r^4 has an approach of 8/3 c a^4 and a load of 8/5 E* a times it.
 TEST(patches, fourth_power_without_friction_is_that_of_galin) {
   constexpr double c = 1e-4;
   const double modulus = closed_forms::effective_modulus(steel, steel);
@@ -152,7 +153,7 @@ TEST(patches, fourth_power_without_friction_is_that_of_galin) {
   expect_error("load of that approach", relative(-pair.solution().force[2], load), 2e-3);
 }
 
-// What a grid says of a quadratic gap is what the quadratic gap says, wherever the contact lies on it.
+// A grid that samples a quadratic gap gives what the quadratic gap gives, wherever the contact lies on it.
 TEST(patches, ellipses_on_a_grid_are_those_of_a_quadratic_gap) {
   for (const double angle : {0.0, 0.5, 2.2}) {
     static double A, B, C, x0, y0;
@@ -218,7 +219,7 @@ TEST(patches, the_end_of_the_data_is_told) {
   EXPECT_EQ(pair.solve(), ROLLCON_OK);
 }
 
-// Lattices of the search touch in a few nodes at first: nobody else's business.
+// Lattices of the search touch in a few nodes at first, which concerns nobody else.
 TEST(patches, the_search_warns_of_nothing_and_can_be_cancelled) {
   struct Heard {
     int warnings = 0;
@@ -274,7 +275,7 @@ TEST(patches, refusals) {
   ASSERT_EQ(rollcon_contact_set_gap_grid(pair.handle(), 4, 0, 1, 0, 1, 12, gap.data()), ROLLCON_OK);
   EXPECT_EQ(rollcon_contact_solve(pair.handle()), ROLLCON_ERR_ARGUMENT);
   EXPECT_NE(std::string(rollcon_last_error()).find("nowhere finite"), std::string::npos) << rollcon_last_error();
-  // A caller's frame beyond the grid.
+  // The caller's frame goes beyond the grid.
   give_gap(
       pair, [](double x, double y) { return 1e-3 * (x * x + y * y); }, 1, 11);
   ASSERT_EQ(rollcon_contact_frame_rectangle(pair.handle(), ROLLCON_QUAD4, 8, 8, -2, 2, -1, 1), ROLLCON_OK);

@@ -1,4 +1,5 @@
-/// Contacts without a caller's frame between bodies with profiles: gap, patches and frames from surfaces and poses.
+/// Tests contacts without a caller's frame between bodies with profiles: gap, patches and frames from surfaces and
+/// poses.
 
 #include "rollcon.h"
 #include "support/scene.hpp"
@@ -25,7 +26,7 @@ void give_shape(RollingPair& pair, int which, const char* shape, const std::vect
       << rollcon_last_error();
 }
 
-/// Which touches the plane z = 0 in the origin: body 1 from below, body 2 from above.
+/// Gives a revolved profile that touches the plane z = 0 in the origin: body 1 from below, body 2 from above.
 void revolve(RollingPair& pair, int which, double radius, const Vec3& axis) {
   const double centre[3] = {0, 0, which == 1 ? -radius : radius}, along[3] = {axis[0], axis[1], axis[2]};
   ASSERT_EQ(rollcon_body_revolve_profile(pair.body(which), centre, along, radius), ROLLCON_OK) << rollcon_last_error();
@@ -47,7 +48,7 @@ TEST(profile_frames_long, spheres_and_crossed_cylinders_are_those_of_a_quadratic
     const bool sphere = angle < 0;
     RollingPair found(steel, steel), expected(steel, steel);
     for (RollingPair* pair : {&found, &expected}) pair->load(load).friction(mu).creep(6e-4, -4e-4, 2e-4);
-    // The distance of (x, y) from the axis (-sin, cos), squared, over the diameter, is the gap of a cylinder.
+    // The gap of a cylinder is the squared distance of (x, y) from the axis (-sin, cos), over the diameter.
     const double c = std::cos(angle), s = std::sin(angle);
     if (sphere) {
       give_shape(found, 2, "arc", {r2, 20});
@@ -66,7 +67,7 @@ TEST(profile_frames_long, spheres_and_crossed_cylinders_are_those_of_a_quadratic
   }
 }
 
-/// Of half length 5, on a plane. Pressures are singular at its sharp ends, where convergence is slow.
+/// Lays a roller of half length 5 on a plane. Pressures are singular at its sharp ends, where convergence is slow.
 void lay_straight_roller(RollingPair& pair) {
   pair.load(load).friction(mu).creep(5e-4, 0, 0).option("frame_accuracy", 0.04);
   give_shape(pair, 2, "line", {5, 0});
@@ -79,7 +80,7 @@ void lay_crowned_roller(RollingPair& pair, double tilt) {
   revolve(pair, 2, 60, {0, 1, 0});
 }
 
-// Pressure rises without bound towards both ends; frames end there, and their last nodes carry.
+// The pressure rises without bound towards both ends; frames end there, and their last nodes carry.
 TEST(profile_frames_long, a_straight_roller_is_pressed_to_its_ends) {
   RollingPair pair(steel, steel);
   lay_straight_roller(pair);
@@ -161,7 +162,7 @@ TEST(profile_frames, bodies_that_give_no_frame_are_told) {
   refused(nothing, "no frame was given");
 }
 
-/// A roller of radius 6 and half length 5 on a plane; its axis is level until it is posed.
+/// Lays a roller of radius 6 and half length 5 on a plane; its axis is level until it is posed.
 void lay_roller_that_ends(RollingPair& pair, const char* shape, const std::vector<double>& parameter) {
   pair.load(1500).friction(0);
   give_shape(pair, 1, shape, parameter);
@@ -240,7 +241,7 @@ TEST(profile_frames, follow_the_tilt_that_a_moment_asks_for) {
     expect_error("moment given", relative(pair.solution().moment[0], moment), 1e-9);
     expect_error("moment of the roller that is posed", relative(posed.solution().moment[0], moment), 1e-2);
     expect_error("approach", relative(posed.solution().approach, pair.solution().approach), 1e-2);
-    // Frames that are there already give the same tilt.
+    // Frames that are already there give the same tilt.
     ASSERT_EQ(pair.solve(), ROLLCON_OK);
     double again[2];
     ASSERT_EQ(rollcon_contact_get_tilt(pair.handle(), again), ROLLCON_OK);

@@ -1,4 +1,4 @@
-// Frames that the library makes between rings of all elements pass its own check.
+// Tests that frames that the library makes between rings of all elements pass its own check.
 
 #include <array>
 #include <random>

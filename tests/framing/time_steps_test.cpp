@@ -1,4 +1,4 @@
-/// Time steps on frames that the library makes or that end at the contact's edge: the past goes along with them.
+/// Tests time steps on frames that the library makes or that end at the contact's edge: the past goes along with them.
 
 #include "rollcon.h"
 #include "support/scene.hpp"
@@ -10,7 +10,7 @@ namespace {
 using closed_forms::Elastic;
 using scenes::RollingPair;
 
-/// Kalker's two spheres: G = 1, nu = 0.28, a = 3.5.
+/// Kalker's two spheres have G = 1, nu = 0.28, a = 3.5.
 const Elastic soft{1, 0.28};
 constexpr double load = 0.4705, mu = 0.4013;
 
@@ -60,7 +60,7 @@ TEST(time_steps_on_made_frames_long, load_that_changes) {
   ASSERT_EQ(rollcon_contact_repeat_step(steps.handle()), ROLLCON_OK);
   step(steps, ROLLCON_ROLLING_STEP, 0.7);
   expect_error("a repeated step", steps.solution().force[0] / b[0] - 1, 1e-8);
-  // What is saved lies on a frame that stays.
+  // The saved past lies on a frame that stays.
   std::int64_t n = 0;
   EXPECT_EQ(rollcon_contact_save_past(steps.handle(), 0, nullptr, &n), ROLLCON_ERR_STATE);
 }
@@ -86,7 +86,7 @@ TEST(time_steps_on_made_frames, first_step_without_contact) {
   }
 }
 
-// Frames of the caller that end at the contact's edge.
+// The caller's frames end at the contact's edge.
 TEST(time_steps_on_made_frames, frame_of_an_ellipse) {
   RollingPair pair(soft, soft);
   kalker(pair);

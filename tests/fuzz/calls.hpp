@@ -1,5 +1,5 @@
 #pragma once
-/// One call each, with arguments taken from the input.
+/// Makes one call each, with arguments taken from the input.
 
 #include <span>
 
@@ -16,20 +16,20 @@ std::span<const Call> solve_calls();
 std::span<const Call> result_calls();
 std::span<const Call> wheelrail_calls();
 
-/// A count that the caller's array has, at most `most`, or a negative one.
+/// Returns a count that the caller's array has, at most `most`, or a negative one.
 std::int64_t array_size(Input& in, std::int64_t most = 24);
-/// Entries of an array of that size; seldom NULL is meant.
+/// Returns the entries of an array, or seldom NULL.
 template <class T>
 const T* maybe_null(Input& in, const std::vector<T>& values) {
   return in.one_in(40) ? nullptr : values.data();
 }
-/// Ids, mostly of the nodes there are.
+/// Returns ids, mostly of the nodes there are.
 std::vector<std::int32_t> ids(Input& in, std::int64_t count, std::int64_t nodes);
-/// Element type, one that there is or any number.
+/// Returns an element type, one that there is or any number.
 std::int32_t element_type(Input& in);
 
-/// A function that fills capacity entries, or fewer, and tells the need: asked
-/// with any capacity; what it leaves alone stays as it was.
+/// Asks a function that fills capacity entries, or fewer, and tells the need, with any capacity; what it does not write
+/// stays unchanged.
 template <class T, class F>
 void ask(World& world, std::int64_t need, F&& call) {
   const std::int64_t odd[] = {need, need + 3, need - 1, 0, 1, -1, INT64_MIN};

@@ -1,4 +1,4 @@
-// Bodies: what they are given, preparing, saving, results.
+// Calls the functions of bodies: inputs, preparing, saving, results.
 
 #include "calls.hpp"
 #include "scenes.hpp"

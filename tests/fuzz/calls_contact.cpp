@@ -1,4 +1,4 @@
-// Contacts: making, frame, axes, motion, loads, friction, settings.
+// Calls the functions of contacts: making, frame, axes, motion, loads, friction, settings.
 
 #include <cstring>
 
@@ -14,7 +14,7 @@ std::int64_t nodes_of(const rollcon_contact* contact) {
   return nodes;
 }
 
-/// A count for an array over the nodes of the frame: mostly theirs.
+/// Returns a count for an array over the nodes of the frame, mostly theirs.
 std::int64_t nodal_size(World& w, const rollcon_contact* contact) {
   return w.in.one_in(6) ? array_size(w.in) : nodes_of(contact);
 }
@@ -56,7 +56,7 @@ void set_frame_nodes(World& w) {
   FUZZ_CALL(w, rollcon_contact_set_frame_nodes, w.contact(), n, maybe_null(w.in, x), packed ? 3 : 1, packed ? 1 : used);
 }
 
-/// A lattice, perhaps with some of its nodes moved.
+/// Gives a lattice, perhaps with some of its nodes moved.
 void give_lattice(World& w) {
   rollcon_contact* c = w.contact();
   const int n = 2 + w.in.below(4), m = 2 + w.in.below(4);
@@ -190,7 +190,7 @@ void set_option(World& w) {
   }
 }
 
-/// The name of an option of contacts and, of most, a value in range.
+/// Takes the name of an option of contacts and, mostly, a value in range.
 void set_option_in_range(World& w) {
   char name[64] = "";
   std::int32_t type = 0;

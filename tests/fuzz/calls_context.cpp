@@ -1,4 +1,4 @@
-// Contexts, and the functions without an object.
+// Calls the functions of contexts, and those without an object.
 
 #include "calls.hpp"
 
@@ -47,7 +47,7 @@ void retain(World& w) {
 
 void release(World& w) {
   rollcon_context* c = w.context();
-  // Of what was made from it nobody could tell afterwards whether it answers with a failure that is remembered.
+  // Nobody could tell afterwards whether what was made from it answers with a failure that is remembered.
   for (const auto& entry : w.contexts)
     if (entry.handle == c && entry.references == 1) rollcon_context_set_latch(c, 0);
   rollcon_context_release(c);
@@ -62,7 +62,7 @@ void ROLLCON_CALL on_message(std::int32_t level, const char* message, void* user
 }
 
 void set_log(World& w) {
-  // At level 4 the solver's own lines come, too.
+  // The solver's own lines come, too, at level 4.
   FUZZ_CALL(w, rollcon_context_set_log, w.context(), w.in.one_in(8) ? w.in.integer32() : w.in.below(5),
             w.in.one_in(8) ? nullptr : on_message, const_cast<char*>(own_folder().data()));
 }
@@ -83,7 +83,7 @@ void report(World& w) {
 
 void latch(World& w) {
   rollcon_context* c = w.context();
-  // Rarely left on: what follows would do nothing.
+  // The latch is rarely left on, because what follows would do nothing.
   FUZZ_CALL(w, rollcon_context_set_latch, c, w.in.one_in(8) ? w.in.integer32() : 1);
   FUZZ_CALL(w, rollcon_context_set_threads, c, -1);
   rollcon_context_check(c);

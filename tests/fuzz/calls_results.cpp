@@ -1,4 +1,4 @@
-// Results of contacts.
+// Calls the functions that return results of contacts.
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ std::int32_t axes(World& w) {
   return w.in.one_in(12) ? w.in.integer32() : w.in.below(2);
 }
 
-/// The capacity is asked in entries of `width` numbers.
+/// Asks for the capacity in entries of `width` numbers.
 template <class T, class F>
 void ask_rows(World& w, std::int64_t rows, std::int64_t width, F&& call) {
   ask<T>(w, rows * width, [&](std::int64_t capacity, T* out, std::int64_t* told) {

@@ -1,4 +1,4 @@
-// Solves, lists of load cases, and what happens inside callbacks.
+// Calls solves, lists of load cases, and what happens inside callbacks.
 
 #include "calls.hpp"
 #include "scenes.hpp"
@@ -79,7 +79,7 @@ void solve_many(World& w) {
   const std::int64_t room = capacity > 0 && capacity < 100000 ? capacity : 0;
   Output<std::int32_t> status(count);
   Output<double> result(room * count);
-  // Of a list that is longer than memory there is nothing to read or to write.
+  // A list that is longer than memory has nothing to read or to write.
   const bool some = !absurd && room == capacity;
   const std::int32_t sum =
       FUZZ_CALL(w, rollcon_contact_solve_many, c, absurd && n > 0 ? nullptr : parameters.c_str(), n,

@@ -1,4 +1,4 @@
-// Wheels on rails. Handles of the other kinds are in their place now and then.
+// Calls the functions of wheels on rails. Handles of the other kinds are in their place now and then.
 
 #include "calls.hpp"
 
@@ -9,7 +9,7 @@ std::int32_t few(World& w, std::int32_t n) {
   return w.in.one_in(12) ? w.in.integer32() : w.in.below(n);
 }
 
-/// Near a place at which the wheel of make_wheelrail touches; seldom anything.
+/// Returns values near a place at which the wheel of make_wheelrail touches; seldom anything.
 std::vector<double> near(World& w, std::vector<double> values, double by) {
   for (double& v : values) {
     if (w.in.one_in(20))
@@ -25,7 +25,7 @@ void create(World& w) {
   rollcon_context* c = w.context();
   rollcon_body* wheel = w.body();
   rollcon_body* rail = w.body();
-  if (w.in.one_in(2)) {  // of the pair below
+  if (w.in.one_in(2)) {  // values of the pair below
     const double unit = 1;
     rollcon_body** const both[] = {&wheel, &rail};
     for (int i = 0; i < 2 && w.bodies.size() < 12; ++i) {

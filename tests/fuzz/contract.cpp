@@ -13,11 +13,12 @@ namespace {
 
 using StatusesOf = std::map<std::string, std::set<std::int32_t>>;
 
-/// "Also returns:" of the comment before each declaration of the header, and what its opening says of all functions.
+/// Reads "Also returns:" of the comment before each declaration of the header, and what its opening says of all
+/// functions.
 StatusesOf read_header() {
   StatusesOf all;
   std::ifstream file(ROLLCON_HEADER);
-  std::map<std::string, std::int32_t> number;  // of every enumerator
+  std::map<std::string, std::int32_t> number;  // number of every enumerator
   std::set<std::int32_t> listed;
   bool in_list = false, any_thread = false;
   for (std::string line; std::getline(file, line);) {

@@ -1,6 +1,5 @@
 #pragma once
-/// What the header promises of every call, checked: a broken promise aborts the
-/// program.
+/// Checks what the header promises of every call: a broken promise aborts the program.
 
 #include <rollcon.h>
 
@@ -10,19 +9,17 @@
 
 namespace fuzz {
 
-/// Aborts, saying what is wrong.
+/// Aborts, saying what is wrong, unless `good`.
 void require(bool good, const std::string& what);
 
-/// The status is one that the header lists for the function. After a failure
-/// the context's text begins with the function's name; a null context is not
-/// asked.
+/// Checks that the status is one that the header lists for the function. After a failure the context's text begins with
+/// the function's name; a null context is not asked.
 std::int32_t checked(const char* function, const rollcon_context* context, std::int32_t status);
 
-/// Names of options of contacts and bodies, and of statistics of both.
+/// Returns the names of options of contacts and bodies, and of statistics of both.
 const std::vector<std::string>& known_names();
 
-/// An output of the caller's, marked before the call; exactly as long as it
-/// says.
+/// Holds an output of the caller's, marked before the call, and exactly as long as it says.
 template <class T>
 class Output {
  public:

@@ -21,7 +21,7 @@ std::uint64_t sum_of(const void* data, std::size_t bytes) {
   return sum.value();
 }
 
-/// Counts, ids, enumerators and reals that are seldom meant.
+/// These counts, ids, enumerators and reals are seldom meant.
 constexpr std::uint64_t words[] = {0,
                                    1,
                                    2,
@@ -92,7 +92,7 @@ const Bytes& saved_body(int recipe) {
   rollcon_context_set_threads(world.add(context), 1);
   make_bodies(world, recipe);
   Bytes& bytes = known[recipe];
-  // Without the component it stays empty.
+  // The list stays empty without the component.
   if (world.contacts.empty()) return bytes;
   const double load[3] = {0.1, 0.2, 0.3};
   const std::size_t which = recipe == recipes - 1 ? 1 : 0;

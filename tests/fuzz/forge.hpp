@@ -1,5 +1,5 @@
 #pragma once
-/// Files of saved bodies with changed contents and right checksums.
+/// Makes files of saved bodies with changed contents and right checksums.
 
 #include <cstdint>
 #include <vector>
@@ -10,12 +10,11 @@ namespace fuzz {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// What rollcon_body_save writes for body 1 (rigid meshes: 2) of a scene after
-/// a solve.
+/// Returns what rollcon_body_save writes for body 1 (rigid meshes: 2) of a scene after a solve.
 const Bytes& saved_body(int recipe);
 
-/// Edits sections as the input says. Afterwards table of sections and checksums
-/// are right again, unless the input wants them wrong.
+/// Edits sections the way the input says. Afterwards the table of sections and the checksums are right again, unless
+/// the input wants them wrong.
 Bytes forged(const Bytes& good, Input& in);
 
 }  // namespace fuzz

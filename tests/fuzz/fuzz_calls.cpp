@@ -1,6 +1,5 @@
-// Sequences of calls of the C interface. The first byte chooses a scene to
-// begin with; each further call takes a byte for the function and what it needs
-// for its arguments.
+// Makes sequences of calls of the C interface. The first byte chooses a scene to begin with; each further call takes a
+// byte for the function and what it needs for its arguments.
 
 #include "calls.hpp"
 #include "scenes.hpp"
@@ -23,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       const std::span<const Call> calls = kinds[in.below(static_cast<int>(std::size(kinds)))];
       calls[in.byte() % calls.size()](world);
     }
-    // Not after each: it takes as long as the calls.
+    // The check does not follow each input, because it takes as long as the calls.
     if (recipe < recipes && begin / (recipes + 1) % 4 == 0 && !world.contacts.empty())
       require_usable(world, world.contacts[0].handle, recipe);
   }

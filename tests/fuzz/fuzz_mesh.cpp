@@ -1,6 +1,5 @@
-// Meshes of bodies and frames in every element type, whole or spoilt, through
-// preparation and a solve. Prepared bodies are saved and loaded: the copy
-// answers to the last bit as the body does.
+// Takes meshes of bodies and frames in every element type, whole or spoilt, through preparation and a solve. Prepared
+// bodies are saved and loaded: the copy gives the body's answers to the last bit.
 
 #include <algorithm>
 
@@ -65,8 +64,7 @@ void spoil(Input& in, Box& box) {
   box.side.resize(box.element.size() / width, 0);
 }
 
-/// Elements of volumes all at once; those of surfaces by sides, each a tag of
-/// its own.
+/// Gives elements of volumes all at once, those of surfaces by sides, each with a tag of its own.
 void give_elements(World& w, rollcon_body* body, const Box& box, bool volume) {
   const std::int32_t tag = w.in.below(3);
   if (volume) {
@@ -139,7 +137,7 @@ void save_and_load(World& w, rollcon_body* body, std::int64_t nodes) {
   const std::string path = own_folder() + "/body";
   rollcon_body* copy = nullptr;
   if (FUZZ_CALL(w, rollcon_body_save, body, path.c_str()) != ROLLCON_OK) return;
-  // In a context of its own: in the same one it would share what the body has.
+  // The copy is in a context of its own: in the body's context it would use what the body has.
   rollcon_context* other = nullptr;
   require(rollcon_context_create(ROLLCON_ABI, &other) == ROLLCON_OK, "no context");
   rollcon_context_set_threads(w.add(other), 1);
@@ -148,7 +146,7 @@ void save_and_load(World& w, rollcon_body* body, std::int64_t nodes) {
   require(answer(w, body, nodes) == answer(w, copy, nodes), "a loaded body answers otherwise");
 }
 
-/// The body that was prepared, or a rigid or elastic neighbour, in contact.
+/// Brings the body that was prepared, or a rigid or elastic neighbour, into contact.
 void bring_into_contact(World& w, rollcon_context* context, rollcon_body* body) {
   rollcon_body* other = nullptr;
   rollcon_contact* contact = nullptr;

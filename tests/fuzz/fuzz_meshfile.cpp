@@ -1,6 +1,6 @@
-// Mesh files: refused with a text, or a body or frame that can be asked,
-// tagged and prepared. The first byte chooses a file that is changed as the
-// other bytes say; 255 and 254: they are the file, .msh or .inp.
+// Reads mesh files: they are refused with a text, or give a body or frame that can be asked, tagged and prepared. The
+// first byte chooses a file that is changed the way the other bytes say; with 255 and 254 they are the file, .msh or
+// .inp.
 
 #include <fstream>
 #include <iterator>
@@ -25,7 +25,7 @@ std::string content(const std::string& name) {
   return text.str();
 }
 
-/// Bytes, words and lines that go, come twice or become others.
+/// Removes, repeats or replaces bytes, words and lines.
 std::string changed(std::string text, Input& in) {
   static const char* const words[] = {"-1",
                                       "0",

@@ -1,6 +1,5 @@
-// Files of saved bodies: refused with a text, or a body that can be asked and
-// solved with. The first byte chooses a body to be saved and forged as the
-// other bytes say; 255: they are the file.
+// Loads files of saved bodies: they are refused with a text, or give a body that can be asked and solved with. The
+// first byte chooses a body to be saved and forged the way the other bytes say; with 255 they are the file.
 
 #include <cstdio>
 

@@ -1,6 +1,5 @@
 #pragma once
-/// Numbers taken from the bytes of an input, from its front; zeros when they
-/// are used up.
+/// Takes numbers from the bytes of an input, from its front; zeros when they are used up.
 
 #include <cstddef>
 #include <cstdint>
@@ -15,7 +14,7 @@ class Input {
 
   bool more() const { return at_ != end_; }
   std::uint8_t byte() { return more() ? *at_++ : std::uint8_t{0}; }
-  /// 0 to n - 1.
+  /// Returns 0 to n - 1.
   int below(int n) { return byte() % n; }
   bool one_in(int n) { return byte() % n == n - 1; }
   std::uint64_t word(int bytes) {
@@ -23,15 +22,15 @@ class Input {
     for (int i = 0; i < bytes; ++i) value |= std::uint64_t{byte()} << (8 * i);
     return value;
   }
-  /// Mostly small, seldom absurd.
+  /// Returns numbers that are mostly small, seldom absurd.
   std::int64_t integer();
   std::int32_t integer32() { return static_cast<std::int32_t>(integer()); }
-  /// Mostly between -8 and 8, some tiny, huge, subnormal or not finite.
+  /// Returns numbers mostly between -8 and 8, some tiny, huge, subnormal or not finite.
   double real();
-  /// Mostly positive and of order 1.
+  /// Returns numbers that are mostly positive and of order 1.
   double positive();
   std::vector<double> reals(std::size_t n);
-  /// One of the words, or any characters; no NUL within.
+  /// Returns one of the words, or any characters, without NUL within.
   std::string text(const std::vector<std::string>& words);
 
  private:

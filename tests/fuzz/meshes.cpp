@@ -53,7 +53,7 @@ class Maker {
     box.per_element = nodes_of_type(type);
   }
 
-  /// By corners; nodes on edges and in the centre follow.
+  /// Adds an element by its corners; nodes on edges and in the centre follow.
   void add(std::vector<Point> corner) {
     const auto middle = [&](int a, int b) {
       Point p{};
@@ -111,7 +111,7 @@ class Maker {
     switch (box.type) {
       case ROLLCON_TET4:
       case ROLLCON_TET10:
-        // Six around the diagonal from a to g.
+        // Six tetrahedra lie around the diagonal from a to g.
         add({a, b, c, g});
         add({a, c, d, g});
         add({a, d, h, g});

@@ -1,6 +1,5 @@
-// Without libFuzzer: runs every file of the folders given, then inputs made
-// from them by a fixed sequence of random changes. replay [-changes=N]
-// FOLDER...
+// Runs without libFuzzer every file of the folders given, then inputs made from them by a fixed sequence of random
+// changes: replay [-changes=N] FOLDER...
 
 #include <algorithm>
 #include <cstdint>
@@ -43,7 +42,7 @@ Bytes changed(const std::vector<Bytes>& corpus, std::mt19937_64& random) {
 }
 
 void run(const Bytes& input) {
-  // A copy of the exact length: what reads beyond it is seen.
+  // The copy has the exact length, so that reading beyond it is seen.
   const Bytes exact(input);
   LLVMFuzzerTestOneInput(exact.data(), exact.size());
 }

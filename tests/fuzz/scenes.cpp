@@ -5,7 +5,7 @@
 namespace fuzz {
 namespace {
 
-constexpr int around_top = 5;  // of surfaces: the side z = size
+constexpr int around_top = 5;  // number of surfaces: the side z = size
 constexpr int gap_of_mesh = 7;
 
 void make_elastic(World& world, rollcon_body* body, std::int32_t type) {
@@ -43,7 +43,7 @@ struct OptionValue {
   double number = 0;
 };
 
-/// Of a new contact.
+/// Returns the options of a new contact.
 std::vector<OptionValue> read_standard_options() {
   std::vector<OptionValue> all;
   rollcon_context* context = nullptr;
@@ -67,7 +67,7 @@ std::vector<OptionValue> read_standard_options() {
   return all;
 }
 
-/// There are results, which keep the laws.
+/// Says whether there are results, which obey the laws.
 bool solved(std::int32_t status) {
   return status == ROLLCON_OK || status == ROLLCON_RIM_CONTACT || status == ROLLCON_COARSE ||
          status == ROLLCON_INACCURATE;
@@ -109,9 +109,8 @@ void give_mesh(World& world, rollcon_body* body, const Box& box) {
               box.at_bottom.data(), 0, ROLLCON_DOF_XYZ, nullptr);
 }
 
-// 0: half-space on a rigid plane; 1: two half-spaces; 2, 3: boundary elements
-// on either; 4 to 6: finite elements on a rigid plane; 7: half-space under a
-// rigid mesh.
+// Makes bodies by recipe. 0: half-space on a rigid plane; 1: two half-spaces; 2, 3: boundary elements on either; 4 to
+// 6: finite elements on a rigid plane; 7: half-space under a rigid mesh.
 void make_bodies(World& world, int recipe) {
   const bool meshed = recipe >= 2 && recipe <= 6;
   const std::int32_t kind = recipe < 2 || recipe == gap_of_mesh ? ROLLCON_BODY_HALFSPACE
@@ -189,7 +188,7 @@ std::int32_t solve_and_check(World& world, rollcon_contact* contact) {
 
 void require_usable(World& world, rollcon_contact* contact, int recipe) {
   if (recipe == gap_of_mesh || rollcon_id_of(contact) == 0 || world.bodies.size() < 2) return;
-  // A failure that its context remembers is all that the contact would answer with.
+  // The contact would answer only with a failure that its context remembers.
   rollcon_context_set_latch(const_cast<rollcon_context*>(world.context_of(contact)), 0);
   rollcon_contact* fresh = nullptr;
   rollcon_context* context = nullptr;
@@ -245,7 +244,7 @@ std::vector<double> force_of_scene(int recipe) {
 void require_sound_library() {
   static int asked = 0;
   static std::vector<double> first[recipes];
-  // All of them at first, then one at a time.
+  // All recipes come at first, then one at a time.
   for (int recipe = 0; recipe < recipes; ++recipe) {
     if (asked == 0)
       first[recipe] = force_of_scene(recipe);

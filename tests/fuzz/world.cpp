@@ -123,7 +123,7 @@ const std::string& own_folder() {
   return folder.name;
 }
 
-// Only in the folder: a library that replaces what it should not is to do no harm.
+// Paths lie only in the folder, so that a library that replaces what it should not does no harm.
 std::string World::path() {
   switch (in.below(12)) {
     case 0:

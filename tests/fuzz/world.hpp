@@ -1,6 +1,5 @@
 #pragma once
-/// The handles of one input, alive and dead, and the number of references it
-/// owns.
+/// Holds the handles of one input, alive and dead, and the number of references it owns.
 
 #include <rollcon.h>
 
@@ -17,7 +16,7 @@ namespace fuzz {
 template <class Handle>
 struct Owned {
   Handle* handle;
-  rollcon_context* context;  ///< that it was made from
+  rollcon_context* context;  ///< context that the object was made from
   int references;
 };
 
@@ -36,41 +35,40 @@ class World {
   std::vector<Owned<rollcon_wheelrail>> wheelrails;
   int solves_left = 5, prepares_left = 5, files_left = 2, depth = 0;
 
-  /// Mostly one that was made, alive or not; else NULL, one of another kind, or
-  /// garbage.
+  /// Returns mostly a handle that was made, alive or not; else NULL, one of another kind, or garbage.
   rollcon_context* context();
   rollcon_body* body();
   rollcon_contact* contact();
   rollcon_wheelrail* wheelrail();
-  const rollcon_event* event = nullptr;  ///< of the last callback, perhaps over
+  const rollcon_event* event = nullptr;  ///< event of the last callback, perhaps over
 
-  /// New ones, to be released by the destructor.
+  /// Adds new handles, to be released by the destructor.
   rollcon_context* add(rollcon_context* made);
   rollcon_body* add(rollcon_body* made, rollcon_context* of);
   rollcon_contact* add(rollcon_contact* made, rollcon_context* of);
   rollcon_wheelrail* add(rollcon_wheelrail* made, rollcon_context* of);
 
-  /// Where failures of calls on the handle leave their text; null if nowhere.
+  /// Returns the context in which failures of calls on the handle leave their text; null if nowhere.
   const rollcon_context* context_of(const void* handle) const;
-  /// A name of a file in the folder of this process, or one that cannot be.
+  /// Returns a name of a file in the folder of this process, or one that cannot be.
   std::string path();
 };
 
-/// A folder of this process, removed at its end.
+/// Returns a folder of this process, removed at its end.
 const std::string& own_folder();
 
 template <class Function, class... Arguments>
 std::int32_t call(World& world, const char* name, Function* function, const std::tuple<Arguments...>& arguments) {
   const std::int32_t status = std::apply(function, arguments);
-  // Asked afterwards: a callback may have released both.
+  // The context is asked afterwards, because a callback may have released both.
   if constexpr (std::is_pointer_v<std::tuple_element_t<0, std::tuple<Arguments...>>>)
     return checked(name, world.context_of(std::get<0>(arguments)), status);
   else
     return checked(name, nullptr, status);
 }
 
-/// Calls the function and checks what holds for every call. In braces,
-/// arguments are taken from the input in their order with every compiler.
+/// Calls the function and checks what holds for every call. Braces make every compiler take the
+/// arguments from the input in their order.
 #define FUZZ_CALL(world, function, ...) ::fuzz::call(world, #function, function, std::tuple{__VA_ARGS__})
 
 }  // namespace fuzz

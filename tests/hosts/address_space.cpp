@@ -1,5 +1,5 @@
-/// Hosts with a limit of address space (ulimit -v): a flow ends as usual or with a status and a text, and never hangs.
-/// OpenBLAS would, without room for its buffers.
+/// Tests hosts with a limit of address space (ulimit -v): a flow ends normally, or with a status and a text, and never
+/// hangs. OpenBLAS would, without room for its buffers.
 
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -16,7 +16,7 @@ using namespace hosts;
 
 constexpr int fine = 0, refused = 1, wrong = 2;
 
-/// In a process that may have so much more than it has.
+/// Runs in a process that may have so much more than it has.
 int run_within(const Flow& flow, rlim_t bytes) {
   rlim_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;

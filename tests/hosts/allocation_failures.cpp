@@ -1,11 +1,11 @@
-/// Every allocation of a whole flow fails in turn, whoever makes it: once alone, and once with all that follow. The
-/// call ends with a status and a text, repeated it succeeds, the flow ends with its results, and no block is lost.
+/// Makes every allocation of a whole flow fail in turn, whoever makes it: once alone, and once with all that follow.
+/// The call ends with a status and a text, repeated it succeeds, the flow ends with its results, and no block is lost.
 ///
 /// Usage: allocation_failures FLOW THREADS [FIRST LAST]. Every one of the first hundred fails, then some in growing
 /// strides; with ROLLCON_EVERY_ALLOCATION=1 in the environment all of them.
 ///
-/// Left out are the allocations of FFTW's planner, METIS and libgomp (CHOLMOD's loops), which end the process, print or
-/// lose memory by themselves; docs/api.md says so. Blocks that CHOLMOD loses inside UMFPACK's analysis are counted
+/// The test spares the allocations of FFTW's planner, METIS and libgomp (CHOLMOD's loops), which end the process, print
+/// or lose memory by themselves; docs/api.md says so. Blocks that CHOLMOD loses inside UMFPACK's analysis are counted
 /// apart.
 
 #include <array>
@@ -27,7 +27,7 @@ class Failing final : public Caller {
   bool failed() const { return failed_; }
   bool survived() const { return failed_ && !repeated_; }
   std::string where;    ///< call in which the allocation failed
-  std::string library;  ///< whose allocation it was
+  std::string library;  ///< library whose allocation it was
   std::string wrong;    ///< what the call did wrong
 
  private:
@@ -46,7 +46,7 @@ class Failing final : public Caller {
     // A file that cannot be opened for want of memory is one that cannot be written.
     const bool of_file = where == "rollcon_contact_write" && status == ROLLCON_ERR_IO;
     if (status != ROLLCON_ERR_MEMORY && !of_file) wrong = "status " + std::to_string(status);
-    // The call of a list of cases tells of its own failures, cases do not.
+    // The call of a list of cases reports its own failures, but not those of cases.
     if (where != "rollcon_contact_solve_many" &&
         !std::string(rollcon_last_error()).starts_with(std::string(name) + ": "))
       wrong = std::string("text '") + rollcon_last_error() + "'";
@@ -58,7 +58,7 @@ class Failing final : public Caller {
   bool lasting_, failed_ = false, repeated_ = false;
 };
 
-/// The failures of one flow: alone or lasting.
+/// Makes the failures of one flow, alone or lasting.
 class Run {
  public:
   Run(const Flow& flow, bool lasting, int threads, Verdict& verdict)
@@ -83,7 +83,7 @@ class Run {
   }
 
  private:
-  /// Tables of the libraries below may grow once; what grows again is lost.
+  /// Checks that no block is lost: tables of the libraries below may grow once; what grows again is lost.
   bool without_loss(std::int64_t k) {
     for (int repeat = 0;; ++repeat) {
       const bool failed = once(k);
@@ -101,7 +101,7 @@ class Run {
     }
   }
 
-  /// False once the flow has fewer allocations.
+  /// Returns false once the flow has fewer allocations.
   bool once(std::int64_t successes) {
     Failing call(successes, lasting_);
     call.threads = plain_.threads;

@@ -1,5 +1,5 @@
-/// Flows are cancelled at every progress call in turn, by its result and by a request from inside. The call says so,
-/// and the next one ends as if nothing had happened.
+/// Tests that flows cancelled at every progress call in turn, by its result and by a request from inside, say so, and
+/// that the next call ends as if nothing had happened.
 
 #include <algorithm>
 #include <cstdio>
@@ -13,7 +13,7 @@ using namespace hosts;
 
 class Cancelling final : public Caller {
  public:
-  /// Of the calls of the progress function one cancels, counted from 1.
+  /// Cancels at one call of the progress function, counted from 1.
   Cancelling(int at, bool by_request, bool reset) : at_(at), by_request_(by_request), reset_(reset) {
     made_contact = [this](rollcon_contact* contact) {
       contact_ = contact;
@@ -26,7 +26,7 @@ class Cancelling final : public Caller {
  private:
   static std::int32_t progress(const rollcon_event* event, void* user) {
     auto& self = *static_cast<Cancelling*>(user);
-    // Long preparations tell that they are at work: how often depends on the clock.
+    // Long preparations report that they are at work; how often depends on the clock.
     std::int64_t phase = 0, iteration = 0;
     rollcon_event_get_int(event, ROLLCON_EVENT_PHASE, &phase);
     rollcon_event_get_int(event, ROLLCON_EVENT_ITERATION, &iteration);
@@ -69,7 +69,7 @@ void cancel_everywhere(const Flow& flow, int threads, Verdict& verdict) {
         verdict.expect(false, "%s, cancelled at %d of %d: %s", flow.name, at, calls, error.what());
       }
       worst = std::max(worst, apart);
-      // Lists of cases may be through when the last of them is told.
+      // Lists of cases may be finished when the last of them is reported.
       if (std::string(flow.name) == "many" && cancelling.cancelled() == 0)
         ++late;
       else
@@ -79,7 +79,7 @@ void cancel_everywhere(const Flow& flow, int threads, Verdict& verdict) {
   std::printf(
       "%s, %d threads: cancelled at each of %d calls (%d times too late), results apart by %.1e (bound 1e-12)\n",
       flow.name, threads, calls, late, worst);
-  // The calling thread tells of its own cases; on two threads the other one may have taken them all.
+  // The calling thread reports its own cases; on two threads the other one may have taken them all.
   if (threads == 1) {
     verdict.expect(late < calls / 2, "%s: %d of %d times too late", flow.name, late, 2 * calls);
     verdict.expect(calls > 2, "%s: %d progress calls", flow.name, calls);

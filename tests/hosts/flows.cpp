@@ -23,7 +23,7 @@ using capi_test::BoxVolume;
 using capi_test::CubeSurface;
 using capi_test::SquareFrame;
 
-/// The handles of a flow; what was made is released in whatever way it ends.
+/// Holds the handles of a flow; what was made is released in whatever way it ends.
 struct Handles {
   rollcon_context* context = nullptr;
   rollcon_body *body = nullptr, *plane = nullptr;
@@ -33,7 +33,7 @@ struct Handles {
   Handles(const Handles&) = delete;
   Handles& operator=(const Handles&) = delete;
   ~Handles() { release(); }
-  /// Each once.
+  /// Releases each once.
   void release() {
     rollcon_contact_release(std::exchange(contact, nullptr));
     rollcon_body_release(std::exchange(plane, nullptr));
@@ -58,7 +58,7 @@ void begin(Caller& call, Handles& h) {
   CALL(rollcon_body_create, h.context, ROLLCON_BODY_RIGID, &h.plane);
 }
 
-/// Flows may run in many threads and processes.
+/// Returns a new name, because flows may run in many threads and processes.
 std::string new_file(const char* ending) {
   static std::atomic<int> count{0};
   return folder() + "/" + std::to_string(getpid()) + "-" + std::to_string(++count) + ending;
@@ -68,7 +68,7 @@ void made(Caller& call, rollcon_contact* contact) {
   if (call.made_contact) call.made_contact(contact);
 }
 
-/// A sphere of radius 50 on a rigid plane.
+/// Rolls a sphere of radius 50 on a rigid plane.
 void roll_sphere(Caller& call, Handles& h, int per_edge) {
   const SquareFrame frame(per_edge, 1.5);
   const double friction = 0.1;
@@ -87,7 +87,7 @@ void roll_sphere(Caller& call, Handles& h, int per_edge) {
   made(call, h.contact);
 }
 
-/// A rigid sphere of radius 1 on the top of a unit cube; faces of the top have tag 6.
+/// Rolls a rigid sphere of radius 1 on the top of a unit cube; faces of the top have tag 6.
 void roll_on_cube(Caller& call, Handles& h) {
   const double origin[3] = {0.5, 0.5, 1}, rolling[3] = {1, 0, 0}, normal[3] = {0, 0, 1};
   const double friction = 0.3;
@@ -101,7 +101,7 @@ void roll_on_cube(Caller& call, Handles& h) {
   made(call, h.contact);
 }
 
-/// Everything that a contact tells after its solve.
+/// Returns everything that a contact tells after its solve.
 std::vector<double> solve(Caller& call, Handles& h) {
   std::int64_t nodes = 0, elements = 0, needed = 0;
   std::array<double, 3> force{}, moment{};
@@ -228,7 +228,7 @@ void set_fem(Caller& call, Handles& h) {
        nullptr);
 }
 
-/// Prepared, solved, saved, and solved again as loaded.
+/// Prepares, solves, saves, and solves again what was loaded.
 std::vector<double> with_file(Caller& call, Handles& h) {
   CALL(rollcon_body_prepare, h.body);
   roll_on_cube(call, h);
@@ -314,7 +314,7 @@ const std::string& folder() {
     std::string name;
     pid_t owner = getpid();
     Folder() {
-      // In memory where there is such a folder: saved bodies wait for the disk.
+      // The folder is in memory where there is such a one, because saved bodies wait for the disk.
       const std::filesystem::path memory = "/dev/shm";
       std::string pattern = (access(memory.c_str(), W_OK) == 0 ? memory : std::filesystem::temp_directory_path()) /
                             "rollcon-hosts-XXXXXX";

@@ -1,6 +1,7 @@
 #pragma once
-/// What a host does with the library, from the first handle to the last: the flows that the programs of this folder run
-/// in unusual surroundings. Each returns its results, to be compared bit by bit with those of the same flow elsewhere.
+/// Does what a host does with the library, from the first handle to the last: the flows that the programs of this
+/// folder run in unusual surroundings. Each returns its results, to be compared bit by bit with those of the same flow
+/// elsewhere.
 
 #include <cstdint>
 #include <functional>
@@ -12,7 +13,7 @@
 
 namespace hosts {
 
-/// A call that ended with a status that the host did not expect.
+/// Reports a call that ended with a status that the host did not expect.
 struct Unexpected : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -23,9 +24,9 @@ class Caller {
   virtual ~Caller() = default;
   /// Throws Unexpected at a negative status.
   void operator()(const char* name, const std::function<std::int32_t()>& function);
-  /// Of every context and body of the flow.
+  /// Number of threads of every context and body of the flow.
   int threads = 1;
-  /// Called with each contact that is made, before its first solve.
+  /// Is called with each contact that is made, before its first solve.
   std::function<void(rollcon_contact*)> made_contact;
   rollcon_context* context = nullptr;
 
@@ -35,28 +36,28 @@ class Caller {
 
 struct Flow {
   const char* name;
-  const char* feature;  ///< without which there is nothing to run; null: none
+  const char* feature;  ///< feature that it cannot run without; null: none
   std::vector<double> (*run)(Caller&);
 };
 
-/// Those whose features this build has.
+/// Returns the flows whose features this build has.
 std::vector<Flow> flows();
 
-/// One by its name.
+/// Returns a flow by its name.
 Flow flow(const std::string& name);
 
-/// Bits of two results are equal; also those of NaN.
+/// Says whether the bits of two results are equal, also those of NaN.
 bool same_bits(const std::vector<double>& a, const std::vector<double>& b);
-/// Largest difference over the largest entry of the second.
+/// Returns the largest difference over the largest entry of the second.
 double difference(const std::vector<double>& a, const std::vector<double>& b);
 
-/// Where flows write files; made for this process, removed at its end.
+/// Returns the folder where flows write files, made for this process and removed at its end.
 const std::string& folder();
 
-/// The program's verdict: prints what is wrong and counts it.
+/// Holds the program's verdict: prints what is wrong and counts it.
 class Verdict {
  public:
-  /// False if it is wrong.
+  /// Returns false if it is wrong.
   bool expect(bool right, const char* format, ...) __attribute__((format(printf, 3, 4)));
   int exit_code() const { return wrong_ > 0; }
 

@@ -1,5 +1,5 @@
-/// A host that has used the library, OpenMP and the BLAS with threads, and forks: the child gets the results of its
-/// parent, twice removed as well.
+/// Tests a host that has used the library, OpenMP and the BLAS with threads, and forks: the child gets the results of
+/// its parent, twice removed as well.
 
 #include <omp.h>
 #include <sys/wait.h>
@@ -19,7 +19,7 @@ std::vector<double> run(const Flow& flow, int threads) {
   return flow.run(call);
 }
 
-/// Number of flows that end otherwise here. The alarm ends a child that hangs.
+/// Counts flows that end otherwise here. The alarm ends a child that hangs.
 int other_results(const std::vector<std::vector<double>>& right, int threads) {
   alarm(60);
   int different = 0;
@@ -36,7 +36,7 @@ int other_results(const std::vector<std::vector<double>>& right, int threads) {
   return different;
 }
 
-/// Exit status of a child that runs this; -1: it was killed.
+/// Returns the exit status of a child that runs this; -1: it was killed.
 template <class Work>
 int in_child(const Work& work) {
   std::fflush(stdout);

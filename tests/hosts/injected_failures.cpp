@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <cstring>
 
-// glibc's own allocator under the names that it keeps for those who replace the public ones.
+// These names are those that glibc's own allocator keeps for those who replace the public ones.
 extern "C" {
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
@@ -29,7 +29,7 @@ struct Code {
 std::atomic<std::int64_t> live{0}, made{0}, until_failure{-1}, left_alone{0};
 std::atomic<bool> failed{false}, all_later{false};
 std::atomic<const void*> failed_caller{nullptr};
-/// For a debugger, which then shows who asked for the memory.
+/// The stop serves a debugger, which then shows who asked for the memory.
 const bool stop_at_failure = std::getenv("ROLLCON_STOP_AT_FAILURE") != nullptr;
 std::array<Code, 8> code;
 std::atomic<std::size_t> codes{0};
@@ -41,7 +41,7 @@ bool is_spared(const void* caller) {
   return false;
 }
 
-/// Counts an allocation. False: it is to fail.
+/// Counts an allocation. Returns false if it is to fail.
 bool may_succeed(const void* caller) {
   made.fetch_add(1, std::memory_order_relaxed);
   if (until_failure.load(std::memory_order_relaxed) < 0) return true;

@@ -1,30 +1,30 @@
 #pragma once
-/// An allocator for the whole process, linked libraries included, whose allocations can be made to fail: malloc,
-/// calloc, realloc, aligned_alloc, posix_memalign, memalign, and with them operator new. Of glibc.
+/// Replaces the allocator of the whole process, linked libraries included, by one whose allocations can be made to
+/// fail: malloc, calloc, realloc, aligned_alloc, posix_memalign, memalign, and with them operator new. It needs glibc.
 
 #include <cstdint>
 
 namespace hosts {
 
-/// Blocks that were given out and not freed.
+/// Returns the number of blocks that were given out and not freed.
 std::int64_t live_blocks();
-/// Allocations since the program began.
+/// Returns the number of allocations since the program began.
 std::int64_t allocations();
 
-/// The allocation after `successes` more of them fails, in whatever thread; `lasting`: so do all after it. Until the
-/// next call; negative: none fails.
+/// Makes the allocation after `successes` more of them fail, in whatever thread, and with `lasting` all after it, until
+/// the next call; negative: none fails.
 void fail_after(std::int64_t successes, bool lasting);
-/// Whether one has failed since the last call of fail_after.
+/// Says whether one has failed since the last call of fail_after.
 bool has_failed();
-/// Allocations that still succeed; negative: all.
+/// Returns the number of allocations that still succeed; negative: all.
 std::int64_t successes_left();
 
-/// Allocations that are made from the code of a shared library with this in its name never fail: the runtimes of
-/// compilers end the process when one does.
+/// Spares allocations that are made from the code of a shared library with this in its name: the runtimes of compilers
+/// end the process when one fails.
 void spare(const char* library);
-/// How many were spared since fail_after.
+/// Returns how many were spared since fail_after.
 std::int64_t spared();
-/// Name of the library whose code made the first allocation that failed; "" if none did.
+/// Returns the name of the library whose code made the first allocation that failed; "" if none did.
 const char* failed_in();
 
 }  // namespace hosts

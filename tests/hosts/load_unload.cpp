@@ -1,5 +1,5 @@
-/// A host that loads the library a hundred times, solves with threads, and unloads it. Neither memory nor threads nor
-/// mappings grow. The first time it loads and solves while it traps.
+/// Tests a host that loads the library a hundred times, solves with threads, and unloads it. Neither memory nor threads
+/// nor mappings grow. The first time it loads and solves while it traps.
 ///
 /// Usage: load_unload LIBRARY.
 
@@ -48,7 +48,7 @@ void require(std::int32_t status, const char* what) {
 
 #define OF(library, function, ...) require((library).find(&function, #function)(__VA_ARGS__), #function)
 
-/// A sphere rolls on a plane: a half-space and, where there are some, boundary elements.
+/// Rolls a sphere on a plane: a half-space and, where there are some, boundary elements.
 double solve(const Library& l, std::int32_t threads) {
   rollcon_context* context = nullptr;
   rollcon_body *sphere = nullptr, *plane = nullptr;

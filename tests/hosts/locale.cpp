@@ -1,5 +1,5 @@
-/// A host whose locale writes 1,5 for 1.5 and groups digits: files and texts of the library stay as they are, options
-/// set by text are read as they are.
+/// Tests a host whose locale writes 1,5 for 1.5 and groups digits: files and texts of the library do not change, and
+/// options set by text are read literally.
 
 #include <clocale>
 #include <cstdio>
@@ -20,7 +20,7 @@ struct Comma final : std::numpunct<char> {
   std::string do_grouping() const override { return "\3"; }
 };
 
-/// False if the machine cannot make a German locale. It lies in a folder of ours then.
+/// Sets a German locale, which lies in a folder of the test's own then; returns false if the machine cannot make one.
 bool set_german() {
   if (std::setlocale(LC_ALL, "de_DE.UTF-8")) return true;
   const std::string make = "localedef -f UTF-8 -i de_DE '" + folder() + "/de_DE.UTF-8' 2>/dev/null";
@@ -34,7 +34,7 @@ std::string content(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// All texts that the library makes: a file, a plan, failures, descriptions of options.
+/// Returns all texts that the library makes: a file, a plan, failures, descriptions of options.
 std::string texts() {
   std::string all;
   std::vector<char> text(20000);
@@ -45,7 +45,7 @@ std::string texts() {
     };
     rollcon_contact_solve(c);
     rollcon_contact_get_plan(c, 20000, text.data(), nullptr);
-    // Its last lines tell times.
+    // The last lines of the plan tell times.
     all += std::string(text.data()).substr(0, 200);
     if (rollcon_has_feature("vtu")) {
       const std::string file = folder() + "/locale.vtu";

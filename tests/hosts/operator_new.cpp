@@ -1,5 +1,5 @@
-/// A host that replaced operator new by an allocator of its own, whose blocks free() must never see: everything that
-/// the library takes from it comes back to it.
+/// Tests a host that replaced operator new by an allocator of its own, whose blocks free() must never see: everything
+/// that the library takes from it comes back to it.
 
 #include <atomic>
 #include <cstdint>
@@ -16,7 +16,7 @@ std::atomic<std::int64_t> live{0}, made{0}, foreign{0};
 
 struct Header {
   std::uint64_t mark;
-  std::size_t offset;  ///< of the block from what malloc gave
+  std::size_t offset;  ///< offset of the block from what malloc gave
 };
 
 void* take(std::size_t size, std::size_t alignment) noexcept {

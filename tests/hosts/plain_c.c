@@ -1,4 +1,4 @@
-/* A host in C, compiled without exceptions and unwind tables, with callbacks: failures come back as
+/* Tests a host in C, compiled without exceptions and unwind tables, with callbacks: failures come back as
    statuses through its frames, whatever happens inside. */
 
 #include <math.h>
@@ -16,7 +16,7 @@ static void check(int right, const char* what, int status) {
   ++failures;
 }
 
-/* A callback that uses the library, where calls fail. */
+/* Uses the library in a callback, where calls fail. */
 static int32_t ROLLCON_CALL progress(const rollcon_event* event, void* user) {
   int64_t iteration = 0;
   int32_t* calls = user;

@@ -1,4 +1,5 @@
-/// Threads with stacks of 256 kB, and a whole process under such a limit: flows end as usual. Says how deep they went.
+/// Tests threads with stacks of 256 kB, and a whole process under such a limit: flows end normally. Says how deep they
+/// went.
 ///
 /// Usage: stack [limited].
 
@@ -38,7 +39,7 @@ void* run(void* task) {
   return nullptr;
 }
 
-/// Bytes of a stack of 256 kB that the flow touches in a thread of its own.
+/// Returns the bytes of a stack of 256 kB that the flow touches in a thread of its own.
 std::size_t run_on_small_stack(Task& task) {
   void* memory = mmap(nullptr, limit, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_STACK, -1, 0);
   std::memset(memory, paint, limit);
@@ -62,7 +63,7 @@ int main(int argc, char** argv) {
   if (argc == 1) {
     for (const int threads : {1, 2}) {
       for (const Flow& flow : flows()) {
-        // Without the stack for more the BLAS works in one thread.
+        // The BLAS works in one thread without the stack for more.
         const double bound = threads == 1 ? 0 : 1e-9;
         Task here{&flow, threads, {}, {}}, there{&flow, threads, {}, {}};
         run(&here);
@@ -73,7 +74,7 @@ int main(int argc, char** argv) {
         verdict.expect(used < limit, "%s: the stack is used up", flow.name);
       }
     }
-    // The same program under the limit: its main thread, and those that inherit it.
+    // The program runs once more under the limit: its main thread, and those that inherit it.
     const rlimit small{limit, limit};
     std::fflush(stdout);
     if (setrlimit(RLIMIT_STACK, &small) == 0) execl(argv[0], argv[0], "limited", nullptr);

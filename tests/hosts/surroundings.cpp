@@ -1,5 +1,5 @@
-/// Hosts that changed what a process or a thread can change: floating-point traps, flushed denormals, rounding,
-/// interrupting signals. Flows end with the same bits, and all is as the host set it.
+/// Tests hosts that changed what a process or a thread can change: floating-point traps, flushed denormals, rounding,
+/// interrupting signals. Flows end with the same bits, and the host's settings are unchanged.
 
 #include <fenv.h>
 #include <signal.h>
@@ -29,7 +29,7 @@ void interrupt(int) {
   interruptions = interruptions + 1;
 }
 
-/// A signal every half millisecond, which interrupts system calls.
+/// Sends a signal every half millisecond, which interrupts system calls.
 void set_timer(bool on) {
   struct sigaction action {};
   action.sa_handler = interrupt;
@@ -56,7 +56,7 @@ std::vector<Surrounding> surroundings() {
     all.push_back({name, [m = mode] { fesetround(m); }, [m = mode] { return fegetround() == m; },
                    [] { fesetround(FE_TONEAREST); }});
 #ifdef __SSE2__
-  constexpr unsigned flush = 0x8040;  // to zero, and denormals are zero
+  constexpr unsigned flush = 0x8040;  // flushes to zero, and denormals are zero
   all.push_back({"flushed denormals", [] { _mm_setcsr(_mm_getcsr() | flush); },
                  [] { return (_mm_getcsr() & flush) == flush; }, [] { _mm_setcsr(_mm_getcsr() & ~flush); }});
 #endif
@@ -64,7 +64,7 @@ std::vector<Surrounding> surroundings() {
   return all;
 }
 
-/// Makes each call in the surrounding and looks at it afterwards. The host's own arithmetic is done outside: it
+/// Makes each call in the surrounding and looks at it afterwards. The host's own arithmetic is done outside, because it
 /// prepares the same inputs.
 class Checking final : public Caller {
  public:
@@ -91,7 +91,7 @@ struct Handlers {
   Handlers() {
     for (int s = 1; s < 32; ++s) sigaction(s, nullptr, &action[static_cast<std::size_t>(s)]);
   }
-  static constexpr int restorer = 0x04000000;  // which glibc adds whenever one is set
+  static constexpr int restorer = 0x04000000;  // flag that glibc adds whenever one is set
   bool same(const Handlers& o, std::size_t s) const {
     return action[s].sa_handler == o.action[s].sa_handler &&
            ((action[s].sa_flags ^ o.action[s].sa_flags) & ~restorer) == 0;

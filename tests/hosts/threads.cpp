@@ -1,6 +1,6 @@
-/// Hosts with threads of their own: contexts in parallel, bodies shared among threads, handles misused by two at a
-/// time, OpenMP around the library, BLAS threads set by the host. Results are those of the same flows alone, bit by
-/// bit.
+/// Tests hosts with threads of their own: contexts in parallel, bodies used by several threads, handles misused by two
+/// at a time, OpenMP around the library, BLAS threads set by the host. Results are those of the same flows alone, bit
+/// by bit.
 
 #include <omp.h>
 
@@ -12,7 +12,7 @@
 
 #include "flows.hpp"
 
-// OpenBLAS's; other BLAS have none.
+// OpenBLAS has this function; other BLAS have none.
 extern "C" {
 __attribute__((weak)) void openblas_set_num_threads(int threads);
 __attribute__((weak)) int openblas_get_num_threads(void);
@@ -28,7 +28,7 @@ std::vector<double> run(const Flow& flow, int threads) {
   return flow.run(call);
 }
 
-/// The results of all flows alone, in the order of flows().
+/// Returns the results of all flows alone, in the order of flows().
 std::vector<std::vector<double>> alone(int threads) {
   std::vector<std::vector<double>> results;
   for (const Flow& flow : flows()) results.push_back(run(flow, threads));
@@ -56,7 +56,7 @@ void contexts_in_parallel(Verdict& verdict) {
   const std::vector<Flow> all = flows();
   for (const int own_threads : {1, 2}) {
     const auto right = alone(own_threads);
-    // With one thread each: by bits. With more the first to solve chooses the BLAS threads of all.
+    // Flows with one thread each have equal bits. With more, the first to solve chooses the BLAS threads of all.
     const double bound = own_threads == 1 ? 0 : 1e-9;
     std::atomic<int> equal{0}, different{0};
     in_threads(4, verdict, [&](int k) {
@@ -128,7 +128,7 @@ class Busy final : public Caller {
     if (meddler_.joinable()) meddler_.join();
   }
   int refused = 0;
-  std::map<std::int32_t, std::int64_t> answers;  ///< to the meddler, by status
+  std::map<std::int32_t, std::int64_t> answers;  ///< answers to the meddler, by status
 
  private:
   /// Busy handles are asked again.
@@ -141,7 +141,7 @@ class Busy final : public Caller {
     }
   }
 
-  /// By calls that leave no trace where they come through between two of the other thread's.
+  /// Meddles by calls that leave no trace where they come through between two of the other thread's.
   void meddle() {
     std::vector<double> v(3000);
     while (!ended_) {

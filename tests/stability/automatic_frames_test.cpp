@@ -1,6 +1,6 @@
-/// Extreme scenes without a frame: half-spaces and rigid planes whose gap is quadratic. Each one is solved with the
-/// laws satisfied, results of finite size and loads carried, or ends with a status that says why not; forces are those
-/// on the scene's own frame as far as that is trusted, and units do not matter.
+/// Solves extreme scenes without a frame: half-spaces and rigid planes whose gap is quadratic. Each one is solved with
+/// the laws satisfied, results of finite size and loads carried, or ends with a status that says why not; forces are
+/// those on the scene's own frame as far as that is trusted, and units do not matter.
 
 #include <map>
 
@@ -15,10 +15,10 @@ using extremes::Scene;
 using scenes::RollingPair;
 using scenes::Solution;
 
-/// Laws as the library recomputes them on the finer frame of a pair; loads over those prescribed.
+/// The laws are those that the library recomputes on the finer frame of a pair; loads are over those prescribed.
 constexpr double law_bound = 1e-8, load_bound = 1e-9;
-/// Forces beside those on the scene's own frame, over the sum of both error estimates (see errors_by_loads): measured
-/// at most 1.02 at the standard accuracy, 1.01 on the coarsest frames.
+/// Forces are compared with those on the scene's own frame, over the sum of both error estimates (see errors_by_loads):
+/// measured were at most 1.02 at the standard accuracy, 1.01 on the coarsest frames.
 constexpr double standard_apart = 1.6, coarse_apart = 1.6;
 
 bool needs_no_frame(const Scene& scene) {
@@ -32,7 +32,7 @@ Scene without_frame(Scene scene) {
   return scene;
 }
 
-/// Named scenes, those that differ by their frames alone but once.
+/// Returns named scenes; those that differ by their frames alone come once.
 std::vector<Scene> named_scenes() {
   std::vector<Scene> scenes;
   for (Scene& scene : extremes::named_scenes())
@@ -56,7 +56,7 @@ void ROLLCON_CALL count_warning(std::int32_t, const char*, void* count) {
   ++*static_cast<int*>(count);
 }
 
-/// What does not depend on units: forces over mu Fn, lengths over that of the contact.
+/// Holds what does not depend on units: forces over mu Fn, lengths over that of the contact.
 struct Shares {
   std::array<double, 3> force{};  ///< along, across, spin moment
   double approach = 0;
@@ -68,7 +68,7 @@ struct Outcome {
   int warnings = 0;
   std::string message;
   Solution solution;
-  double size = 0, bound = 0;  ///< of the contact; mu Fn
+  double size = 0, bound = 0;  ///< size of the contact; bound mu Fn
   double estimate = 0, law = 0;
   double by_loads = 1;  ///< errors of forces that were not prescribed over error estimates
 
@@ -85,8 +85,9 @@ struct Outcome {
   }
 };
 
-/// Estimates are of forces at given motions (docs/theory.md). Where forces are prescribed their errors become errors of
-/// motions, and these add to the error of a force that is not prescribed: by its derivatives with the prescribed ones.
+/// Returns the factor by which prescribed forces enlarge errors. Estimates are of forces at given motions
+/// (docs/theory.md). Where forces are prescribed their errors become errors of motions, and these add to the error of a
+/// force that is not prescribed: by its derivatives with the prescribed ones.
 double errors_by_loads(const RollingPair& pair, const Scene& scene, double size) {
   constexpr std::int32_t direction[] = {ROLLCON_LONGITUDINAL, ROLLCON_LATERAL, ROLLCON_SPIN};
   constexpr std::size_t entry[] = {0, 1, 3};
@@ -120,7 +121,7 @@ Outcome read(RollingPair& pair, const Scene& scene) {
   return o;
 }
 
-/// accuracy: the option frame_accuracy; 0: as it stands.
+/// Solves with `accuracy` as the option frame_accuracy; 0 leaves it.
 Outcome solve_without_frame(const Scene& scene, double accuracy) {
   const Scene plain = without_frame(scene);
   const auto pair = extremes::make_pair(plain);
@@ -144,7 +145,7 @@ bool all_finite(const Outcome& o) {
   return finite;
 }
 
-/// Loads found beside those prescribed, over what the contact can carry of their kind.
+/// Returns the difference of loads found and those prescribed, over what the contact can carry of their kind.
 double missed_load(const Outcome& o, const Scene& scene) {
   const laws::Given& g = scene.given;
   const Solution& s = o.solution;
@@ -162,7 +163,7 @@ struct Worst {
   std::string farthest;
 };
 
-/// Force beside that on the scene's own frame, where both are told to be good to 10 %.
+/// Compares the force with that on the scene's own frame, where both are claimed to be good to 10 %.
 void compare_with_own_frame(const Scene& scene, const Outcome& o, double apart_bound, Worst& worst) {
   if (o.status != ROLLCON_OK || !o.has_friction() || scene.given.frame.nodes() > 2000) return;
   const auto pair = extremes::make_pair(scene);
@@ -178,7 +179,8 @@ void compare_with_own_frame(const Scene& scene, const Outcome& o, double apart_b
   if (apart > worst.apart) worst.apart = apart, worst.farthest = full_name(scene);
 }
 
-/// coarse_pair: of 6 x 4 and 12 x 8 elements; the coarser one carries up to a fifth less spin moment than the contact.
+/// Judges an outcome. A coarse pair has 6 x 4 and 12 x 8 elements; the coarser one carries up to a fifth less spin
+/// moment than the contact.
 void judge(const Scene& scene, const Outcome& o, bool coarse_pair, Worst& worst) {
   const std::string name = full_name(scene);
   const bool told = o.status == ROLLCON_OK || o.status == ROLLCON_NO_CONTACT;
@@ -209,7 +211,7 @@ void judge(const Scene& scene, const Outcome& o, bool coarse_pair, Worst& worst)
   worst.beyond_friction = std::max(worst.beyond_friction, beyond);
 }
 
-/// At most so many may end without convergence.
+/// Expects right ends; at most so many may end without convergence.
 void expect_right_ends(const std::vector<Scene>& scenes, double accuracy, double apart_bound, int most_not_converged) {
   Worst worst;
   std::map<std::int32_t, int> count;
@@ -231,7 +233,7 @@ void expect_right_ends(const std::vector<Scene>& scenes, double accuracy, double
   EXPECT_LE(count[ROLLCON_NOT_CONVERGED], most_not_converged);
 }
 
-/// Every step-th scene from the first one.
+/// Returns every step-th scene from the first one.
 std::vector<Scene> some_of(std::vector<Scene> scenes, int first, int step) {
   std::vector<Scene> some;
   for (std::size_t i = static_cast<std::size_t>(first); i < scenes.size(); i += static_cast<std::size_t>(step))
@@ -239,10 +241,10 @@ std::vector<Scene> some_of(std::vector<Scene> scenes, int first, int step) {
   return some;
 }
 
-// On the coarsest pair of frames, where that is accurate enough: 6 % of the force.
+// The coarsest pair of frames is accurate enough with 6 % of the force.
 constexpr double coarse = 0.06;
 
-/// At most so many of the first seeds may end without convergence.
+/// Expects right ends of the first seeds; at most so many may end without convergence.
 void expect_right_ends_of_seeds(std::uint32_t count, int most) {
   const std::uint32_t first = extremes::first_seed();
   if (first != 1) most += 2;
@@ -270,12 +272,12 @@ TEST(stability_nightly, random_scenes_without_a_frame) {
   expect_right_ends_of_seeds(180, 1);
 }
 
-// As accurate as frames of the library stand; scenes that need the finest ones take seconds.
+// The frames have the library's standard accuracy; scenes that need the finest ones take seconds.
 class StandardAccuracy : public testing::TestWithParam<int> {};
 constexpr int parts = 8;
 
 TEST_P(StandardAccuracy, named_scenes) {
-  // One of all, friction of 10 on a rigid body, finds no end on finer frames.
+  // One scene of all, friction of 10 on a rigid body, finds no end on finer frames.
   expect_right_ends(some_of(named_scenes(), GetParam(), parts), 0, standard_apart, 1);
 }
 
@@ -302,9 +304,9 @@ void expect_the_same_in_other_units(int step, int least) {
     if (!here.solved() || !here.has_friction()) continue;
     const Shares a = here.shares(), b = there.shares();
     double difference = std::abs(a.approach - b.approach) / std::abs(a.approach);
-    // Next to the limit of friction creepages amplify the rounding of forces without bound.
+    // Creepages amplify the rounding of forces without bound next to the limit of friction.
     const bool free = std::hypot(a.force[0], a.force[1]) < 0.9999;
-    // Not less than what slides all of the contact, roughly: creepages may be zero by symmetry.
+    // The creepage is not less than what slides all of the contact, roughly, because creepages may be zero by symmetry.
     const double creep =
         std::max(std::hypot(a.creep[0], a.creep[1], a.creep[2]), scene.given.friction[0] * std::abs(a.approach));
     for (std::size_t k = 0; k < 3; ++k) {

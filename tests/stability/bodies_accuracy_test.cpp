@@ -1,4 +1,5 @@
-/// Answers of meshed bodies where they are easily wrong: near limits of the material, in other units, on thin bodies.
+/// Tests answers of meshed bodies where they are easily wrong: near limits of the material, in other units, on thin
+/// bodies.
 
 #include "support/error.hpp"
 #include "support/extreme_bodies.hpp"
@@ -30,7 +31,7 @@ Answer solve(const Scene& scene) {
   return a;
 }
 
-/// Largest difference of forces over mu Fn and of the approach, relative.
+/// Returns the largest difference of forces over mu Fn and of the approach, relative.
 double difference(const Answer& a, const Answer& b) {
   double most = std::abs(a.s.approach / b.s.approach - 1);
   for (std::size_t c = 0; c < 3; ++c)
@@ -51,7 +52,7 @@ Scene pressed(const BlockShape& shape, const scenes::AnyBody& second) {
   return extremes::scene_on_block("", name_of(shape.model), shape, second);
 }
 
-// The same load and creepage throughout, so that the answers tend to a limit.
+// The load and creepage are the same throughout, so that the answers tend to a limit.
 TEST(stability_bodies, tend_to_incompressible_and_to_rigid_limits) {
   for (const Model model : {Model::fem, Model::bem}) {
     const auto by_poisson = [&](double poisson) {
@@ -82,7 +83,7 @@ TEST(stability_bodies, tend_to_incompressible_and_to_rigid_limits) {
 }
 
 TEST(stability_bodies_long, units_change_neither_answers_nor_iterations) {
-  // Lengths in m, mm, um, inch; moduli to go with them.
+  // The lengths are in m, mm, um, inch, with moduli to go with them.
   constexpr double lengths[] = {1e-3, 1, 1e3, 1 / 25.4}, moduli[] = {1e6, 1, 1e-3, 145.0377377};
   for (const Model model : {Model::fem, Model::bem}) {
     std::optional<Answer> first;
@@ -103,8 +104,8 @@ TEST(stability_bodies_long, units_change_neither_answers_nor_iterations) {
   }
 }
 
-/// A layer of unit half width on a rigid base, thin beside its 16 x 16 elements, under a cylinder; steady rolling.
-/// Tangential over normal force.
+/// Rolls steadily on a layer of unit half width on a rigid base, thin beside its 16 x 16 elements, under a cylinder.
+/// Returns tangential over normal force.
 double driven(Model model, int n, int deep, laws::Scheme scheme) {
   constexpr double thickness = 0.02;
   BlockShape shape{.model = model};
@@ -117,7 +118,7 @@ double driven(Model model, int n, int deep, laws::Scheme scheme) {
   return a.s.force[0] / a.s.force[2];
 }
 
-// Between its nodes a half-space is far softer than a thin layer: twice this force came of it.
+// A half-space between the nodes would be far softer than a thin layer, and give twice this force.
 TEST(stability_bodies_long, thin_layers_of_boundary_elements_roll_like_finite_ones) {
   const double fine = driven(Model::fem, 24, 4, laws::Scheme::least_squares);
   for (const laws::Scheme scheme : {laws::Scheme::least_squares, laws::Scheme::characteristic})
@@ -125,7 +126,7 @@ TEST(stability_bodies_long, thin_layers_of_boundary_elements_roll_like_finite_on
                  std::abs(driven(Model::bem, 16, 1, scheme) / fine - 1), 0.05);
 }
 
-/// A cantilever of 1 x 0.5 x thickness, pressed on its whole upper side; its body, prepared.
+/// Returns the prepared body of a cantilever of 1 x 0.5 x thickness, pressed on its whole upper side.
 statics::StaticBody cantilever(double thickness, int along, ElementType type) {
   surfaces::Block shape = surfaces::brick({along, along / 2, 1}, {1, 0.5, thickness});
   statics::StaticBody body(surfaces::block(shape, type), 1000, 0);
@@ -141,7 +142,7 @@ double tip(statics::StaticBody& body) {
   return -lowest;
 }
 
-// q L^4 / 8 E I, and shear.
+// Returns q L^4 / 8 E I, and shear.
 double theory(double thickness) {
   return 1 / (8 * 1000 * std::pow(thickness, 3) / 12) + 1.2 / (2 * 500 * thickness);
 }

@@ -1,4 +1,4 @@
-/// Laws recomputed on a curved frame must see what is wrong there: the scene is solved, then judged as if it were
+/// Tests that laws recomputed on a curved frame see what is wrong there: the scene is solved, then judged as if it were
 /// another one.
 
 #include "support/extreme_bodies.hpp"

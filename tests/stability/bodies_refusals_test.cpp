@@ -1,5 +1,5 @@
-/// What the library says of bodies that it cannot answer for: refusals with value, range and remedy, and warnings where
-/// digits are lost.
+/// Tests what the library says of bodies that it cannot answer for: refusals with value, range and remedy, and warnings
+/// where digits are lost.
 
 #include <initializer_list>
 
@@ -14,7 +14,7 @@ using extremes::BlockShape;
 using extremes::make_block;
 using extremes::Model;
 
-/// A context that keeps what it is told, with a body in it.
+/// Holds a context that remembers what it is told, with a body in it.
 class Told {
  public:
   explicit Told(const scenes::MeshedBody& body) {
@@ -23,7 +23,7 @@ class Told {
         context_, ROLLCON_LOG_WARNING,
         [](std::int32_t, const char* text, void* to) {
           const std::string line = text;
-          // Of few nodes is told as well: that is not what these tests are about.
+          // Contacts of few nodes are reported, too, which does not concern these tests.
           if (line.find("too few nodes in contact") == std::string::npos) *static_cast<std::string*>(to) += line + "\n";
         },
         &text_);
@@ -103,7 +103,7 @@ TEST(stability_bodies, limits_of_poisson_are_named_with_the_remedy) {
 }
 
 TEST(stability_bodies, lost_digits_are_told) {
-  // A soft base under a cover 1e12 times as stiff.
+  // The soft base lies under a cover 1e12 times as stiff.
   scenes::MeshedBody body = make_block({.model = Model::fem});
   for (std::int64_t e = 0; e < body.volume.elements(); ++e) {
     double height = 0;
@@ -125,8 +125,8 @@ TEST(stability_bodies, lost_digits_are_told) {
   }
 }
 
-// A plate held at one edge: its bending is too soft beside its elements' own stiffness, and the softer the nearer
-// Poisson's ratio is to 1/2.
+// A plate held at one edge bends too softly beside its elements' own stiffness, the more so the nearer Poisson's ratio
+// is to 1/2.
 TEST(stability_bodies, plates_that_bend_beyond_rounding_are_refused) {
   BlockShape plate{.model = Model::fem, .cell = VolumeType::hex20};
   plate.half = {1.2, 1.2, 0.0026};
@@ -137,7 +137,7 @@ TEST(stability_bodies, plates_that_bend_beyond_rounding_are_refused) {
   EXPECT_EQ(told.prepare(), ROLLCON_ERR_SINGULAR);
   told.expect({"check its supports", "times as long as thick", "poisson up to 0.4999", "hold it along its length",
                "thicker", "further from 0.5"});
-  // What the message says helps.
+  // The remedies in the message help.
   BlockShape glued = plate, thick = plate, compressible = plate, ends = plate;
   glued.held = {5};
   thick.half[2] = 0.05;
@@ -153,7 +153,7 @@ TEST(stability_bodies, plates_that_bend_beyond_rounding_are_refused) {
 }
 
 TEST(stability_bodies, thin_bodies_are_told) {
-  // A plate that can bend, of elements 17 times as long as it is thick.
+  // The plate can bend; its elements are 17 times as long as it is thick.
   BlockShape plate;
   plate.half = {1, 1, 0.02};
   plate.n = {6, 6, 1};
@@ -164,7 +164,7 @@ TEST(stability_bodies, thin_bodies_are_told) {
     EXPECT_EQ(told.prepare(), ROLLCON_OK);
     told.expect({"long beside its thickness", "too stiff"});
   }
-  // A glued layer under a finer frame; its own faces are good.
+  // A glued layer lies under a finer frame; its own faces are good.
   BlockShape layer = plate;
   layer.held = {5};
   const auto lines = frames::uniform_lines(-0.8, 0.8, 12);
@@ -178,7 +178,7 @@ TEST(stability_bodies, thin_bodies_are_told) {
     EXPECT_GE(told.press(&fine), 0);
     told.expect({"times as thick as its faces are long", "half-space is too soft"});
   }
-  // Thick enough, nothing is told.
+  // The block is thick enough, so nothing is told.
   Told block(make_block({.model = Model::bem}));
   EXPECT_GE(block.press(nullptr), 0);
   EXPECT_GE(block.press(&fine), 0);

@@ -1,5 +1,5 @@
-/// Named and random extreme scenes with bodies that have meshes: each is solved with the laws of contact satisfied, as
-/// recomputed without the solver, or ends with the status that is right.
+/// Solves named and random extreme scenes with bodies that have meshes: each is solved with the laws of contact
+/// satisfied, recomputed without the solver, or ends with the status that is right.
 
 #include <map>
 
@@ -42,7 +42,7 @@ TEST(stability_bodies_long, named_scenes_keep_the_laws) {
 }
 
 // The bench runs more of them.
-/// At most so many may end without convergence.
+/// Expects right ends; at most so many may end without convergence.
 void expect_right_ends(std::uint32_t first, std::uint32_t scenes, int most) {
   std::map<std::int32_t, int> ended;
   double worst = 0;

@@ -1,6 +1,6 @@
-/// Random scenes under friction that follows the whole solution, across the rolling direction, and with a layer between
-/// the bodies, loads included: coefficients are those of what was found, the laws hold with them, or a status says why
-/// not.
+/// Solves random scenes under friction that follows the whole solution, across the rolling direction, and with a layer
+/// between the bodies, loads included: coefficients are those of what was found, the laws hold with them, or a status
+/// says why not.
 
 #include <algorithm>
 #include <cmath>
@@ -36,19 +36,20 @@ std::vector<double> field_of(const scenes::RollingPair& pair, std::int32_t field
   return v;
 }
 
-// What it is made of.
+// Describes what such friction is made of.
 struct Kind {
   const char* name;
-  bool falls;  ///< under a law that does so
-  /// Completes the scene; false: it has no sense.
+  bool falls;  ///< true under a law of falling friction
+  /// Completes the scene; returns false if it has no sense.
   bool (*give)(scenes::RollingPair& pair, extremes::Scene& scene, std::uint32_t seed);
-  /// Coefficients against those of the kind's own formula, over the greatest; null: none but the laws.
+  /// Returns the difference of coefficients from those of the kind's own formula, over the greatest; null: only the
+  /// laws are checked.
   double (*off)(const scenes::RollingPair& pair, const extremes::Scene& scene, const std::vector<double>& mu);
-  /// Part of the scenes that may end without convergence: loads may be more than a layer that flows carries.
+  /// Fraction of the scenes that may end without convergence: loads may be more than a layer that flows carries.
   double undecided = 0.125;
 };
 
-// Of a solve without what is tried: displacements over tractions, tractions; false: it was none.
+// Solves without what is tried: gives displacements over tractions, and tractions; returns false if it was not solved.
 bool sizes_of(scenes::RollingPair& pair, const extremes::Scene& scene, double& soft, double& traction) {
   const std::int32_t status = rollcon_contact_solve(pair.handle());
   if (status < 0 || status == ROLLCON_NOT_CONVERGED || status == ROLLCON_NO_CONTACT) return false;
@@ -62,7 +63,7 @@ bool sizes_of(scenes::RollingPair& pair, const extremes::Scene& scene, double& s
   return soft > 1e-200 && traction > 1e-200;
 }
 
-// From hardly to a hundred times as soft as the bodies.
+// Gives a layer from hardly to a hundred times as soft as the bodies.
 bool give_layer(scenes::RollingPair& pair, extremes::Scene& scene, std::uint32_t seed) {
   extremes::Draw d(seed + 0x3141592U);
   double soft = 0, traction = 0;
@@ -72,7 +73,7 @@ bool give_layer(scenes::RollingPair& pair, extremes::Scene& scene, std::uint32_t
   return rollcon_contact_set_layer(pair.handle(), scene.given.layer) == ROLLCON_OK;
 }
 
-// One that flows under a part of the tractions, elastic before or not.
+// Gives a layer that flows under a part of the tractions, elastic before or not.
 bool give_yield(scenes::RollingPair& pair, extremes::Scene& scene, std::uint32_t seed) {
   extremes::Draw d(seed + 0x2718281U);
   double soft = 0, traction = 0;
@@ -83,7 +84,7 @@ bool give_yield(scenes::RollingPair& pair, extremes::Scene& scene, std::uint32_t
          rollcon_contact_set_layer_yield(pair.handle(), traction * d.log_between(0.1, 2), hardening) == ROLLCON_OK;
 }
 
-// Points across the frame and beyond it; none of them twice.
+// Gives points across the frame and beyond it, none of them twice.
 bool give_across(scenes::RollingPair& pair, extremes::Scene& scene, std::uint32_t seed) {
   extremes::Draw d(seed + 0x1618033U);
   laws::Given& g = scene.given;
@@ -107,7 +108,7 @@ bool give_across(scenes::RollingPair& pair, extremes::Scene& scene, std::uint32_
          rollcon_contact_set_friction_across(pair.handle(), n, points.data()) == ROLLCON_OK;
 }
 
-// A length of slip from far below to far above what a particle slips in the contact.
+// Gives a length of slip from far below to far above what a particle slips in the contact.
 bool give_memory(scenes::RollingPair& pair, extremes::Scene& scene, std::uint32_t seed) {
   extremes::Draw d(seed + 0x1234567U);
   const double speed = scene.given.law.parameter[2];
@@ -115,7 +116,7 @@ bool give_memory(scenes::RollingPair& pair, extremes::Scene& scene, std::uint32_
   return rollcon_contact_set_friction_memory(pair.handle(), length, speed * d.log_between(1e-4, 1)) == ROLLCON_OK;
 }
 
-// Coefficients that change over the temperatures of a solve without that.
+// Gives coefficients that change over the temperatures of a solve without that.
 bool give_temperature(scenes::RollingPair& pair, extremes::Scene& scene, std::uint32_t seed) {
   extremes::Draw d(seed + 0x7654321U);
   for (int body = 1; body <= 2; ++body)
@@ -137,7 +138,7 @@ bool give_temperature(scenes::RollingPair& pair, extremes::Scene& scene, std::ui
   return rollcon_contact_set_friction(pair.handle(), "temperature", 4, law) == ROLLCON_OK;
 }
 
-// Linear between two temperatures, those of the greatest coefficient by the first.
+// Compares with a formula that is linear between two temperatures, those of the greatest coefficient by the first.
 double off_temperature(const scenes::RollingPair& pair, const extremes::Scene& scene, const std::vector<double>& mu) {
   const std::vector<double>& law = scene.given.law.parameter;
   const auto n = static_cast<std::int64_t>(mu.size());
@@ -193,7 +194,7 @@ void expect_laws_kept(const Kind& kind, std::uint32_t first, std::uint32_t scene
     ++solved;
     rounds += pair->stat("friction_rounds");
     change = std::max(change, pair->stat("friction_change"));
-    // The laws with these coefficients.
+    // The laws are checked with these coefficients.
     laws::Given given = scene.given;
     given.law = {};
     given.friction.resize(static_cast<std::size_t>(given.frame.nodes()));

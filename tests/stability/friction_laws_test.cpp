@@ -1,5 +1,5 @@
-/// Random scenes under each law of friction, loads included: solved with the law satisfied, or ended with a status that
-/// says why not.
+/// Solves random scenes under each law of friction, loads included: they are solved with the law satisfied, or end with
+/// a status that says why not.
 
 #include <map>
 #include <string>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double law_bound = 1e-8;
 
-/// At most so many may end without convergence.
+/// Expects the laws to hold; at most so many scenes may end without convergence.
 void expect_laws_kept(const std::string& law, std::uint32_t first, std::uint32_t scenes, int most) {
   std::map<std::int32_t, int> count;
   double worst = 0, iterations = 0;
@@ -60,7 +60,7 @@ TEST_P(friction_laws, random_scenes_end_solved_or_with_a_status) {
 }
 
 TEST_P(friction_laws_long, random_scenes_end_solved_or_with_a_status) {
-  // Slip against the traction has no principle of greatest power behind it.
+  // No principle of greatest power stands behind slip against the traction.
   expect_laws_kept(GetParam(), extremes::first_seed() + 20, 30, std::string(GetParam()) == "orthotropic" ? 1 : 4);
 }
 

@@ -1,5 +1,5 @@
-/// The named extreme scenes, from nothing and from a wildly different state of the same contact: solved with the laws
-/// of contact satisfied, as recomputed without the solver, or ended with the status that is right for them.
+/// Solves the named extreme scenes, from nothing and from a wildly different state of the same contact, with the laws
+/// of contact satisfied, recomputed without the solver, or to the status that is right for them.
 
 #include <map>
 
@@ -27,7 +27,7 @@ void expect_right(const Scene& scene, const Ending& e, const char* start) {
   EXPECT_LE(e.law.worst(), law_bound) << full_name(scene) << ", " << start << ": " << e.law.worst_name();
 }
 
-/// Every second scene from the first one.
+/// Takes every second scene from the first one.
 void expect_laws_kept(std::size_t first) {
   struct Row {
     int scenes = 0, refused = 0, warm = 0;
@@ -108,7 +108,7 @@ TEST(stability_long, units_change_neither_answers_nor_iterations) {
 }
 
 TEST(stability, stiffer_and_stiffer_bodies_approach_the_rigid_one) {
-  // Tractions on body 1 against ever stiffer bodies, and those on a rigid one.
+  // Tractions on body 1 against ever stiffer bodies tend to those on a rigid one.
   std::vector<double> difference;
   std::vector<std::vector<double>> traction;
   for (int k = 0; k <= 13; ++k) {

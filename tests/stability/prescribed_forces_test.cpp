@@ -1,4 +1,4 @@
-/// Prescribed tangential forces up to the limit of friction, in one and two directions.
+/// Tests prescribed tangential forces up to the limit of friction, in one and two directions.
 
 #include "contact/scene_fixture.hpp"
 

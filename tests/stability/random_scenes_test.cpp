@@ -1,5 +1,5 @@
-/// Random scenes over wide ranges from fixed seeds: each one is solved with the laws satisfied, or ends with a status
-/// that says why not. Some at once, more for every change, others every night.
+/// Solves random scenes over wide ranges from fixed seeds: each one is solved with the laws satisfied, or ends with a
+/// status that says why not. Some run at once, more for every change, others every night.
 
 #include <map>
 
@@ -10,7 +10,7 @@
 namespace rollcon {
 namespace {
 
-/// At most so many may end without convergence.
+/// Expects right ends; at most so many may end without convergence.
 void expect_right_ends(std::uint32_t first, std::uint32_t scenes, int most) {
   constexpr double law_bound = 1e-8;
   std::map<std::int32_t, int> count;
@@ -37,7 +37,7 @@ void expect_right_ends(std::uint32_t first, std::uint32_t scenes, int most) {
 }
 
 TEST(stability, random_scenes_end_solved_or_with_a_status) {
-  // Of seeds that nobody has tried, one in a hundred does not converge, as in the long test.
+  // One in a hundred of the seeds that nobody has tried does not converge, which is the rate of the long test.
   expect_right_ends(extremes::first_seed(), 40, extremes::first_seed() == 1 ? 0 : 2);
 }
 

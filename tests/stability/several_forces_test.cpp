@@ -1,5 +1,5 @@
-/// Two or three tangential loads given at once, from none to a tenth more than friction carries: what is called solved
-/// keeps all laws and carries all loads, and what is refused is too much.
+/// Solves with two or three tangential loads given at once, from none to a tenth more than friction carries: what is
+/// called solved obeys all laws and carries all loads, and what is refused is too much.
 
 #include <map>
 

@@ -1,5 +1,5 @@
-/// Random scenes in steps of time, rolling and shifted, everything changed from step to step: each step is solved with
-/// its laws satisfied, or ends with a status that says why not and leaves the one before as it was.
+/// Solves random scenes in steps of time, rolling and shifted, everything changed from step to step: each step is
+/// solved with its laws satisfied, or ends with a status that says why not and leaves the one before unchanged.
 
 #include <algorithm>
 #include <map>
@@ -13,14 +13,14 @@
 namespace rollcon {
 namespace {
 
-/// What the steps of one scene did.
+/// Says what the steps of one scene did.
 struct Walk {
   std::map<std::int32_t, int> count;
   double worst = 0, iterations = 0, fallbacks = 0;
   int solved = 0;
 };
 
-/// Of the frame.
+/// Returns the spacing of the frame.
 double spacing_of(const SurfaceMesh& mesh) {
   double low[2] = {1e300, 1e300}, high[2] = {-1e300, -1e300};
   for (const Vec3& x : mesh.node)
@@ -53,7 +53,7 @@ void walk(const extremes::Scene& base, std::uint32_t seed, int steps, Walk& to) 
     for (double& mu : scene.given.friction) mu *= more;
     extremes::give_loads(*pair, scene);
     ASSERT_EQ(rollcon_contact_set_step(pair->handle(), shift ? ROLLCON_SHIFT_STEP : ROLLCON_ROLLING_STEP, dt), 0);
-    // The tractions of the last step that was solved are those of the contact still only until the next solve.
+    // The tractions of the last step that was solved remain the contact's only until the next solve.
     if (any) before = laws::displacements_before(pair->handle(), base.given, distance);
     scene.given.in_time = laws::TimeStep{distance, dt, before};
     const extremes::Ending e = extremes::solve(*pair, scene, false, 300);

@@ -1,4 +1,4 @@
-/// A small table: what must hold whatever its size.
+/// Tests with a small table what must hold whatever its size.
 
 #include "tables/creep_table.hpp"
 
@@ -48,11 +48,11 @@ TEST(creep_table, derivatives_are_those_of_its_forces) {
   frames::Random random(7);
   const auto draw_one = [&] { return draw(random); };
   const double worst = small_tables::worst_derivative(table(), draw_one, 1e-3, {{1, {0.28, 0.3}}});
-  // Curvature over the steps, and single precision.
+  // The error comes from the curvature over the steps, and from single precision.
   expect_error("change of a force beside its derivative, over mu Fn", worst, 5e-7);
 }
 
-// Forces are linear in Poisson's ratio between the table's, but for the bend at friction's limit.
+// Forces are linear in Poisson's ratio between the table's values, except for the bend at friction's limit.
 TEST(creep_table, derivatives_by_poisson_are_one_from_end_to_end) {
   frames::Random random(8);
   double worst = 0;
@@ -92,7 +92,7 @@ TEST(creep_table, friction_bounds_forces_and_symmetries_are_exact) {
     ASSERT_EQ(f[0], g[0]);
     ASSERT_EQ(f[1], -g[1]);
     ASSERT_EQ(f[2], -g[2]);
-    other = in;  // mirrored along it, slip and forces turned round
+    other = in;  // mirrored along it: slip and forces turn round
     other.longitudinal = -in.longitudinal;
     table().evaluate(other, 0, g, nullptr);
     const double bound = in.friction * in.load;
@@ -138,7 +138,7 @@ TEST(creep_table_long, random_cases_are_those_of_the_solver) {
   expect_error("worst", worst, 0.035);
 }
 
-/// Bodies that slide everywhere, the pole of sliding inside the contact, on its long axis or off it.
+/// The bodies slide everywhere, with the pole of sliding inside the contact, on its long axis or off it.
 TEST(creep_table_long, frames_suit_the_shape) {
   const TableGrid grid;
   for (const double ratio : {0.04, 0.1, 0.3, 1.0, 4.0, 25.0}) {

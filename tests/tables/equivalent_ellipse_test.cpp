@@ -1,4 +1,4 @@
-/// The Hertzian contact that stands for a contact, and creep forces of tables from it.
+/// Tests the Hertzian contact that stands for a contact, and creep forces of tables from it.
 
 #include <array>
 #include <cmath>
@@ -47,7 +47,7 @@ TEST(equivalent_ellipse, of_a_hertzian_contact_is_its_own) {
   expect_error("center", std::hypot(c.center[0], c.center[1]), 1e-9);
 }
 
-// The same contact, seen from axes at another place: the creepages are those at its centre.
+// The contact is seen from axes at another place: the creepages are those at its centre.
 TEST(equivalent_ellipse, follows_its_contact) {
   const auto hertz = closed_forms::hertz_from_axes(6, 6, 1000, closed_forms::effective_modulus(steel, steel));
   constexpr double x = 1.5, y = -2, spin = 1e-4;
@@ -80,7 +80,8 @@ TEST(equivalent_ellipse, takes_mean_flexibilities) {
     const Case c = of(pair);
     expect_error("shear", c.input[0] * flexible - 1, 1e-12);
     expect_error("poisson", c.input[1] - sideways / flexible, 1e-12);
-    // Pressure strains both: the mean of d(u1 - u2)/dx over the pressure, by differences of the displacements.
+    // The pressure strains both: the mean of d(u1 - u2)/dx over the pressure comes from differences of the
+    // displacements.
     const auto s = pair.solution();
     const double step = 1e-3 * c.input[3];
     std::vector<double> ahead, behind;

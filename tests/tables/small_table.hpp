@@ -1,5 +1,5 @@
 #pragma once
-/// Creep tables that are small enough to be made by a test, and what is asked of them.
+/// Makes creep tables that are small enough for a test, and asks them.
 
 #include <algorithm>
 #include <array>
@@ -34,7 +34,7 @@ inline std::vector<double> solve(const TableGrid& grid, int parts = 1, int threa
   return sample;
 }
 
-/// Creepages of a size over friction times load / (shear a b), in any direction.
+/// Draws creepages of a size over friction times load / (shear a b), in any direction.
 inline void draw_creepages(frames::Random& random, double size, TableInput& in) {
   const double scale = size * in.friction * in.load / (in.shear * in.a * in.b);
   in.longitudinal = scale * random.between(-1, 1);
@@ -52,8 +52,8 @@ inline Answer ask(const CreepTable& table, const TableInput& in) {
   return a;
 }
 
-/// Worst change of forces over steps of the inputs beside that by the derivatives, over mu Fn. Steps are a share of
-/// each input; those that would leave its range are not taken.
+/// Returns the worst difference between the change of forces over steps of the inputs and that by the derivatives, over
+/// mu Fn. Steps are a fraction of each input; those that would leave its range are not taken.
 template <class Draw>
 double worst_derivative(const CreepTable& table, const Draw& draw, double share,
                         const std::map<int, std::array<double, 2>>& ranges) {

@@ -1,4 +1,4 @@
-/// The table that comes with the library beside contacts.
+/// Compares the table that comes with the library with contacts.
 
 #include <cmath>
 #include <memory>

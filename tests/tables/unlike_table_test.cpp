@@ -1,4 +1,4 @@
-/// Tables of two bodies whose elastic constants differ.
+/// Tests tables of two bodies whose elastic constants differ.
 
 #include <array>
 #include <cmath>
@@ -20,7 +20,7 @@ namespace {
 using closed_forms::Elastic;
 using scenes::RollingPair;
 
-/// Moduli 3 : 1.
+/// The moduli have the ratio 3 : 1.
 const UnlikePair pair_of_metals{{0.5, 1.5}, {0.28, 0.3}, {0.2, 0.3, 0.45}};
 
 TableGrid small_grid() {
@@ -44,7 +44,7 @@ TableInput draw(frames::Random& random, double greatest_size = 2) {
 
 TEST(unlike_table_long, derivatives_are_those_of_its_forces) {
   frames::Random random(7);
-  const double poisson = table().grid().poisson[0];  // the pair's, not to be changed
+  const double poisson = table().grid().poisson[0];  // the pair's, which cannot be changed
   const auto draw_one = [&] { return draw(random); };
   const double worst =
       small_tables::worst_derivative(table(), draw_one, 5e-4, {{1, {poisson, poisson}}, {2, {0.2, 0.45}}});
@@ -70,7 +70,7 @@ TEST(unlike_table_long, friction_bounds_forces_and_one_symmetry_is_exact) {
     ASSERT_EQ(f[0], g[0]);
     ASSERT_EQ(f[1], -g[1]);
     ASSERT_EQ(f[2], -g[2]);
-    other = in;  // along it, pressure pulls one way
+    other = in;  // mirrored along it, where pressure pulls one way
     other.longitudinal = -in.longitudinal;
     table().evaluate(other, 0, g, nullptr);
     broken = std::max(broken, std::abs(f[0] + g[0]) / (in.friction * in.load));
@@ -78,7 +78,7 @@ TEST(unlike_table_long, friction_bounds_forces_and_one_symmetry_is_exact) {
   EXPECT_GT(broken, 0.1);
 }
 
-/// Continuous where the creepages are none, where there is no spin and where there is nothing but spin.
+/// The table is continuous where the creepages are none, where there is no spin and where there is nothing but spin.
 TEST(unlike_table_long, seams_are_smooth) {
   frames::Random random(13);
   double value = 0, rate = 0;
@@ -208,7 +208,7 @@ TEST(plane_weights, reproduce_parabolas_and_their_slopes) {
   }
 }
 
-// Through the interface: the pair's own contact, another pair, and the bodies' order.
+// The interface is asked for the pair's own contact, another pair, and the bodies in either order.
 TEST(unlike_table, is_asked_by_contacts_of_its_bodies) {
   rollcon_context* context = nullptr;
   rollcon_table* made = nullptr;

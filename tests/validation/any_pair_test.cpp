@@ -1,5 +1,5 @@
-// Any body on any body: blocks of finite and of boundary elements, half-spaces and rigid bodies, as body 1 or 2, in
-// their own poses. All of them are large beside the contact: against half-spaces of the same materials.
+// Tests any body on any body: blocks of finite and of boundary elements, half-spaces and rigid bodies, as body 1 or 2,
+// in their own poses. All of them are large beside the contact, and compared with half-spaces of the same materials.
 
 #include <string>
 #include <vector>
@@ -11,7 +11,7 @@ namespace {
 
 using scenes::AnyBody;
 
-// nu near 1/2: little of the pressure becomes slip, whose error would hide that of the rest.
+// Poisson's ratios are near 1/2, so that little of the pressure becomes slip, whose error would hide that of the rest.
 const Elastic one{.shear = 3400, .poisson = 0.47}, other{.shear = 5000, .poisson = 0.45};
 constexpr double radius = 50, zone = 2.5, mu = 0.1, load = 220;
 
@@ -33,12 +33,12 @@ bool meshed(const std::string& kind) {
   return kind == "FEM" || kind == "BEM";
 }
 
-/// The scene as a whole turned and shifted.
+/// Turns and shifts the scene as a whole.
 struct Turned {
   std::array<Vec3, 3> rotation{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   Vec3 shift{0, 0, 0};
   Vec3 turn(const Vec3& x) const { return {dot(rotation[0], x), dot(rotation[1], x), dot(rotation[2], x)}; }
-  /// Rows of rotation times r.
+  /// Returns the rows of rotation times r.
   std::array<Vec3, 3> after(const std::array<Vec3, 3>& r) const {
     std::array<Vec3, 3> product;
     for (std::size_t i = 0; i < 3; ++i)

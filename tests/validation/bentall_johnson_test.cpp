@@ -1,5 +1,5 @@
-// Dissimilar rollers in plane strain, steel (body 1) on aluminium: creepage of free rolling at vanishing, usual and
-// unlimited friction, and of tractive rolling (tests/data/bentall_johnson.csv).
+// Tests dissimilar rollers in plane strain, steel (body 1) on aluminium: creepage of free rolling at vanishing, usual
+// and unlimited friction, and of tractive rolling (tests/data/bentall_johnson.csv).
 
 #include "support/carter_strip.hpp"
 #include "support/dissimilar_strip.hpp"
@@ -17,7 +17,7 @@ DissimilarStrip rollers(const std::vector<double>& lines, const char* scheme) {
   return {steel, aluminium, combined_radius, line_load, lines, scheme};
 }
 
-/// Creepage at a given force F/(mu P), by force. Godunov's difference needs equal spacing.
+/// Expects the creepage at a given force F/(mu P). Godunov's difference needs equal spacing.
 void expect_creepage(double mu, double force_ratio, const std::string& scheme, double expected, double p0,
                      const std::string& source, double bound = 2e-2) {
   const Solution s =
@@ -36,9 +36,9 @@ class BentallJohnson : public testing::TestWithParam<std::string> {};
 TEST_P(BentallJohnson, creepage_at_given_force) {
   const double no_slip = closed_forms::no_slip_free_rolling(steel, aluminium, line_load, combined_radius);
   for (const auto& row : closed_forms::bentall_johnson()) {
-    if (row.mu < 1e-3) continue;  // below
+    if (row.mu < 1e-3) continue;  // tested below
     if (row.mu >= 10) {
-      // Without slip first-order differences are slow: CONTACT is 2.2 % off with 200 strips.
+      // First-order differences are slow without slip: CONTACT is 2.2 % off with 200 strips.
       const double bound = GetParam() == "godunov" ? 2.2e-2 * 200 / 60 : 2e-2;
       expect_creepage(row.mu, row.force_ratio, GetParam(), no_slip, row.p0, "theory", bound);
       report("  CONTACT's creepage against this theory", row.xi / no_slip - 1);
@@ -72,7 +72,7 @@ TEST(BentallJohnsonFreeRolling, vanishing_friction_by_creepage) {
 
 TEST(BentallJohnsonFreeRolling, small_friction_by_force) {
   const double theory = closed_forms::bentall_johnson_vanishing(steel, aluminium, 0.1, combined_radius);
-  // At zero creepage nearly every node slips: the solver has to find its way from there.
+  // Nearly every node slips at zero creepage, and the solver has to find its way from there.
   expect_creepage(1e-3, 0, "least_squares", theory, 0, "theory of vanishing friction");
 }
 

@@ -1,6 +1,6 @@
-// Blocks of boundary and of finite elements, held at their bottom, under the sphere of example 3, pressed and rolling:
-// against Hertz, against the half-space that they become as they grow, on their own faces and under frames laid on
-// them, and as nu tends to 1/2.
+// Compares blocks of boundary and of finite elements, held at their bottom, under the sphere of example 3, pressed and
+// rolling, with Hertz and with the half-space that they become as they grow, on their own faces and under frames laid
+// on them, and as nu tends to 1/2.
 
 #include "mesh/corner_elements.hpp"
 #include "support/any_element.hpp"
@@ -13,7 +13,7 @@ namespace {
 namespace example3 = scenes::example3;
 using surfaces::ZoneBlock;
 
-/// 1.25 times as wide as the contact.
+/// The zone is 1.25 times as wide as the contact.
 constexpr double zone = 2.5, curvature = 1 / (2 * example3::radius);
 
 MeshedBody block(const ZoneBlock& shape, AnyElement type, const Elastic& material = example3::sphere) {
@@ -21,7 +21,7 @@ MeshedBody block(const ZoneBlock& shape, AnyElement type, const Elastic& materia
   return held(surfaces::zone_block(shape, std::get<ElementType>(type)), material, {3}, {2});
 }
 
-/// Over those of Hertz.
+/// Holds results over those of Hertz.
 struct Pressed {
   double p0, a, approach;
 };
@@ -75,7 +75,7 @@ TEST(Block_nightly, meets_the_half_space_as_its_mesh_is_refined) {
   expect_error("quad8, zone of 8 x 8: radius", p.a - 1, 0.015);
 }
 
-/// Graded triangles of its own that match no element of the body, or the body's own faces.
+/// Names the frame: graded triangles of its own that match no element of the body, or the body's own faces.
 enum class FrameOf { its_own, the_body };
 struct Rolling {
   const char* name;
@@ -86,9 +86,9 @@ struct Rolling {
 
 class RollingBlock : public ::testing::TestWithParam<Rolling> {};
 
-// The same frame on a half-space, where its integrals are exact.
+// The block is compared with the same frame on a half-space, where its integrals are exact.
 TEST_P(RollingBlock, is_like_a_half_space) {
-  constexpr double bound = 0.02;  // of forces over mu Fn; half of it of pressure and semi-axes
+  constexpr double bound = 0.02;  // bound of forces over mu Fn; half of it for pressure and semi-axes
   const auto& [name_of_case, type, deep, frame] = GetParam();
   const bool laid = frame == FrameOf::its_own;
   const Hertz hertz = example3::hertz();
@@ -137,13 +137,13 @@ INSTANTIATE_TEST_SUITE_P(Bodies_nightly, RollingBlock,
 
 constexpr double side = 30;
 
-/// Of side 30: finite elements near incompressibility.
+/// Makes a block of side 30 for finite elements near incompressibility.
 MeshedBody soft_block(VolumeType type, const Elastic& material) {
   if (type == VolumeType::hex8) return block({side, side / 2, zone, 12, 5, 8}, type, material);
   return block({side, side / 2, zone, 8, 3, 4}, type, material);
 }
 
-/// The same E* throughout: the same Hertz.
+/// Returns a material with the same E* throughout, so the same Hertz.
 Elastic material(double poisson) {
   const double young = 1e4 / (1 - 0.3 * 0.3) * (1 - poisson * poisson);
   return {.shear = young / (2 * (1 + poisson)), .poisson = poisson};
@@ -165,7 +165,7 @@ TEST_P(NearIncompressible, pressed_as_hertz_says) {
     expect_error(name + "p0, Hertz", p.p0 - 1, 0.03);
     expect_error(name + "p0, half-space", p.p0 / half_space.p0 - 1, 0.025);
     expect_error(name + "a, half-space", p.a / half_space.a - 1, 0.02);
-    // The held bottom takes away from the approach, see above.
+    // The held bottom takes away from the approach; the comment on it above tells how much.
     expect_error(name + "approach, half-space", p.approach / half_space.approach - 1,
                  1.5 * example3::hertz().a / side + 0.025);
   }

@@ -1,4 +1,4 @@
-// Carter's steady rolling of identical cylinders on frames aligned with the flow, and on others.
+// Tests Carter's steady rolling of identical cylinders on frames aligned with the flow, and on others.
 
 #include "support/carter_strip.hpp"
 #include "validation/scenes.hpp"
@@ -9,7 +9,7 @@ namespace {
 using namespace scenes;
 
 struct Result {
-  CarterErrors errors[3];  ///< by scheme
+  CarterErrors errors[3];  ///< errors by scheme
 };
 
 Result roll(const std::vector<double>& x, double half_length) {
@@ -54,7 +54,7 @@ TEST(Carter_long, uniform_nodes_converge_with_first_order) {
     const std::string name = schemes[i];
     report(name + ": F/(mu P), 20 nodes across", coarse.errors[i].force);
     report(name + ": F/(mu P), 80 nodes across", fine.errors[i].force);
-    // First order in the force; the square roots at the edges leave 1/2 to 1 in the L2 norm.
+    // The force is of first order; the square roots at the edges leave 1/2 to 1 in the L2 norm.
     expect_order(name + ": F/(mu P)", observed_order(coarse.errors[i].force, fine.errors[i].force, 4, 1), 0.75);
     expect_order(name + ": traction", observed_order(coarse.errors[i].traction, fine.errors[i].traction, 4, 1), 0.6);
   }
@@ -112,15 +112,15 @@ TEST(Carter, more_creepage_more_slip_until_all_slides) {
   }
 }
 
-// Where the mesh does not follow the flow: flow along the mesh's y axis, at 30 degrees to a grid, and over unstructured
+// The mesh does not follow the flow here: flow along the mesh's y axis, at 30 degrees to a grid, and over unstructured
 // triangles. First-order upwinding smears there; the errors are reported and bounded by what a first-order scheme of
 // that mesh size may cost, not by a wish.
 
-constexpr double half_length = 3;  // of the short strips with near-isotropic meshes
+constexpr double half_length = 3;  // half length of the short strips with near-isotropic meshes
 constexpr double pi = 3.14159265358979323846;
 
-/// Force vector over mu P of the strip's middle half by the nodes' weights, and the relative L2 error of its tractions
-/// against a function of x.
+/// Returns the force vector over mu P of the strip's middle half by the nodes' weights; below, the relative L2 error of
+/// its tractions against a function of x.
 RollingAnswer middle_force(const Solution& s) {
   std::array<double, 2> force{};
   double load = 0;
@@ -148,13 +148,13 @@ Solution roll(const SurfaceMesh& mesh, const std::vector<double>& gap, const cha
   RollingPair pair(roller, roller);
   pair.frame(mesh).gap(gap).friction(carter.mu).rolling_at(angle);
   pair.approach(strip.approach()).creep(carter.xi, 0, 0).option("convection", scheme);
-  // Loaded ends: OK where the frame reaches beyond them, else the rim is in contact by intent.
+  // The ends are loaded: the status is OK where the frame reaches beyond them, else the rim is in contact by intent.
   const std::int32_t status = pair.solve();
   EXPECT_TRUE(status == ROLLCON_OK || status == ROLLCON_RIM_CONTACT) << scheme;
   return pair.solution();
 }
 
-/// The strip's gap; open beyond its ends.
+/// Returns the strip's gap, which is open beyond its ends.
 std::vector<double> strip_gap(const SurfaceMesh& mesh) {
   const Strip strip{carter.hertz, half_length};
   std::vector<double> h;
@@ -163,7 +163,7 @@ std::vector<double> strip_gap(const SurfaceMesh& mesh) {
   return h;
 }
 
-/// What the short strip's middle half gives on a fine aligned frame.
+/// Returns what the short strip's middle half gives on a fine aligned frame.
 RollingAnswer reference_force() {
   static const RollingAnswer value = [] {
     const auto mesh =
@@ -173,7 +173,7 @@ RollingAnswer reference_force() {
   return value;
 }
 
-/// Elements of a grid of size h, turned by `angle`, that lie within the strip and its margin.
+/// Returns the elements of a grid of size h, turned by `angle`, that lie within the strip and its margin.
 SurfaceMesh turned_grid(double h, double angle) {
   const int n = static_cast<int>(std::ceil((half_length + 2) / h));
   const auto lines = frames::uniform_lines(-n * h, n * h, 2 * n);
@@ -206,13 +206,13 @@ TEST(CarterFlow, along_the_y_axis_of_the_mesh) {
     for (std::size_t k = 0; k < along_x.nodes(); ++k)
       for (std::size_t i = 0; i < 3; ++i)
         difference = std::max(difference, std::abs(along_x.traction[k][i] - along_y.traction[k][i]));
-    // The same discrete problem turned by 90 degrees: round-off and the integrals' tolerance.
+    // The discrete problem is turned by 90 degrees: only round-off and the integrals' tolerance differ.
     expect_error(std::string(scheme) + ": tractions, flow along y against flow along x", difference / carter.hertz.p0,
                  1e-5);
   }
 }
 
-/// The forces of two meshes of sizes h and half of it, with errors of `factor` times their size.
+/// Expects the forces of two meshes of sizes h and half of it to have errors of `factor` times their size.
 template <class Make>
 void expect_first_order(const std::string& what, double h, double factor, Make&& make) {
   for (const char* scheme : schemes) {
@@ -231,7 +231,7 @@ void expect_first_order(const std::string& what, double h, double factor, Make&&
 }
 
 TEST(CarterFlow_long, at_30_degrees_to_a_grid) {
-  // First order with the constant of Godunov's smearing, measured: 0.14 h/a of the force.
+  // The order is first, with the constant of Godunov's smearing, measured: 0.14 h/a of the force.
   expect_first_order("grid at 30 degrees", 0.2, 0.15, [](int i) { return turned_grid(0.2 / (1 << i), pi / 6); });
 }
 

@@ -1,5 +1,5 @@
-// Contact that turns by up to 60 degrees, against closed forms without friction: a bore lined with a thin layer, where
-// every point yields by its own pressure, and an elastic pin in an elastic plate.
+// Compares contact that turns by up to 60 degrees with closed forms without friction: a bore lined with a thin layer,
+// where every point yields by its own pressure, and an elastic pin in an elastic plate.
 
 #include <cmath>
 #include <numbers>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180, clearance = 1e-3, young = 1e4, poisson = 0.3;
 
-/// Greatest angle of nodes in contact to the lowest line of a bore of radius 1.
+/// Returns the greatest angle of nodes in contact to the lowest line of a bore of radius 1.
 double reach_of(const Solution& s, const SurfaceMesh& frame) {
   double reach = 0;
   for (std::size_t k = 0; k < s.nodes(); ++k) {
@@ -25,8 +25,8 @@ double reach_of(const Solution& s, const SurfaceMesh& frame) {
   return reach;
 }
 
-/// A rigid pin, sunk by `depth`, reaches where depth cos - clearance (1 - cos) is zero; there is (depth cos - clearance
-/// (1 - cos)) M / wall of pressure.
+/// Presses a rigid pin, sunk by `depth`, which reaches where depth cos - clearance (1 - cos) is zero; its pressure is
+/// (depth cos - clearance (1 - cos)) M / wall.
 void press_into_a_layer(extremes::Model model, double wall) {
   constexpr double angle = 54 * degree;
   extremes::ConformalShape shape{.model = model};
@@ -39,7 +39,7 @@ void press_into_a_layer(extremes::Model model, double wall) {
   const SurfaceMesh frame = extremes::top_of(body, 1);
   RollingPair pair(body, RigidBody{}, 1);
   std::vector<double> gap;
-  for (const Vec3& x : frame.node) gap.push_back(clearance * x[2]);  // 1 - cos
+  for (const Vec3& x : frame.node) gap.push_back(clearance * x[2]);  // 1 - cos of the angle
   const double depth = clearance * (1 / std::cos(angle) - 1);
   pair.frame_from_body(1, 6).gap(gap).approach(depth).friction(0);
   ASSERT_EQ(pair.solve(), ROLLCON_OK);
@@ -62,8 +62,8 @@ TEST(ConformalFits, a_lined_bore) {
 
 constexpr double half_length = 0.02;
 
-/// A plate with a hole of radius 1 about the axis at height 1, held far away; tag 7 spans 60 degrees to both sides of
-/// the hole's lowest line. Plane strain.
+/// Makes a plate with a hole of radius 1 about the axis at height 1, held far away, in plane strain; tag 7 spans 60
+/// degrees to both sides of the hole's lowest line.
 MeshedBody plate(int around, int deep) {
   constexpr double outer = 40;
   surfaces::Block block;
@@ -86,7 +86,7 @@ MeshedBody plate(int around, int deep) {
   return body;
 }
 
-/// Held at a thin hole along its axis.
+/// Makes a pin held at a thin hole along its axis.
 MeshedBody pin(int around, int deep) {
   constexpr double radius = 1 - clearance;
   surfaces::Block block;
@@ -129,7 +129,7 @@ TEST(ConformalFits_long, a_pin_in_a_plate) {
                                std::to_string(n) + " elements around: ";
       expect_error(name + "reach (radian)", reach_of(s, frame) - angle, 360 * degree / n);
       expect_error(name + "p0", relative(pair.stat("max_pressure"), p0), 0.02 * 48 / n * 48 / n);
-      // At the node beside the edge, where pressures rise as a root.
+      // The greatest error is at the node beside the edge, where pressures rise as a root.
       expect_error(name + "pressure over p0, greatest", error, 0.1);
     }
   }

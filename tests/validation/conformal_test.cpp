@@ -1,5 +1,5 @@
-// A rigid cylinder in a groove of nearly its radius: contact that turns by 40 degrees to both sides, where pressures
-// have directions of their own. Linear and quadratic meshes must tend to one answer.
+// Tests a rigid cylinder in a groove of nearly its radius: contact that turns by 40 degrees to both sides, where
+// pressures have directions of their own. Linear and quadratic meshes must tend to one answer.
 
 #include <cmath>
 #include <vector>
@@ -14,7 +14,7 @@ namespace {
 constexpr double radius = 10, thickness = 10, length_along = 6, half_angle = 1.0472;
 constexpr double cylinder_radius = 9.9, depth = 0.05;
 
-/// A shell of 120 degrees around the x axis, held on its back; the groove is tag 6.
+/// Makes a shell of 120 degrees around the x axis, held on its back; the groove is tag 6.
 SurfaceMesh groove(ElementType type, int n) {
   surfaces::Block shape;
   for (int i = 0; i <= 2 * n; ++i) shape.line[0].push_back(half_angle * (i - n) / n);

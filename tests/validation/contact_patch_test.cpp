@@ -1,4 +1,5 @@
-// The contact patch test: two blocks with different meshes are pressed on each other; a uniform pressure must pass.
+// Runs the contact patch test: two blocks with different meshes are pressed on each other, and a uniform pressure must
+// pass.
 
 #include <string>
 #include <vector>
@@ -11,7 +12,7 @@ namespace {
 const Elastic soft{.shear = 400, .poisson = 0.3}, stiff{.shear = 900, .poisson = 0.2};
 constexpr double pressure = 2;
 
-/// [0, 1]^2 x [0, height] between planes of symmetry x = 0, y = 0 and z = 0; contact at its top.
+/// Describes [0, 1]^2 x [0, height] between planes of symmetry x = 0, y = 0 and z = 0, with contact at its top.
 struct Half {
   std::array<int, 3> parts;
   double height = 1;
@@ -26,7 +27,7 @@ MeshedBody between_planes(MeshedBody body, std::int64_t between_nodes) {
   return body;
 }
 
-/// Midside nodes of the surface to the middle of their edges.
+/// Moves midside nodes of the surface to the middle of their edges.
 SurfaceMesh straighten(SurfaceMesh mesh) {
   for (std::int64_t e = 0; e < mesh.elements(); ++e) {
     const ElementType type = mesh.type[static_cast<std::size_t>(e)];
@@ -39,7 +40,7 @@ SurfaceMesh straighten(SurfaceMesh mesh) {
   return mesh;
 }
 
-/// edges: of the faces; curved ones stay within the planes of the block.
+/// Describes the edges of the faces; curved ones stay within the planes of the block.
 enum class Edges { straight, curved };
 
 MeshedBody half(VolumeType type, const Half& h, const Elastic& material, Edges edges) {
@@ -57,7 +58,7 @@ MeshedBody half(ElementType type, const Half& h, const Elastic& material, Edges 
 struct Case {
   std::string name;
   MeshedBody lower, upper;
-  bool own_frame = false;  ///< a third mesh, no finer than either
+  bool own_frame = false;  ///< true for a third mesh, no finer than either
   double bound = 1e-10;
 };
 
@@ -86,7 +87,7 @@ std::vector<Case> cases() {
   return all;
 }
 
-/// Largest deviation of the nodal pressures from the uniform one, relative.
+/// Returns the largest deviation of the nodal pressures from the uniform one, relative.
 double deviation(const Case& c, std::int64_t between_nodes) {
   RollingPair pair(between_planes(c.lower, between_nodes), between_planes(c.upper, between_nodes), 1);
   // The upper block stands on its head: x -> y keeps the planes of symmetry where they are.

@@ -1,5 +1,5 @@
-// Force against longitudinal creepage from full stick to full slip, against tabulated output of the half-space program
-// CONTACT (tests/data/creep_curve.csv): force vector and, zero by symmetry, spin moment.
+// Compares force against longitudinal creepage from full stick to full slip with tabulated output of the half-space
+// program CONTACT (tests/data/creep_curve.csv): force vector and, zero by symmetry, spin moment.
 
 #include "validation/laws.hpp"
 
@@ -35,7 +35,7 @@ TEST(CreepCurve, ellipse_from_stick_to_slip) {
     last = ratio;
     expect_laws(name, check_laws(s, mu, point.xi));
   }
-  // Linear range: 243.30 N at 1e-5 by Kalker's theory.
+  // The linear range has 243.30 N at 1e-5 by Kalker's theory.
   pair.creep(-1e-5, 0, 0);
   ASSERT_EQ(pair.solve(), ROLLCON_OK);
   expect_error("force at xi = 1e-5 against linear theory", relative(pair.solution().force[0], 243.30), 2e-2);

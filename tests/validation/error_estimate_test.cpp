@@ -1,5 +1,5 @@
-// Error estimates beside true errors: effectivity (estimate over error) on scenes with known solutions, several meshes
-// each. Printed: both, and the bounds of their ratio.
+// Compares error estimates with true errors by their effectivity (estimate over error), on scenes with known solutions,
+// several meshes each. Printed are both, and the bounds of their ratio.
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +20,8 @@ constexpr const char* normal = "normal force";
 constexpr const char* tangential = "tangential force";
 constexpr const char* tractions = "tractions";
 
-/// Effectivities of one quantity, each in [least, most]. Errors below `accidental` are no measure of how far too large
-/// an estimate is: there the upper bound is that of this error.
+/// Expects effectivities of one quantity, each in [least, most]. Errors below `accidental` are no measure of how far
+/// too large an estimate is: there the upper bound is that of this error.
 std::vector<Judged> expect_effectivity(const std::vector<Judgement>& scenes, const char* quantity, double least,
                                        double most, double accidental = 0) {
   std::vector<Judged> found;
@@ -40,7 +40,8 @@ std::vector<Judged> expect_effectivity(const std::vector<Judgement>& scenes, con
   return found;
 }
 
-/// Estimates fall from the first mesh to the last as the errors do: orders that differ by no more than `slack`.
+/// Expects estimates to fall from the first mesh to the last like the errors: their orders differ by no more than
+/// `slack`.
 void expect_rate(const std::vector<Judged>& meshes, double refinement, double slack) {
   const Judged &coarse = meshes.front(), &fine = meshes.back();
   const double estimated = observed_order(coarse.estimate, fine.estimate, refinement, 1);
@@ -79,7 +80,7 @@ TEST_P(ErrorEstimateOfRolling, on_fitted_rings) {
     for (const int rings : {8, 12, 16})
       scenes.push_back(judge_steady_rolling(which, judged_rings(5, 5, rings), GetParam()));
     expect_effectivity(scenes, normal, 0.9, 1.1);
-    // (On five or six rings the error of least squares in case (a) changes its sign.)
+    // The error of least squares in case (a) changes its sign on five or six rings.
     expect_effectivity(scenes, tangential, 0.6, 4);
   }
 }
@@ -100,8 +101,8 @@ TEST_P(ErrorEstimateOfRolling, on_a_strip) {
   expect_rate(expect_effectivity(scenes, tangential, 0.4, 4), 3, 0.8);
 }
 
-/// Where unlike bodies touch, the error of the characteristic scheme changes its sign near the standard step and with
-/// the mesh: it is less there than estimates can tell.
+/// Says whether the scheme errs little where unlike bodies touch: the error of the characteristic scheme changes its
+/// sign near the standard step and with the mesh, and is less there than estimates can tell.
 bool errs_little(const std::string& scheme) {
   return scheme == "characteristic";
 }

@@ -1,5 +1,5 @@
-// The paper's example 3 on its frames: the same creepage on all within their errors, the peak pressure near Hertz's,
-// and every law of contact recomputed from the results.
+// Tests the paper's example 3 on its frames: the same creepage on all within their errors, the peak pressure near
+// Hertz's, and every law of contact recomputed from the results.
 
 #include "support/example3.hpp"
 
@@ -19,7 +19,7 @@ double peak(const Solution& s) {
   return *std::max_element(s.pressure.begin(), s.pressure.end());
 }
 
-/// A fine frame fitted to the contact, characteristic scheme.
+/// Returns the result of a fine frame fitted to the contact, by the characteristic scheme.
 const Reference& reference() {
   static const Reference value = [] {
     const double a = example3::hertz().a;
@@ -40,12 +40,12 @@ std::vector<double> positions(const Solution& s, double shift_x) {
   return xy;
 }
 
-/// u1 - u2 at the nodes moved by shift_x; the plane is rigid.
+/// Returns u1 - u2 at the nodes moved by shift_x; the plane is rigid.
 std::vector<double> displacement(const RollingPair& pair, const Solution& s, double shift_x) {
   return pair.displacements_at(1, positions(s, shift_x));
 }
 
-/// Largest error of the published gap against h - approach - u_n from displacements at points.
+/// Returns the largest error of the published gap against h - approach - u_n from displacements at points.
 double gap_error(const RollingPair& pair, const Solution& s) {
   const auto u = displacement(pair, s, 0);
   double error = 0;
@@ -56,7 +56,7 @@ double gap_error(const RollingPair& pair, const Solution& s) {
   return error / s.approach;
 }
 
-/// Largest error of the published slip in contact against c + V D u with the tests' own Godunov operator.
+/// Returns the largest error of the published slip in contact against c + V D u with the tests' own Godunov operator.
 double slip_error(const RollingPair& pair, const Solution& s, const SurfaceMesh& mesh) {
   const auto u = displacement(pair, s, 0);
   const laws::Rows rows = laws::godunov_rows(mesh, {s.x, s.y});
@@ -72,8 +72,8 @@ double slip_error(const RollingPair& pair, const Solution& s, const SurfaceMesh&
   return error / std::abs(s.creep[0]);
 }
 
-/// Root mean square difference, over nodes in contact, of the published slip and the exact derivative of the
-/// displacements along the path; in units of V |xi|. It holds the scheme's error.
+/// Returns the root mean square difference, over nodes in contact, of the published slip and the exact derivative of
+/// the displacements along the path, in units of V |xi|. It includes the scheme's error.
 double slip_consistency(const RollingPair& pair, const Solution& s) {
   const double step = 1e-3 * example3::hertz().a;
   const auto here = displacement(pair, s, -step), ahead = displacement(pair, s, step);
@@ -103,7 +103,7 @@ void roll(int nodes, const char* scheme, double bound) {
   expect_error(name + "creepage, turned like the force", errors.force, bound);
   expect_error(name + "spin moment", errors.moment, 2e-4);
   expect_error(name + "peak pressure against the fine frame", relative(peak(s), reference().p0), 1e-2);
-  // 140 MPa is Hertz's 140.8 without friction; the coupling of this pair raises it by 1.8 %.
+  // The pressure of 140 MPa is Hertz's 140.8 without friction; the coupling of this pair raises it by 1.8 %.
   expect_error(name + "peak pressure against 140 MPa", relative(peak(s), 140), 3e-2);
   expect_laws(frame.name + ", " + scheme, check_laws(s, example3::mu, example3::speed * std::abs(s.creep[0])));
   expect_error(name + "gap from displacements", gap_error(*pair, s), 1e-5);
@@ -112,8 +112,8 @@ void roll(int nodes, const char* scheme, double bound) {
   report(name + "slip against the exact derivative, rms", slip_consistency(*pair, s));
 }
 
-/// bound: of the creepage; up to twice the scheme's measured error, and never below that of the reference itself (14
-/// rings differ from 18 by 0.13 %).
+/// Holds the bound of the creepage: up to twice the scheme's measured error, and never below that of the reference
+/// itself (14 rings differ from 18 by 0.13 %).
 struct Rolling {
   int nodes;
   const char* scheme;
@@ -144,7 +144,7 @@ INSTANTIATE_TEST_SUITE_P(Validation_nightly, Example3Frames,
                                          Rolling{2745, "characteristic", 0.004}),
                          rolling_name);
 
-// Carrying tractions along a half-space changes no elastic energy: friction loses what the force and the rolling moment
+// Tractions carried along a half-space change no elastic energy: friction loses what the force and the rolling moment
 // put in, -int lt.s = V (M2/R - F1 xi1).
 TEST(Example3, friction_loses_what_force_and_moment_put_in) {
   const double a = example3::hertz().a;

@@ -1,5 +1,5 @@
-// Frames of their own laid on blocks of finite elements as they come: finer than the body's faces, from edge to edge of
-// the top, over an insert of another material, in a steep groove; with and without contact faces named.
+// Tests frames of their own laid on blocks of finite elements in whatever way: finer than the body's faces, from edge
+// to edge of the top, over an insert of another material, in a steep groove; with and without contact faces named.
 
 #include <algorithm>
 #include <array>
@@ -20,7 +20,7 @@ namespace {
 
 using frames::uniform_lines;
 
-/// [-half, half]^2 x [-depth, 0] in n x n x layers hexahedra.
+/// Makes [-half, half]^2 x [-depth, 0] in n x n x layers hexahedra.
 surfaces::Block slab(int n, int layers, double half, double depth) {
   surfaces::Block shape;
   shape.line = {uniform_lines(-half, half, n), uniform_lines(-half, half, n), uniform_lines(-depth, 0, layers)};
@@ -40,7 +40,7 @@ struct Fine {
   double node, between;  ///< bounds of the pressure over p0, on a node of the body and elsewhere
 };
 
-/// A ball of radius 100 on a block whose faces are as large as the radius of the contact.
+/// Presses a ball of radius 100 on a block whose faces are as large as the radius of the contact.
 class FineFrame : public ::testing::TestWithParam<Fine> {
  protected:
   static constexpr double curvature = 0.005, load = 300;
@@ -48,7 +48,7 @@ class FineFrame : public ::testing::TestWithParam<Fine> {
   const Hertz hertz =
       closed_forms::hertz_from_load(curvature, curvature, closed_forms::effective_modulus(material), load);
 
-  /// Frame of n x n elements, middle at (shift, shift); a node of the body is at the origin.
+  /// Lays a frame of n x n elements with its middle at (shift, shift); a node of the body is at the origin.
   std::unique_ptr<RollingPair> ball(double shift, int n) const {
     MeshedBody body = held(volumes::block(slab(10, 5, 10, 10), GetParam().type), material, {5}, {6});
     auto pair = std::make_unique<RollingPair>(body, RigidBody{}, 1);
@@ -107,7 +107,7 @@ class Insert : public ::testing::TestWithParam<double> {
  protected:
   enum class Contact { unnamed, named };
 
-  /// A ball on the middle of a block of E = 1 with a square core of E = ratio.
+  /// Presses a ball on the middle of a block of E = 1 with a square core of E = ratio.
   static std::array<double, 3> force(double ratio, Contact choice, VolumeType type) {
     surfaces::Block shape = slab(16, 8, 1, 1);
     shape.zone_from = {4, 4};
@@ -144,7 +144,7 @@ TEST_P(Insert, the_stiff_material_carries) {
 INSTANTIATE_TEST_SUITE_P(Ratios, Insert, ::testing::Values(1e2));
 INSTANTIATE_TEST_SUITE_P(Ratios_long, Insert, ::testing::Values(1.0, 1e4));
 
-/// Forces on a body without and with its top named as what may come into contact.
+/// Compares forces on a body without and with its top named as what may come into contact.
 void expect_walls_without_part(const std::string& name, MeshedBody body, const SurfaceMesh& frame,
                                const std::vector<double>& gap, double approach) {
   std::array<double, 3> force[2];
@@ -172,7 +172,7 @@ class Edges : public ::testing::TestWithParam<VolumeType> {
 };
 
 TEST_P(Edges, of_a_slab_do_not_feel_the_frame) {
-  // Faces of the body along an edge, its layers, elements of the frame, half its width.
+  // The columns are faces of the body along an edge, its layers, elements of the frame, and half its width.
   const std::tuple<int, int, int, double> cases[] = {{1, 1, 1, 1}, {1, 1, 3, 1},   {1, 2, 7, 1},
                                                      {2, 3, 3, 1}, {3, 2, 2, 1},   {3, 2, 7, 1},
                                                      {5, 1, 4, 1}, {3, 2, 4, 0.9}, {3, 2, 7, 0.7}};
@@ -185,7 +185,7 @@ TEST_P(Edges, of_a_slab_do_not_feel_the_frame) {
   }
 }
 
-// Rollers of radius 10 around the y axis, straight or crowned; the frame is as wide as they are.
+// Rollers of radius 10 lie around the y axis, straight or crowned; the frame is as wide as they are.
 TEST_P(Edges, of_a_roller_do_not_feel_the_frame) {
   for (const double crown : {0.0, 0.1})
     for (const int elements : {8, 11}) {
@@ -211,7 +211,7 @@ INSTANTIATE_TEST_SUITE_P(Types, Edges, ::testing::Values(VolumeType::hex8),
 INSTANTIATE_TEST_SUITE_P(Types_long, Edges, ::testing::Values(VolumeType::hex20),
                          [](const auto& param) { return volumes::name_of(param.param); });
 
-// A groove along x whose walls stand 54 degrees off the normal of the axes.
+// A groove along x has walls that stand 54 degrees off the normal of the axes.
 TEST(SteepGroove, is_solved_on_coarse_faces) {
   constexpr double steepest = 0.95;
   std::array<double, 3> force[2];
@@ -232,7 +232,7 @@ TEST(SteepGroove, is_solved_on_coarse_faces) {
     ASSERT_GE(pair.approach(0.01).creep(1e-3, 0, 0).solve(), ROLLCON_OK);
     force[finer] = pair.solution().force;
     const Solution s = pair.solution();
-    bool wall = false;  // in contact, and steep
+    bool wall = false;  // true if a node is in contact, and steep
     for (std::size_t k = 0; k < s.nodes(); ++k) wall = wall || (s.pressure[k] > 0 && std::abs(s.y[k]) > std::sin(0.8));
     EXPECT_TRUE(wall);
     for (const char* law : {"law_normal", "law_friction", "law_slip"}) expect_error(law, pair.stat(law), 1e-7);
@@ -243,7 +243,7 @@ TEST(SteepGroove, is_solved_on_coarse_faces) {
                  (force[0][c] - force[1][c]) / std::abs((c == 0 ? mu : 1) * force[1][2]), 0.02);
 }
 
-// A plate thinner than its faces are wide, under a finer frame and a rigid paraboloid.
+// A plate thinner than its faces are wide lies under a finer frame and a rigid paraboloid.
 TEST(ThinPlate, is_solved_on_coarse_faces) {
   double force[2];
   for (const int finer : {0, 1}) {

@@ -1,5 +1,5 @@
-// Frames finer than a body's linear faces: the pressure has no ripples from the facets, whether the gap was measured or
-// given.
+// Tests frames finer than a body's linear faces: the pressure has no ripples from the facets, whether the gap was
+// measured or given.
 
 #include <cmath>
 #include <numbers>
@@ -14,7 +14,7 @@ namespace {
 
 namespace example1 = scenes::example1;
 
-/// The ring's zone by n x n linear quadrilaterals, on the true surface.
+/// Returns the ring's zone by n x n linear quadrilaterals, on the true surface.
 SurfaceMesh laid(double zone, int n) {
   const double r = example1::radius, half = example1::width / 2;
   const auto s = frames::uniform_lines(-zone / 2, zone / 2, n);
@@ -28,7 +28,8 @@ struct Pressed {
   double middle = 0, ripple = 0;
 };
 
-/// Around mid-plane, beside the ellipse of a line contact with the pressure and half-width of quad8.
+/// Presses the ring; compares around mid-plane with the ellipse of a line contact with the pressure and half-width of
+/// quad8.
 Pressed press(const MeshedBody& ring, double zone, bool given) {
   constexpr double p0 = 106.8, a = 0.966;
   RollingPair pair(ring, RigidBody{}, 1);
@@ -50,7 +51,7 @@ Pressed press(const MeshedBody& ring, double zone, bool given) {
   return found;
 }
 
-// Measured from the facets, the pressure in the middle was 27 % high and ripples 18 %.
+// With the gap measured from the facets, the pressure in the middle would be 27 % high, with ripples of 18 %.
 TEST(FinerThanFaces, boundary_elements) {
   const surfaces::Ring shape = example1::bem_ring(6);
   const MeshedBody ring = example1::ring_body(shape, ElementType::quad4);
@@ -62,7 +63,8 @@ TEST(FinerThanFaces, boundary_elements) {
   expect_error("measured beside given: middle", measured.middle - given.middle, 1e-3);
 }
 
-// Displacements that bent with the faces alone gave 81 % in the middle with ripples of 12 % under a gap given.
+// With displacements that bend with the faces alone, it would be 81 % in the middle, with ripples of 12 %, under a
+// given gap.
 TEST(FinerThanFaces, finite_elements) {
   const surfaces::Ring shape = example1::fem_ring(6);
   const MeshedBody ring = example1::ring_body(shape, VolumeType::hex8);
@@ -74,7 +76,7 @@ TEST(FinerThanFaces, finite_elements) {
   expect_error("measured beside given: middle", measured.middle - given.middle, 1e-3);
 }
 
-/// A cube of hex8, 16 faces across its top, finer towards it.
+/// Makes a cube of hex8, 16 faces across its top, finer towards it.
 MeshedBody cube() {
   surfaces::Block block;
   block.line[0] = block.line[1] = frames::uniform_lines(-1, 1, 16);
@@ -85,8 +87,8 @@ MeshedBody cube() {
   return body;
 }
 
-// Root mean square over the middle of the contact, over p0; the ball stands over a node or over the middle of a face.
-// With displacements that bent with the faces alone it was 0.02, 0.05 and 0.07.
+// The error is the root mean square over the middle of the contact, over p0; the ball stands over a node or over the
+// middle of a face. With displacements that bend with the faces alone it would be 0.02, 0.05 and 0.07.
 TEST(FinerThanFaces, a_ball_on_finite_elements) {
   constexpr double face = 0.125, radius_over_a = 50, modulus = 2.1e5 / (1 - 0.09);
   const MeshedBody body = cube();

@@ -1,4 +1,5 @@
-// A plane of symmetry along the rolling direction: half of the body, held across the plane, carries half of the forces.
+// Tests a plane of symmetry along the rolling direction: half of the body, held across the plane, carries half of the
+// forces.
 
 #include <gtest/gtest.h>
 
@@ -8,8 +9,8 @@
 namespace rollcon::validation {
 namespace {
 
-/// Part y >= least of a block [-1, 1]^2 x [-1, 0] held at its bottom, under a rigid paraboloid; the frame is the faces
-/// in the middle of its top.
+/// Makes the part y >= least of a block [-1, 1]^2 x [-1, 0] held at its bottom, under a rigid paraboloid; the frame is
+/// the faces in the middle of its top.
 std::unique_ptr<RollingPair> block(double least, double mu, double creep) {
   const int n = 16, across = least < 0 ? n : n / 2;
   surfaces::Block shape;

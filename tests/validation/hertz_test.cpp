@@ -1,5 +1,5 @@
-// Frictionless contact: an elastic sphere on a rigid plane, on all kinds of frames; elliptic contacts with semi-axes
-// a/b from 0.02 to 50, on one grid with 24 elements across both axes, stretched with the ellipse.
+// Tests frictionless contact: an elastic sphere on a rigid plane, on all kinds of frames; elliptic contacts with
+// semi-axes a/b from 0.02 to 50, on one grid with 24 elements across both axes, stretched with the ellipse.
 
 #include <algorithm>
 
@@ -20,7 +20,7 @@ Solution press(const SurfaceMesh& mesh, bool by_force) {
   return pair.solution();
 }
 
-/// At given approach.
+/// Compares with Hertz at given approach.
 void expect_hertz(const std::string& name, const Solution& s, const Hertz& hertz) {
   const FittedEllipse fit = fit_hertz(s, hertz.a, hertz.b);
   expect_error(name + ": force", relative(-s.force[2], hertz.load), 3e-3);
@@ -36,7 +36,7 @@ void expect_circle(const std::string& name, const SurfaceMesh& mesh) {
   expect_error(name + ": peak pressure (largest nodal value)", relative(highest, exact.p0), 1e-2);
 }
 
-/// Elements across the contact.
+/// Makes a grid with so many elements across the contact.
 SurfaceMesh grid(ElementType type, int across) {
   const double reach = exact.a * 28.0 / 24.0;
   const auto lines = frames::uniform_lines(-reach, reach, across * 28 / 24);
@@ -76,7 +76,7 @@ TEST(HertzCircle_long, force_converges) {
   const double e2 = relative(-fine.force[2], exact.load);
   report("force, 12 across", e1);
   report("force, 48 across", e2);
-  // The edge of the contact falls between nodes: order one at worst, more as errors cancel.
+  // The edge of the contact falls between nodes, so the order is one at worst, and more when errors cancel.
   expect_order("force, quad4 grid", observed_order(e1, e2, 4, 1), 1.0);
 }
 
@@ -86,7 +86,7 @@ TEST(HertzCircle_long, force_converges_on_graded_rings) {
     error[i] = relative(-press(rings(6 << i, 1.25), false).force[2], exact.load);
     report("force, graded rings " + std::to_string(6 << i), error[i]);
   }
-  // Linear tractions on rings that resolve the square root at the edge.
+  // The tractions are linear on rings that resolve the square root at the edge.
   expect_order("force, graded rings", observed_order(error[0], error[1], 2, 1), 1.5);
 }
 
@@ -115,7 +115,7 @@ TEST(HertzClosedForm, matches_published_vectors) {
   struct Row {
     double A, B, load, e_star, a, b, p0, approach;
   };
-  // Recomputed from the closed form by an independent program; identical bodies, mm, N, MPa.
+  // The rows were recomputed from the closed form by an independent program; identical bodies, mm, N, MPa.
   const Row rows[] = {{.0008, .0002814173138, 106700, 113888.8889, 6.303597, 12.607194, 641.0603, .0765171},
                       {.01, .01, 9.1954, 344.827586, .99999992, .99999992, 4.3904808, .019999997},
                       {.001, .005, 10000, 113888.8889, 4.02895850, 1.39401596, 850.1212, .025948909},
@@ -131,7 +131,7 @@ TEST(HertzClosedForm, matches_published_vectors) {
 
 TEST(HertzClosedForm, slender_ellipse_tends_to_the_line) {
   const Hertz h = closed_forms::hertz_from_axes(1, 1e4, 100, 1e5);
-  // Mid-section of a slender ellipse: p0 = E* A a (line contact of curvature A = 1/2R).
+  // The mid-section of a slender ellipse has p0 = E* A a (line contact of curvature A = 1/2R).
   expect_error("line limit of A", relative(h.A, h.p0 / (1e5 * h.a)), 1e-6);
 }
 

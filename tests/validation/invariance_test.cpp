@@ -1,4 +1,4 @@
-// What must not change the answer, and limits that have an answer of their own.
+// Tests what must not change the answer, and limits that have an answer of their own.
 
 #include "validation/laws.hpp"
 
@@ -7,7 +7,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// Soft sphere on steel, every coupling at work; the numbers of one system of units.
+/// Describes a soft sphere on steel, every coupling at work, by the numbers of one system of units.
 struct Problem {
   Elastic body1{.shear = 23000, .poisson = 0.31};
   Elastic body2{.shear = 82000, .poisson = 0.28};
@@ -28,7 +28,7 @@ struct Problem {
   }
 };
 
-/// Largest difference of the tractions of two solutions, the second times a factor, over its p0.
+/// Returns the largest difference of the tractions of two solutions, the second times a factor, over its p0.
 double difference(const Solution& s, const Solution& t, double factor, double p0) {
   double largest = 0;
   for (std::size_t k = 0; k < s.nodes(); ++k)
@@ -130,7 +130,7 @@ TEST(Limits, pure_spin_slides_around_the_centre) {
   spinning.body1 = spinning.body2;
   spinning.xi = spinning.eta = 0;
   spinning.spin = 10;
-  // Full slip around the centre: M = -mu integral of p r = -(3 pi/16) mu P a for Hertz's pressure.
+  // The moment of full slip around the centre is M = -mu integral of p r = -(3 pi/16) mu P a for Hertz's pressure.
   const Hertz h = spinning.hertz();
   const double exact = -3 * pi / 16 * spinning.mu * h.load * h.a;
   const double coarse = relative(spinning.solve().moment[2], exact);
@@ -138,7 +138,7 @@ TEST(Limits, pure_spin_slides_around_the_centre) {
   const double fine = relative(spinning.solve().moment[2], exact);
   report("moment of full spin, 6 rings", coarse);
   expect_error("moment of full spin, 12 rings", fine, 1e-2);
-  // Linear interpolation of a direction that turns.
+  // The direction turns, and is interpolated linearly.
   expect_order("moment of full spin", observed_order(coarse, fine, 2, 1), 1.5);
 }
 
@@ -155,7 +155,7 @@ TEST(Limits, no_creepage_between_dissimilar_bodies_obeys_the_laws) {
   Problem still;
   still.xi = still.eta = still.spin = 0;
   const Solution s = still.solve();
-  // The pressure alone drags the soft body's surface along: slip of about p0/E* at zero creepage.
+  // The pressure alone drags the soft body's surface along, by a slip of about p0/E* at zero creepage.
   const double scale = still.speed * still.p0 / closed_forms::effective_modulus(still.body1, still.body2);
   expect_laws("zero creepage", check_laws(s, still.mu, scale));
   EXPECT_GT(std::abs(s.force[0]), 0.01 * still.mu * still.hertz().load);

@@ -1,6 +1,6 @@
-// Kalker's creepage coefficients: forces of vanishing creepage and spin on elliptic contacts of identical half-spaces.
-// Creepages are so small that 0.6 % of the friction bound is used. Quadratic triangles in nine rings: the spin moment
-// of a long ellipse needs them (linear ones: 20 rings).
+// Compares with Kalker's creepage coefficients: forces of vanishing creepage and spin on elliptic contacts of identical
+// half-spaces. Creepages are so small that 0.6 % of the friction bound is used. The frames are quadratic triangles in
+// nine rings, because the spin moment of a long ellipse needs them (linear ones: 20 rings).
 
 #include <array>
 #include <tuple>
@@ -13,10 +13,10 @@ namespace {
 
 namespace linear = scenes::linear_theory;
 
-constexpr double share = 0.006;  ///< of mu P, that the creepage would carry without slip
+constexpr double share = 0.006;  ///< fraction of mu P that the creepage would carry without slip
 constexpr int rings = 9;
-/// By motion: measured at most 1.1, 1.1 and 1.6 % of the force; 0.02, 0.4 and 1.3 % of the moment. The table has three
-/// digits.
+/// The bounds are by motion: measured were at most 1.1, 1.1 and 1.6 % of the force; 0.02, 0.4 and 1.3 % of the moment.
+/// The table has three digits.
 constexpr double force_bound[] = {0.0125, 0.012, 0.0175}, moment_bound[] = {2e-4, 0.004, 0.014};
 
 class KalkerCoefficients : public testing::TestWithParam<std::tuple<double, double>> {};

@@ -1,5 +1,5 @@
 #pragma once
-/// The contact laws, recomputed from the published results alone: nothing of the solver's own residuals is used.
+/// Recomputes the contact laws from the published results alone, without the solver's own residuals.
 
 #include <algorithm>
 #include <cmath>
@@ -15,10 +15,10 @@ struct LawErrors {
   double bound = 0;            ///< largest |q| - mu p over mu p0
   double direction = 0;        ///< slip nodes: largest |q + mu p s/|s|| over mu p0, times |s| over its scale
   double stick = 0;            ///< stick nodes: largest |s| over the scale of slip
-  double equilibrium = 0;      ///< sum of weight times traction against the resultant, over the load
+  double equilibrium = 0;      ///< sum of weight times traction less the resultant, over the load
 };
 
-/// slip_scale: a typical slip velocity, as V |creepage|.
+/// Takes a typical slip velocity, for example V |creepage|, as slip_scale.
 inline LawErrors check_laws(const Solution& s, double mu, double slip_scale) {
   LawErrors e;
   const double p0 = *std::max_element(s.pressure.begin(), s.pressure.end());

@@ -1,4 +1,5 @@
-// One contact through changes of its scene, solved by published procedures: the same as a fresh one.
+// Tests that one contact through changes of its scene, solved by published procedures, gives the results of a fresh
+// one.
 
 #include "support/example3.hpp"
 #include "support/testing.hpp"

@@ -1,6 +1,6 @@
 #pragma once
-/// Every admissible combination of the solution procedure's options, run on one scene and compared with the standard
-/// one.
+/// Runs every admissible combination of the solution procedure's options on one scene, and compares it with the
+/// standard one.
 
 #include <algorithm>
 #include <cmath>
@@ -19,9 +19,9 @@ using scenes::traction_difference;
 
 enum class Plain { all, fast };
 
-/// All of one system; estimates of slip go with reduced unknowns only (and "auto" is "jacobi"), preconditioners with
-/// GMRES. The characteristic scheme has no reduced unknowns. Without any factors GMRES needs thousands of iterations on
-/// written-out bodies: Plain::fast leaves that to the Jacobians with few steps.
+/// Returns all procedures of one system; estimates of slip go with reduced unknowns only (and "auto" is "jacobi"),
+/// preconditioners with GMRES. The characteristic scheme has no reduced unknowns. Without any factors GMRES needs
+/// thousands of iterations on written-out bodies: Plain::fast leaves that to the Jacobians with few steps.
 inline std::vector<Procedure> procedures_of(const std::string& system, bool reduced = true, Plain plain = Plain::all) {
   std::vector<Procedure> all;
   const auto with_solvers = [&](const std::string& jacobian, const char* estimate) {
@@ -44,7 +44,7 @@ inline std::vector<Procedure> procedures_of(const std::string& system, bool redu
   return all;
 }
 
-/// Combinations known not to converge on a scene; an empty name stands for all.
+/// Names combinations known not to converge on a scene; an empty name stands for all.
 struct Failing {
   std::string system = {}, jacobian = {}, slip_estimate = {}, linear_solver = {}, preconditioner = {};
 
@@ -55,12 +55,12 @@ struct Failing {
   }
 };
 
-/// A status of OK with other tractions than the standard procedure's is a failure whatever is listed; one that is not
-/// listed must be OK, one that is listed NOT_CONVERGED.
+/// Compares the procedures: a status of OK with other tractions than the standard procedure's is a failure whatever is
+/// listed; one that is not listed must be OK, one that is listed NOT_CONVERGED.
 inline void compare_procedures(const std::string& scene, RollingPair& pair, std::span<const Procedure> procedures,
                                std::span<const Failing> failing = {}) {
   constexpr double bound = 1e-6;
-  // Twice what the slowest that converges needs; where some fail, enough for the others.
+  // The limit is twice what the slowest that converges needs; where some fail, it is enough for the others.
   const std::int64_t most_iterations = failing.empty() ? 800 : 400;
   Procedure{}.apply(pair);
   pair.option("max_iterations", most_iterations);

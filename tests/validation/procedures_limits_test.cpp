@@ -1,4 +1,4 @@
-// Where published solution procedures do not converge, or hardly: recorded with the status they end with, beside those
+// Records where published solution procedures do not converge, or hardly, with the status they end with, beside those
 // that do.
 
 #include "support/example1.hpp"
@@ -36,7 +36,7 @@ TEST(ProceduresLimits, frozen_directions_reach_most_of_friction) {
   compare_procedures("force 85 % of friction", *sphere(0.85), by_lu());
 }
 
-/// Rings on each other; without a given lateral force, one that estimates of slip leave behind dies out, sweep by
+/// Rings roll on each other without a given lateral force: one that estimates of slip leave behind dies out, sweep by
 /// sweep, over the length that a tyre of the rings' lateral stiffness would roll.
 TEST(ProceduresLimits_long, estimates_of_slip_travel_with_the_particles) {
   surfaces::Ring shape = example1::paper_ring();

@@ -1,5 +1,5 @@
-// Every solution procedure finds the tractions of the standard one: contacts of half-spaces drawn at random from fixed
-// seeds.
+// Tests that every solution procedure finds the tractions of the standard one, on contacts of half-spaces drawn at
+// random from fixed seeds.
 
 #include "validation/procedure_runs.hpp"
 
@@ -15,8 +15,8 @@ struct Drawn {
   std::string what;
 };
 
-/// Sizes of creepages are `creep` times mu p0 / E*, of which a few times saturate friction. Ellipse, materials,
-/// friction, creepages, spin and which motions are found from forces.
+/// Draws ellipse, materials, friction, creepages, spin and which motions are found from forces. Sizes of creepages are
+/// `creep` times mu p0 / E*, of which a few times saturate friction.
 Drawn draw(Kind kind, bool by_force, double creep, std::uint32_t seed) {
   frames::Random random(seed);
   const Elastic one{.shear = 3800, .poisson = random.between(0, 0.45)};
@@ -73,8 +73,8 @@ TEST_P(RandomProcedures, reach_the_standard_tractions) {
     compare_procedures(s.name() + ", " + drawn.what, *drawn.pair, procedures_of(system), s.failing);
 }
 
-// Where everything slides and a creepage is found from its force, frozen directions of friction leave that creepage
-// undetermined: the method circles between full slip and full stick.
+// Frozen directions of friction leave a creepage undetermined where everything slides and it is found from its force:
+// the method circles between full slip and full stick.
 const std::vector<Failing> all_sliding{{.jacobian = "simplified"}, {.jacobian = "reduced"}};
 
 constexpr auto drawn_name = [](const auto& param) { return param.param.name(); };

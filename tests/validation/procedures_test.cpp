@@ -1,4 +1,5 @@
-// Every solution procedure finds the tractions of the standard one: on the paper's examples, coarsely meshed.
+// Tests that every solution procedure finds the tractions of the standard one, on the paper's examples, coarsely
+// meshed.
 
 #include "support/example1.hpp"
 #include "support/example2.hpp"
@@ -24,7 +25,7 @@ surfaces::Ring coarse(surfaces::Ring shape, int zone_around, int across, int dee
   return shape;
 }
 
-/// Nothing condensed beforehand: the monolithic systems are not to gain by it.
+/// Leaves out the condensation beforehand, so that the monolithic systems do not gain by it.
 MeshedBody unprepared(MeshedBody body) {
   body.int_option.emplace_back("prepare", 0);
   return body;
@@ -40,8 +41,8 @@ MeshedBody fem_ring() {
   return unprepared(example1::ring_body(shape, VolumeType::hex8));
 }
 
-/// No force across: at a given creepage of 0, a lateral force that the reduced unknowns leave behind would die out,
-/// sweep by sweep, as slowly as a tyre's does along its way.
+/// Rolls rings without a force across: at a given creepage of 0, a lateral force that the reduced unknowns leave behind
+/// would die out, sweep by sweep, as slowly as a tyre's along its way.
 Pair rings(const scenes::AnyBody& one, const scenes::AnyBody& two) {
   auto pair = example1::pair(one, two, "godunov");
   pair->tangential_force(ROLLCON_LATERAL, 0);
@@ -73,7 +74,7 @@ SurfaceMesh triangles() {
   return graded_disc(a, a, 6);
 }
 
-/// A part of the wheel of example 4 around its top: 30 x 30 x 20 mm, 8 x 8 elements in 6 x 6 mm.
+/// Makes a part of the wheel of example 4 around its top: 30 x 30 x 20 mm, 8 x 8 elements in 6 x 6 mm.
 Pair wheel() {
   auto pair = example4::pair(unprepared(example4::part_of_wheel({30, 20, 6, 8, 1, 1})), "godunov");
   pair->creep(-9e-4, 0, 0);

@@ -1,5 +1,5 @@
-// The second example of Rodriguez-Tembleque and Abascal: a finite-element ring rolls on a half-space, exact or a block
-// of boundary elements. Against the plane problem, the paper's numbers, and itself on a finer mesh.
+// Tests the second example of Rodriguez-Tembleque and Abascal: a finite-element ring rolls on a half-space, exact or a
+// block of boundary elements. It is compared with the plane problem, the paper's numbers, and itself on a finer mesh.
 
 #include <map>
 #include <string>
@@ -55,7 +55,7 @@ TEST(RingOnHalfSpace, rolls_as_the_paper_and_the_plane_problem_say) {
       expect_error(name + "greatest gap at mid-plane, plane problem",
                    relative(m.gap, example2::hertz.gap(shape.zone / 2)), 0.06);
       expect_error(name + "greatest gap at mid-plane, the paper's 0.0086 mm", relative(m.gap, 0.0086), 0.2);
-      // Without any coupling of pressure and slip it would be 0.02.
+      // The slip would be 0.02 without any coupling of pressure and slip.
       report(name + "greatest slip velocity [mm/s], the paper's 0.0139", m.slip);
       report(name + "pressure at the free side over that at mid-plane", m.side_pressure / m.p0);
       for (const char* law : {"law_normal", "law_friction", "law_slip", "law_equilibrium"})

@@ -1,5 +1,5 @@
-// The first example of Rodriguez-Tembleque and Abascal: two equal boundary-element rings roll on each other. Against
-// the paper's numbers, Hertz, fine meshes, and finite elements.
+// Tests the first example of Rodriguez-Tembleque and Abascal: two equal boundary-element rings roll on each other. They
+// are compared with the paper's numbers, Hertz, fine meshes, and finite elements.
 
 #include <map>
 #include <string>
@@ -66,8 +66,8 @@ TEST(Rings, gap_of_the_paper) {
   expect_error("zone of 3 mm: greatest slip velocity, the paper's 0.0428 mm/s", relative(m.slip, 0.0428), 0.02);
 }
 
-// Twins cancel what pressure does to the slip; finite on boundary elements leave the difference of their errors, a few
-// per cent of strains three times as large as the creepage.
+// Equal bodies cancel what pressure does to the slip; finite on boundary elements leave the difference of their errors,
+// a few per cent of strains three times as large as the creepage.
 TEST(Rings_long, by_finite_and_by_boundary_elements) {
   for (const int parts : {8, 12}) {
     const auto fem = example1::ring_body(example1::fem_ring(parts), VolumeType::hex8);

@@ -1,5 +1,5 @@
 #pragma once
-/// What validation tests say about scenes, in their words.
+/// Prints what validation tests say about scenes.
 
 #include "support/frames.hpp"
 #include "support/graded_disc.hpp"
@@ -22,7 +22,7 @@ using scenes::RigidBody;
 using scenes::RollingPair;
 using scenes::Solution;
 
-/// Faces of a block that hold it, and that may come into contact.
+/// Takes the faces of a block that hold it, and those that may come into contact.
 inline MeshedBody held(MeshedBody body, std::vector<std::int32_t> at, std::vector<std::int32_t> contact = {}) {
   body.held_tag = std::move(at);
   body.contact_tag = std::move(contact);

@@ -1,6 +1,6 @@
-// Cases (a) and (b), a circular contact of identical bodies in steady rolling: errors of the force vector and of the
-// spin moment against the extrapolated limits, beside what the half-space program CONTACT reaches on grids of the same
-// number of nodes.
+// Compares cases (a) and (b), a circular contact of identical bodies in steady rolling, with the extrapolated limits by
+// errors of the force vector and of the spin moment, beside what the half-space program CONTACT reaches on grids of the
+// same number of nodes.
 
 #include "support/steady_rolling.hpp"
 
@@ -13,7 +13,7 @@ namespace steady_rolling = scenes::steady_rolling;
 using scenes::RollingErrors;
 using steady_rolling::contact_error;
 
-/// Bounds on grids of N x N: of the force vector over CONTACT's error, of the moment times N.
+/// Holds bounds on grids of N x N, of the force vector over CONTACT's error, and of the moment times N.
 struct OnGrids {
   const char *which, *scheme;
   double over_contact, moment_n;
@@ -24,7 +24,7 @@ constexpr OnGrids on_grids[] = {
     {"a", "godunov", 1.25, 1e-9}, {"a", "least_squares", 1.25, 1e-9}, {"a", "characteristic", 1.05, 1e-9},
     {"b", "godunov", 1.15, 0.28}, {"b", "least_squares", 1.15, 0.28}, {"b", "characteristic", 2.7, 0.09},
 };
-/// Of the limits.
+/// Returns the uncertainty of the limits.
 double uncertainty(const std::string& which) {
   return which == "a" ? 8e-4 : 4e-4;
 }
@@ -53,7 +53,7 @@ TEST_P(SteadyRollingOnGrids, beside_contact) {
 INSTANTIATE_TEST_SUITE_P(N, SteadyRollingOnGrids, testing::Values(16, 20));
 INSTANTIATE_TEST_SUITE_P(N_long, SteadyRollingOnGrids, testing::Values(24, 32, 40));
 
-/// Measured errors of the force vector and a tenth more; bounds of the moment.
+/// Holds measured errors of the force vector and a tenth more, and bounds of the moment.
 struct OnRings {
   const char* which;
   int rings;

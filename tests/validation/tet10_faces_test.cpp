@@ -1,4 +1,4 @@
-// tet10's own faces in contact: a ring pressed on a rigid plane, beside the same ring of hex20.
+// Tests tet10's own faces in contact: a ring pressed on a rigid plane, beside the same ring of hex20.
 
 #include <string>
 
@@ -11,7 +11,7 @@ namespace {
 
 namespace example1 = scenes::example1;
 
-/// At mid-plane and at its middle.
+/// Holds pressures at mid-plane and at its middle.
 struct Pressed {
   double p0 = 0, middle = 0;
   std::size_t nodes = 0;
@@ -34,8 +34,8 @@ Pressed press(VolumeType type, double poisson) {
   return found;
 }
 
-// With tractions at midside nodes too the pressure in the middle was 6.4 and 11 % low. The bound at 0.49 is wider since
-// hex20 of this size is 1 % off there itself.
+// With tractions at midside nodes, too, the pressure in the middle would be 6.4 and 11 % low. The bound at 0.49 is
+// wider because hex20 of this size is 1 % off there itself.
 TEST(Tet10Faces, carry_the_pressure_of_hex20) {
   for (const auto& [poisson, bound] : {std::pair{0.3, 0.01}, {0.49, 0.015}}) {
     const Pressed tet = press(VolumeType::tet10, poisson), hex = press(VolumeType::hex20, poisson);

@@ -1,5 +1,5 @@
-// The fourth example of Rodriguez-Tembleque and Abascal: a boundary-element wheel on a rigid rail head given by a
-// surface mesh. The profiles are ours (docs/examples.md).
+// Tests the fourth example of Rodriguez-Tembleque and Abascal: a boundary-element wheel on a rigid rail head given by a
+// surface mesh. The profiles are rollcon's (docs/examples.md).
 
 #include <algorithm>
 
@@ -17,8 +17,8 @@ TEST(WheelOnRail, carries_the_load_of_the_paper) {
   ASSERT_EQ(pair->solve(), ROLLCON_OK);
   const double load = -pair->solution().force[2];
   expect_error("wheel on rail: force at 0.015 mm, the paper's 457 N", relative(load, 457), 0.02);
-  // The gap is quadratic to a good part of a per mille: Hertz for a half-space, which the rim, held 60 mm below the
-  // tread, is not quite.
+  // The gap is quadratic to a good part of a per mille; Hertz's contact is for a half-space, which the rim, held 60 mm
+  // below the tread, is not quite.
   const Hertz hertz =
       closed_forms::hertz_from_approach(1 / (2 * example4::radius), 1 / (2 * example4::rail),
                                         closed_forms::effective_modulus(example4::material), example4::depth);

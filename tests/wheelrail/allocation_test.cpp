@@ -1,4 +1,4 @@
-/// Searches and solves that have seen as many patches and nodes allocate nothing.
+/// Tests that searches and solves that have seen as many patches and nodes allocate nothing.
 
 #include <cstdlib>
 #include <new>
@@ -13,7 +13,7 @@ thread_local std::int64_t allocations = 0;
 
 }  // namespace
 
-// Not inlined: compilers that see the inside of one of a pair only take them for mismatched.
+// The operator is not inlined, because compilers that see the inside of one of a pair only take them for mismatched.
 [[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocations;
   if (void* p = std::malloc(size > 0 ? size : 1)) return p;
@@ -51,7 +51,7 @@ TEST_F(allocation, warm_searches_allocate_nothing) {
   EXPECT_GT(before, 0);
 }
 
-// From the tread to two patches and back, by frames and by a table.
+// The wheel goes from the tread to two patches and back, by frames and by a table.
 TEST_F(allocation, warm_steps_allocate_nothing) {
   context->set_threads(1);
   for (const bool by_table : {false, true}) {

@@ -1,5 +1,5 @@
-/// S1002 on 60E1 in random poses, from the flange's tip to the field side: patches are there where the wheel overlaps,
-/// and say what can be.
+/// Tests S1002 on 60E1 in random poses, from the flange's tip to the field side: patches are there where the wheel
+/// overlaps, and have plausible values.
 
 #include <random>
 
@@ -34,8 +34,8 @@ TEST(contact_search, any_pose_has_patches_where_it_overlaps) {
       shared += p.share < 1;
       cut += p.cut;
     }
-    // Along the normal of a plane it is no deeper than along z, and at 89.4 degrees a hundredth of that.
-    // Pieces of the published profiles meet but for steps of up to 1.2e-4 mm, on whose other side it may be deeper.
+    // The overlap along the normal of a plane is no deeper than along z, and at 89.4 degrees a hundredth of that.
+    // Pieces of the published profiles meet except for steps of up to 1.2e-4 mm, on whose other side it may be deeper.
     EXPECT_LE(deepest, sunk * 1.01 + 1.2e-4) << k;
     EXPECT_GE(deepest, 0.009 * sunk - 1e-12) << k;
   }

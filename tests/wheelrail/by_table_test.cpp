@@ -1,4 +1,4 @@
-/// Wheels whose creep forces come from the table that ships with the library.
+/// Tests wheels whose creep forces come from the table that ships with the library.
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@ class wheels_by_table : public wheels {
   std::shared_ptr<const ForceTable> table{ForceTable::standard(context)};
 };
 
-// Shifts with one patch and with two.
+// The shifts have one patch and two.
 TEST_F(wheels_by_table, forces_are_nearly_those_of_full_solutions) {
   auto full = make(), fast = make(), faster = make();
   fast->set_table(table);
@@ -77,7 +77,7 @@ TEST_F(wheels_by_table, contacts_have_no_friction) {
   EXPECT_GT(std::hypot(force[0], force[1]), 0);
 }
 
-// A ball's wheel and rail head are paraboloids to (size / radius)^2: Hertz's load in closed form.
+// A ball's wheel and rail head are paraboloids to (size / radius)^2, with Hertz's load in closed form.
 TEST_F(wheels_by_table, hertzian_load_of_round_profiles_is_that_of_hertz) {
   const double radius = 300, head[] = {-radius, 0.99 * radius}, line[] = {80, 0};
   rail->set_profile_shape("arc", 2, head);

@@ -1,4 +1,4 @@
-/// First touch and overlap of spheres and cylinders, in any yaw and roll.
+/// Compares first touch and overlap of spheres and cylinders, in any yaw and roll, with closed forms.
 
 #include <random>
 
@@ -13,7 +13,7 @@ std::shared_ptr<const ProfileCurve> shape(const char* name, std::vector<double> 
   return std::make_shared<const ProfileCurve>(profile_of_shape(name, parameter));
 }
 
-/// A round rail whose top is at (y, z).
+/// Returns a round rail whose top is at (y, z).
 RailShape round_rail(double radius, double y, double z) {
   return {shape("arc", {radius, radius}), {0, y, z}, {-1, 0, 0}, {0, 0, -1}};
 }
@@ -33,7 +33,7 @@ TEST(first_touch, sphere_on_a_round_rail) {
     const double radius = draw.between(0.5, 500), rail = draw.between(0.5, 500), y = draw.between(-800, 800);
     const ContactSearch search({shape("arc", {radius, radius}), {0, 0, 0}, {0, 1, 0}, radius}, round_rail(rail, y, 0));
     Pose pose = manchester::turned(draw.between(-0.2, 0.2), draw.between(-0.5, 0.5));
-    // Not so far aside that the touching points are on the steep ends.
+    // The wheel is not so far aside that the touching points are on the steep ends.
     const double off = 0.7 * (radius + rail) * draw.between(-1, 1);
     pose.translation = {draw.between(-10, 10), y + off, draw.between(-2, 0) * radius};
     const double reach = std::sqrt((radius + rail + off) * (radius + rail - off));
@@ -57,7 +57,7 @@ TEST(first_touch, cylinders_crossed_at_any_angle) {
     const Vec3 axis = pose.turn({0, 1, 0}), normal = normalized(cross({1, 0, 0}, axis));
     const Vec3 between = pose.translation - Vec3{0, 0, rail};
     const double due = (-(radius + rail) - dot(between, normal)) / normal[2];
-    // Where the axes are nearest to each other, along the wheel's.
+    // The point is where the axes are nearest to each other, along the wheel's.
     const Vec3 sunk = between + Vec3{0, 0, due};
     const double at = -(dot(sunk, axis) - dot(sunk, {1, 0, 0}) * axis[0]) / (1 - axis[0] * axis[0]);
     if (std::abs(at) > 0.99 * half) continue;
@@ -69,7 +69,7 @@ TEST(first_touch, cylinders_crossed_at_any_angle) {
   expect_error("crossed cylinders: first touch over size", error, 1e-14);
 }
 
-/// Two circles in the plane of y and z.
+/// The outlines are two circles in the plane of y and z.
 TEST(contact_search, overlap_of_a_sphere_and_a_round_rail) {
   Draw draw;
   double at_ends = 0, deep = 0, front = 0, symmetry = 0, angle = 0, lateral = 0, curved = 0;
@@ -85,7 +85,7 @@ TEST(contact_search, overlap_of_a_sphere_and_a_round_rail) {
     search.find(pose, patch);
     ASSERT_EQ(patch.size(), 1U);
     const OverlapPatch& f = patch[0];
-    // Half of the chord in which the circles cross, and where along the line of centres.
+    // The values are half of the chord in which the circles cross, and where along the line of centres it is.
     const double d = sum - depth, along = (d * d + rail * rail - radius * radius) / (2 * d);
     const double half = std::sqrt((rail - along) * (rail + along));
     at_ends = std::max(at_ends, std::abs((f.high - f.low) / (2 * half) - 1));
@@ -104,11 +104,11 @@ TEST(contact_search, overlap_of_a_sphere_and_a_round_rail) {
   expect_error("circles: greatest overlap", deep, 1e-8);
   expect_error("circles: width of the overlap", at_ends, 1e-4);
   expect_error("circles: reference in the middle, over half the width", symmetry, 3e-2);
-  // The rail's is taken within a millionth of a cell of 0.02 radians beside the point.
+  // The rail's curvature is taken within a millionth of a cell of 0.02 radians beside the point.
   expect_error("circles: relative curvatures", curved, 1e-7);
   expect_error("circles: contact angle", angle, 1e-4);
   expect_error("circles: x of the reference over half the width", lateral, 1e-9);
-  // The greatest at 24 points of a rule, 0.07 of half the width apart.
+  // The length is the greatest at 24 points of a rule, 0.07 of half the width apart.
   expect_error("circles: length of the overlap", front, 0.07 * 0.07 / 2);
 }
 
@@ -145,7 +145,7 @@ TEST(contact_search, overlap_that_ends_where_a_profile_does_is_told) {
     search.find(pose, patch);
     ASSERT_EQ(patch.size(), 1U) << y;
     EXPECT_EQ(patch[0].cut, std::abs(y) > 10) << y;
-    // A horizontal line over a circle: the least gap is over the crown or at the rim.
+    // The least gap between a horizontal line and a circle is over the crown or at the rim.
     const double off = std::max(std::abs(y) - 20, 0.0);
     pose.translation[2] = 0;
     expect_error("rim at y of the crown: first touch", search.first_touch(pose) - (300 - std::sqrt(9e4 - off * off)),

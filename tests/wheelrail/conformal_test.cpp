@@ -1,4 +1,4 @@
-/// Contacts whose normals turn within the patch, on half-spaces that follow the profiles.
+/// Tests contacts whose normals turn within the patch, on half-spaces that follow the profiles.
 
 #include <utility>
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// Largest pressure in mid-plane of a long pin, relative to the closed form under the same load.
+/// Returns the largest pressure in mid-plane of a long pin, relative to the closed form under the same load.
 double pressure_of_a_pin(const std::shared_ptr<Context>& context, bool conformal, double sunk, double reach) {
   constexpr double radius = 10, clearance = 0.05, young = 2e5, poisson = 0.3, half_length = 80;
   constexpr std::int64_t nx = 16, ny = 40;
@@ -54,11 +54,12 @@ double pressure_of_a_pin(const std::shared_ptr<Context>& context, bool conformal
   return largest * radius / load / Persson(low).pressure(0) - 1;
 }
 
-/// A wheel whose tread is an arc of radius 10, in a groove of nearly that radius; rolling radius 420. mm, N, s.
+/// Makes a wheel whose tread is an arc of radius 10, in a groove of nearly that radius, with a rolling radius of 420.
+/// Units are mm, N, s.
 class conformal : public wheels {
  protected:
   static constexpr double wide = 9, corner = 1, gauge = 1435;
-  double middle = 0, bottom = 0;  ///< of the groove, in the track
+  double middle = 0, bottom = 0;  ///< places of the groove in the track
 
   std::unique_ptr<WheelRail> in_groove(double groove, double unit = 1, std::int32_t side = 1) {
     for (auto* body : {&wheel, &rail}) {
@@ -67,7 +68,7 @@ class conformal : public wheels {
     }
     const double tread[2] = {10 * unit, wide * unit};
     wheel->set_profile_shape("arc", 2, tread);
-    // Up the gauge face, round the corner, through the groove.
+    // The profile goes up the gauge face, round the corner, through the groove.
     const double slope = std::asin(wide / groove);
     const double y = -wide - corner * (1 + std::sin(slope)),
                  z = -(1 - std::cos(slope)) * groove + corner * std::cos(slope);
@@ -96,7 +97,7 @@ class conformal : public wheels {
     w.set_position(position);
     w.set_velocity(velocity);
   }
-  /// The pitch rate at which the wheel rolls freely: by secants.
+  /// Returns by secants the pitch rate at which the wheel rolls freely.
   static double roll_freely(WheelRail& w) {
     double a = -1.0002, b = -1.0008;
     const auto force = [&](double rate) {
@@ -132,8 +133,8 @@ TEST(conformal_pin, in_a_plate_as_in_closed_form) {
   }
 }
 
-// CONTACT's numbers, with the half-space's influence along and across the curved surface as it is in a plane, which
-// does not turn: the closed form above has its pressures 28 percent too high at 36 degrees.
+// CONTACT's numbers have the half-space's influence along and across the curved surface like in a plane, which does not
+// turn: the closed form above has its pressures 28 percent too high at 36 degrees.
 TEST_F(conformal_long, wheel_in_a_groove_beside_contact) {
   struct Reference {
     double groove, z, pitch_rate, power;
@@ -153,7 +154,7 @@ TEST_F(conformal_long, wheel_in_a_groove_beside_contact) {
 }
 
 TEST_F(conformal, agrees_with_a_plane_where_normals_hardly_turn) {
-  // The tread at y = 2 mm: normals turn by less than 6 degrees.
+  // The normals on the tread at y = 2 mm turn by less than 6 degrees.
   auto w = make();
   w->prescribe_vertical(static_cast<std::int32_t>(How::by_force), 10000);
   double total[2][6], pressure[2];
@@ -187,7 +188,7 @@ TEST_F(conformal, does_not_depend_on_side_units_or_what_was_solved_before) {
   };
   close("left wheel", result(*in_groove(10.25, 1, -1), 1, -1));
   close("metres", result(*in_groove(10.25, 1e-3), 1e-3, 1));
-  // Warm, after another place, a plane and a state that was kept.
+  // The solve is warm, after another place, a plane and a restored state.
   right->reset();
   EXPECT_EQ(result(*right, 1, 1), reference);
   right->save(0);

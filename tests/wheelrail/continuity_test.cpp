@@ -1,5 +1,5 @@
-/// Through flange contact in 2000 steps of 5 um: nothing jumps. A step that is halved again and again, always into the
-/// half with the greater change, ends at the jump it has, or with none.
+/// Tests that nothing jumps through flange contact in 2000 steps of 5 um. A step that is halved again and again, always
+/// into the half with the greater change, ends at the jump it has, or with none.
 
 #include "manchester.hpp"
 
@@ -9,7 +9,7 @@ using namespace rollcon::manchester;
 namespace {
 
 struct Motion {
-  double sunk;  ///< beyond first touch; 0: the wheelset moves at a constant height
+  double sunk;  ///< depth beyond first touch; 0: the wheelset moves at a constant height
   double from, to;
 };
 
@@ -20,7 +20,7 @@ Pose pose_at(const ContactSearch& search, const Motion& m, double y) {
   return pose;
 }
 
-/// What forces go with: sums over patches by shares, and of them times place, angle and sizes.
+/// Holds what forces go with: sums over patches by weights, and those times place, angle and sizes.
 using Sums = std::array<double, 8>;
 constexpr const char* names[] = {"load", "y", "z", "x", "angle", "width", "length", "rolling radius"};
 
@@ -41,7 +41,7 @@ Sums sums_at(ContactSearch& search, const Motion& m, double y) {
   return sums_of(patch);
 }
 
-/// What is left of the change of sum k between two positions after halvings.
+/// Returns what is left of the change of sum k between two positions after halvings.
 double jump_between(ContactSearch& search, const Motion& m, std::size_t k, double a, double b) {
   constexpr int halvings = 34;
   double at_a = sums_at(search, m, a)[k], at_b = sums_at(search, m, b)[k];
@@ -75,8 +75,8 @@ TEST(contact_search_continuity_long, sums_over_patches_do_not_jump) {
         jump = std::max(jump, jump_between(search, m, k, y(step[i]), y(step[i] + 1)));
       const std::string what = std::string(names[k]) + ", sunk by " + std::to_string(m.sunk);
       report(what + ": greatest step of 5 um over the range", change(step[0]) / range);
-      // Where a deepest point begins beside another, in an overlap of several millimetres, the rule of the mean is
-      // divided anew, with errors of 1e-4 mm of a reference. A sliver of overlap that is shorter than a span of the
+      // The rule of the mean is divided anew where a deepest point begins beside another, in an overlap of several
+      // millimetres, with errors of 1e-4 mm of a reference. A sliver of overlap that is shorter than a span of the
       // scan, 0.4 mm, may be overlooked at an end.
       const double bound = names[k] == std::string("width") ? 2e-3 : 1e-4;
       expect_error(what + ": greatest jump over the range", jump / range, bound);
@@ -84,7 +84,8 @@ TEST(contact_search_continuity_long, sums_over_patches_do_not_jump) {
   }
 }
 
-/// Each patch goes on from one of the step before, unless it has only begun to overlap or to share.
+/// Each patch goes on from one of the step before, unless it has only begun to overlap, or to share a region with
+/// another.
 TEST(contact_search_continuity_long, patches_move_on_or_begin_with_nothing) {
   ContactSearch search(wheel(), rail());
   const Motion m{0.03, -3, 7};

@@ -1,4 +1,4 @@
-/// Derivatives of the totals by position and velocity, beside differences of solves.
+/// Compares derivatives of the totals by position and velocity with differences of solves.
 
 #include <algorithm>
 #include <array>
@@ -29,9 +29,9 @@ class derivatives : public wheels {
     const WheelRail::Derivative d = w.derivative(static_cast<std::int32_t>(entry));
     return {d.force[0], d.force[1], d.force[2], d.moment[0], d.moment[1], d.moment[2], d.z};
   }
-  /// Greatest difference of derivatives from central differences over such steps of lengths (angles: over the radius;
-  /// of velocities in lengths a second), over the greatest of them: forces over mu N, moments over that times the
-  /// radius, z over a tenth. Of the entries from first on, six of them.
+  /// Returns the greatest difference of derivatives from central differences over such steps of lengths (angles: over
+  /// the radius; velocities in lengths a second), over the greatest of them: forces over mu N, moments over that times
+  /// the radius, z over a tenth. It takes six entries from `first` on.
   double worst(WheelRail& w, int how, double y, double z, std::size_t first, double step) {
     double most = 0;
     for (std::size_t entry = first; entry < first + 6; ++entry) {
@@ -63,7 +63,7 @@ class derivatives : public wheels {
   }
 };
 
-// By velocities the frame of differences stays, too. By positions it moves: the second bound is its error. By force the
+// The frame of differences stays by velocities, too. It moves by positions: the second bound is its error. By force the
 // differences have the error to which the force is met, a millionth.
 TEST_F(derivatives, are_those_of_differences) {
   for (const double y : {2.0, 5.0}) {
@@ -93,13 +93,13 @@ TEST_F(derivatives, by_table_are_those_of_differences) {
   ASSERT_EQ(w->solve(), Status::ok);
   const double z = w->stat("z");
   w->prescribe_vertical(1, 0);
-  // Over other steps than the library's own (0.02). Coefficients of tables are in single precision, which is 1e-4 of
-  // the smallest of these derivatives; truncation is as much.
+  // The steps are others than the library's own (0.02). Coefficients of tables are in single precision, which is 1e-4
+  // of the smallest of these derivatives; truncation is as much.
   expect_error("velocity", worst(*w, 1, 2, z, 6, 0.05), 5e-4);
   expect_error("position", worst(*w, 1, 2, z, 0, 1e-3), 5e-3);
 }
 
-// In the mirror, to rounding; and asking changes nothing that follows.
+// The derivatives agree in the mirror, to rounding, and asking changes nothing that follows.
 TEST_F(derivatives, of_a_left_wheel_are_mirrored) {
   auto right = make(), left = make(-1);
   for (WheelRail* w : {right.get(), left.get()}) {

@@ -1,5 +1,5 @@
-/// Equivalent conicities and nonlinearity parameters are those of EN 15302:2021 for its reference profiles, which are
-/// straight lines and arcs in closed form; mm.
+/// Tests that equivalent conicities and nonlinearity parameters are those of EN 15302:2021 for its reference profiles,
+/// which are straight lines and arcs in closed form; mm.
 
 #include <cmath>
 #include <functional>
@@ -12,8 +12,8 @@
 namespace rollcon {
 namespace {
 
-/// A zone goes from the one before to `to`: a straight line z = c + m y, or, with a radius r,
-/// z = c - r / |r| sqrt(r^2 - (y - m)^2).
+/// Describes a zone from the one before to `to`: a straight line z = c + m y, or, with a radius r, z = c - r / |r|
+/// sqrt(r^2 - (y - m)^2).
 struct Zone {
   double to, c, m, radius;
 };
@@ -90,8 +90,8 @@ const Reference wheel_i{-62.7647,
                          {60, 1.89679, -0.0667, 0}}};
 
 constexpr double amplitudes[] = {1, 2, 3, 4, 5};
-/// The standard's results at these amplitudes, to three digits. radius_left: radius of the wheel on the left; the one
-/// on the right has 460.
+/// Holds the standard's results at these amplitudes, to three digits. The wheel on the left has radius_left, the one on
+/// the right 460.
 struct Case {
   const char* name;
   const Reference *left, *right;

@@ -1,5 +1,5 @@
-/// Friction by the inclination of the rail: one coefficient is as before, patches have those of their surface, and left
-/// wheels those of their mirror image.
+/// Tests friction by the inclination of the rail: one coefficient changes nothing, patches have those of their surface,
+/// and left wheels those of their mirror image.
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,5 @@
-/// What the search finds does not depend on where, on which side and in what units; nor on the turning of the wheel.
+/// Tests that what the search finds depends neither on where, on which side and in what units, nor on the turning of
+/// the wheel.
 
 #include "manchester.hpp"
 
@@ -9,9 +10,9 @@ namespace {
 
 struct Case {
   double y, sunk;
-  std::size_t patches;  ///< with those that share
+  std::size_t patches;  ///< number of patches, with those that share a region
 };
-/// One patch, two that are one, two that share with one, and tread and flange.
+/// The cases have one patch, two that are one, two that share a region with one, and tread and flange.
 constexpr Case cases[] = {{0.3, 0.03, 1}, {5.0, 0.03, 3}, {4.9, 0.03, 2}, {6.5, 0.03, 2}};
 
 Pose pose_of(const Case& c) {
@@ -30,7 +31,8 @@ Patches found(const WheelShape& w, const RailShape& r, const Pose& pose) {
   return patch;
 }
 
-/// Of patches in another place, mirrored (side -1) or not, in another unit; relative to the wheel's radius.
+/// Returns the difference of patches in another place, mirrored (side -1) or not, in another unit; relative to the
+/// wheel's radius.
 double difference(const Patches& a, const Patches& b, double unit, double side, const Vec3& shift) {
   EXPECT_EQ(a.size(), b.size());
   double worst = 0;
@@ -67,7 +69,7 @@ TEST(contact_search_elsewhere, mirrored) {
     const Pose pose = pose_of(c);
     const Patches right = found(wheel(), rail(), pose);
     ASSERT_EQ(right.size(), c.patches);
-    // The same points of the profiles, on the other side: y turned round of both.
+    // The points of the profiles are on the other side: y of both is turned round.
     WheelShape w = wheel();
     RailShape r = rail();
     w.axis = {0, -1, 0};
@@ -78,7 +80,7 @@ TEST(contact_search_elsewhere, mirrored) {
     mirrored.translation = {pose.translation[0], -pose.translation[1], pose.translation[2]};
     Patches left = found(w, r, mirrored);
     std::reverse(left.begin(), left.end());
-    // Of those that share, the order is by their ends.
+    // Patches that share a region are ordered by their ends.
     const auto by_place = [](Patches& p, double side) {
       std::sort(p.begin(), p.end(), [side](const OverlapPatch& a, const OverlapPatch& b) {
         return side * a.reference[1] < side * b.reference[1];
@@ -132,7 +134,7 @@ TEST(contact_search_elsewhere, rolled_with_the_track) {
   Pose track;
   track.rotation = {{{1, 0, 0}, {0, c, -s}, {0, s, c}}};
   for (const Case& k : cases) {
-    if (k.patches == 3) continue;  // shares go by what is measured along z
+    if (k.patches == 3) continue;  // weights go by what is measured along z
     const Pose pose = pose_of(k);
     const Patches here = found(wheel(), rail(), pose);
     RailShape r = rail();
@@ -153,7 +155,8 @@ TEST(contact_search_elsewhere, rolled_with_the_track) {
       ends = std::max(ends, std::abs(ends_of(here[i]) / ends_of(there[i]) - 1));
       deep = std::max(deep, std::abs(here[i].overlap / there[i].overlap - 1));
     }
-    // Along the lateral axes, which differ a little as the means of the angles do; depths by depth over radius.
+    // The ends lie along the lateral axes, which differ a little like the means of the angles; depths go by depth over
+    // radius.
     expect_error("rolled at y " + std::to_string(k.y) + ": widths", ends, 2e-3);
     expect_error("rolled at y " + std::to_string(k.y) + ": overlaps", deep, 1e-3);
   }

@@ -1,4 +1,4 @@
-/// What is beyond sense or beyond the profiles has a status or a text of its own.
+/// Tests that what is beyond sense or beyond the profiles has a status or a text of its own.
 
 #include "wheel_rail_fixture.hpp"
 
@@ -95,7 +95,7 @@ TEST_F(limits, beside_the_rail_is_not_above_it) {
   expect_told({"beside its rail (y is 150)"});
 }
 
-// A cylinder whose end stands in the middle of a round rail.
+// A cylinder ends in the middle of a round rail.
 TEST_F(limits, ends_of_profiles_are_told) {
   const double line[2] = {20, 0}, arc[2] = {-80, 79};
   wheel->set_profile_shape("line", 2, line);

@@ -1,5 +1,6 @@
 #pragma once
-/// Bodies of the Manchester benchmark: S1002 on a canted 60E1 at a gauge of 1435, and where its wheelset stands; mm.
+/// Provides bodies of the Manchester benchmark, S1002 on a canted 60E1 at a gauge of 1435, and where its wheelset
+/// stands; mm.
 
 #include "geometry/profile_shapes.hpp"
 #include "support/testing.hpp"
@@ -31,7 +32,7 @@ inline RailShape rail(double unit = 1) {
   return r;
 }
 
-/// Of a wheelset, the roll about x within the yaw about z.
+/// Returns the pose of a wheelset, with the roll about x within the yaw about z.
 inline Pose turned(double roll, double yaw) {
   const double cr = std::cos(roll), sr = std::sin(roll), cy = std::cos(yaw), sy = std::sin(yaw);
   Pose p;
@@ -39,20 +40,20 @@ inline Pose turned(double roll, double yaw) {
   return p;
 }
 
-/// Of its right wheel, in the wheel's own axes at the tread's datum; z: of the wheelset, 0 with the datum at the
-/// rail's height.
+/// Returns the pose of its right wheel, in the wheel's own axes at the tread's datum; z is that of the wheelset, 0 with
+/// the datum at the rail's height.
 inline Pose placed(double y, double roll, double yaw, double z, double unit = 1) {
   Pose p = turned(roll, yaw);
   p.translation = Vec3{0, y, z} + unit * (Vec3{0, 0, -radius} + p.turn({0, back_to_back / 2 - flange_back, radius}));
   return p;
 }
 
-/// What the benchmark prescribes, for a yaw of 2.4e-3 y, and where CONTACT has the patch on elements of 0.2 mm.
+/// Holds what the benchmark prescribes, for a yaw of 2.4e-3 y, and where CONTACT has the patch on elements of 0.2 mm.
 struct Position {
   const char* wheel;
-  double side;        ///< -1: left
-  double y, roll, z;  ///< of the wheelset
-  Vec3 reference;     ///< in the track
+  double side;        ///< -1 for the left wheel
+  double y, roll, z;  ///< position of the wheelset
+  Vec3 reference;     ///< place in the track
   double angle;
 };
 constexpr Position positions[] = {{"right, y 0", 1, 0, 0, 0.1981, {0, 751.8726, 0.1252}, -0.0290},

@@ -1,4 +1,4 @@
-/// Where CONTACT has the patches of the Manchester benchmark.
+/// Compares the patches of the Manchester benchmark with CONTACT's.
 
 #include "manchester.hpp"
 
@@ -15,7 +15,7 @@ TEST(contact_search, manchester_reference_points) {
     search.find(placed(p.side * p.y, p.side * p.roll, p.side * 2.4e-3 * p.y, p.z), patch);
     const std::string at = p.wheel;
     if (p.y == 5) {
-      // CONTACT solves two overlaps as one, 6.8 mm apart; their middle, weighted by the depth to the power of 2.5.
+      // CONTACT solves two overlaps as one, 6.8 mm apart; their middle is weighted by the depth to the power of 2.5.
       ASSERT_EQ(patch.size(), 2U);
       double weight = 0, y = 0;
       for (const OverlapPatch& f : patch) {
@@ -37,7 +37,7 @@ TEST(contact_search, manchester_reference_points) {
   }
 }
 
-/// The lowest point of the wheel's surface in the plane of this y, by lines along z.
+/// Returns the lowest point of the wheel's surface in the plane of this y, by lines along z.
 Vec3 lowest(const RevolvedProfile& surface, const Pose& pose, const Vec3& near) {
   const Vec3 down = pose.turn_back({0, 0, 1});
   const auto at = [&](double x) {

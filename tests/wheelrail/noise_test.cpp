@@ -1,4 +1,4 @@
-/// Measured profiles: noise on the points of wheel and rail, and the filter that takes it away.
+/// Tests measured profiles: noise on the points of wheel and rail, and the filter that takes it away.
 
 #include <random>
 
@@ -19,7 +19,7 @@ class noise : public wheels {
       point.push_back(curve->at(length * static_cast<double>(i) / static_cast<double>(n)).x);
     return point;
   }
-  /// Largest pressure under 10 kN with the profiles through these points.
+  /// Returns the largest pressure under 10 kN with the profiles through these points.
   double pressure(const std::vector<Vec2>& on_wheel, const std::vector<Vec2>& on_rail, double filter_length) {
     wheel->set_profile(std::ssize(on_wheel), on_wheel[0].data(), filter_length);
     rail->set_profile(std::ssize(on_rail), on_rail[0].data(), filter_length);
@@ -36,7 +36,8 @@ class noise : public wheels {
 
 using noise_long = noise;
 
-// Beside what the same filter makes of the profiles without noise, which is what its length costs.
+// The pressures are compared with what the same filter makes of the profiles without noise, which is what its length
+// costs.
 TEST_F(noise_long, pressures_within_five_percent) {
   const struct {
     double micrometre, distance, filter_length, mean, worst;

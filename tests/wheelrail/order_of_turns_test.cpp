@@ -1,4 +1,4 @@
-/// Positions whose roll is outside the yaw, which CONTACT has, and positions whose yaw is outside are compared with
+/// Tests positions whose roll is outside the yaw, which CONTACT has: positions whose yaw is outside are compared with
 /// products of matrices that are written out here.
 
 #include <array>
@@ -39,8 +39,8 @@ Vec3 times(const Matrix& a, const Vec3& v) {
   return r;
 }
 
-/// Roll and yaw that turn a wheelset with the yaw outside as others turn it with the roll outside, and the pitch that
-/// is left over.
+/// Holds roll and yaw that turn a wheelset with the yaw outside like others turn it with the roll outside, and the
+/// pitch that is left over.
 struct Turns {
   double roll, yaw, pitch;
 };
@@ -55,7 +55,7 @@ using Six = std::array<double, 6>;
 struct State {
   Six position, velocity;
 };
-/// Gives the place and motion of a wheelset in the order with the yaw outside; they come with the roll outside.
+/// Returns the place and motion of a wheelset in the order with the yaw outside; they come with the roll outside.
 State yaw_outside(const State& given) {
   const double roll = given.position[3], yaw = given.position[4], h = 1e-4;
   const auto at = [&](double t) { return yaw_outside(roll + t * given.velocity[3], yaw + t * given.velocity[4]); };
@@ -74,7 +74,7 @@ constexpr State given{{0, y, 0.1, roll, yaw, 0}, {2000, 3, 0, 0.02, -0.05, -4.34
 
 class order_of_turns : public wheels {
  protected:
-  /// A wheel under 10 kN, or at a height at which it carries about as much.
+  /// Returns a wheel under 10 kN, or at a height at which it carries about as much.
   std::unique_ptr<WheelRail> standing(std::int32_t side, bool roll_outside, How how) const {
     auto w = make(side);
     w->set_accuracy(0.02);
@@ -189,7 +189,7 @@ TEST_F(order_of_turns, states_keep_it_and_other_values_are_refused) {
   w->save(0);
   const auto before = w->profile_point(1, 0);
   w->set_roll_outside(0);
-  EXPECT_EQ(w->profile_point(1, 0), before);  // results are of the last solve
+  EXPECT_EQ(w->profile_point(1, 0), before);  // results are those of the last solve
   w->restore(0);
   w->solve();
   EXPECT_EQ(w->profile_point(1, 0), before);

@@ -1,4 +1,4 @@
-/// Profiles with sharp edges and overhanging lips, bad input, and what a search costs.
+/// Tests profiles with sharp edges and overhanging lips, bad input, and what a search costs.
 
 #include <chrono>
 
@@ -17,7 +17,7 @@ RailShape round_rail(double radius) {
   return {shape("arc", {radius, radius}), {0, 0, 0}, {-1, 0, 0}, {0, 0, -1}};
 }
 
-/// Least value of a function with one minimum.
+/// Returns the least value of a function with one minimum.
 template <class Value>
 double least(double a, double b, Value value) {
   for (int i = 0; i < 200; ++i) {
@@ -60,7 +60,7 @@ TEST(first_touch, sharp_edge_of_a_wheel) {
     }
 }
 
-/// A rail whose flow of metal hangs over: what lies below the lip is not to be seen.
+/// The rail's flow of metal hangs over: what lies below the lip is not to be seen.
 TEST(first_touch, rolled_over_lip) {
   const double half = std::numbers::pi;
   RailShape rail;
@@ -110,14 +110,15 @@ TEST(contact_search, poses_without_sense_have_no_patch) {
   search.find(pose, patch);
   EXPECT_TRUE(patch.empty());
   EXPECT_EQ(search.first_touch(pose), INFINITY);
-  // The axle along the track.
+  // The axle lies along the track.
   pose = manchester::turned(0, std::numbers::pi / 2);
   pose.translation = {0, 717, 0};
   search.find(pose, patch);
   EXPECT_TRUE(patch.empty());
 }
 
-/// Beside the time that 3000 points of the rail take, 50 us on an AMD EPYC, as both grow alike on busy machines.
+/// The time is compared with that which 3000 points of the rail take, 50 us on an AMD EPYC, because both grow alike on
+/// busy machines.
 TEST(contact_search, costs_less_than_3000_points_of_the_rail) {
   using Clock = std::chrono::steady_clock;
   const RailShape rail = manchester::rail();

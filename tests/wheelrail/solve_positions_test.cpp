@@ -1,4 +1,4 @@
-/// Lists of positions: the same numbers to the last bit however many threads, in any order, by themselves.
+/// Tests lists of positions: the same numbers to the last bit however many threads, in any order, by themselves.
 
 #include "wheelrail/solve_positions.hpp"
 
@@ -63,7 +63,7 @@ TEST_F(positions, threads_order_and_neighbours_do_not_matter) {
   List back = l;
   std::reverse(back.position.begin(), back.position.end());
   const Found turned = solve(*w, back);
-  context->set_threads(1);  // more may share sums among them otherwise
+  context->set_threads(1);  // more threads may divide sums among them otherwise
   const std::size_t n = l.position.size();
   int same = 0;
   for (std::size_t i = 0; i < n; ++i) {

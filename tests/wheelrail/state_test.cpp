@@ -1,4 +1,4 @@
-/// States kept, gone back to and copied: to the last bit as if nothing had been done in between.
+/// Tests states saved, restored and copied: to the last bit as if nothing had been done in between.
 
 #include <random>
 
@@ -26,7 +26,7 @@ Result result_of(const WheelRail& w, Status status) {
   return r;
 }
 
-/// Which number differs, too.
+/// Expects equal results, and tells which number differs.
 void expect_same(const Result& a, const Result& b, const std::string& where) {
   EXPECT_EQ(a.status, b.status) << where;
   ASSERT_EQ(a.numbers.size(), b.numbers.size()) << where;
@@ -36,13 +36,13 @@ void expect_same(const Result& a, const Result& b, const std::string& where) {
 
 class state : public wheels {
  protected:
-  /// Coarse, which is quick.
+  /// Makes a coarse wheel, which is quick.
   std::unique_ptr<WheelRail> make(std::int32_t side = 1) const {
     auto w = wheels::make(side);
     w->set_accuracy(1);
     return w;
   }
-  /// A step of a path that goes from one patch to two.
+  /// Takes a step of a path that goes from one patch to two.
   static Result step(WheelRail& w, double y) {
     place(w, y);
     const Status status = w.solve();
@@ -137,7 +137,7 @@ TEST_F(state, after_a_reset_nothing_is_left_of_what_was) {
     fresh->prescribe_vertical(2, 10000);
     used->reset();
     Result a = step(*fresh, y), b = step(*used, y);
-    // Counters go on.
+    // Counters go on, so they are left out.
     for (Result* r : {&a, &b}) r->numbers[9] = r->numbers[10] = 0;
     expect_same(a, b, "y " + std::to_string(y));
   }
@@ -154,7 +154,7 @@ TEST_F(state, what_cannot_be_restored_is_told) {
   refused([&] { w->restore(15); }, Status::err_state, {"other dimensions"});
 }
 
-// Bodies have other profiles after a solve: worn ones that stand 0.2 mm and a little more inclined beside.
+// Bodies have other profiles after a solve: worn ones that stand 0.2 mm beside and a little more inclined.
 TEST_F(state, profiles_that_are_given_later_count) {
   for (const bool of_wheel : {true, false}) {
     const auto w = make();

@@ -1,5 +1,5 @@
 #pragma once
-/// S1002 on 60E1, canted 1:40, gauge 1435: wheels of the Manchester benchmark; mm, N, s.
+/// Makes S1002 on 60E1, canted 1:40, gauge 1435: wheels of the Manchester benchmark; mm, N, s.
 
 #include "manchester.hpp"
 #include "support/context.hpp"
@@ -31,12 +31,12 @@ class wheels : public ::testing::Test {
     place(*w, 2);
     return w;
   }
-  /// On the benchmark's path: yaw of 2.4 mrad for each millimetre.
+  /// Places the wheel on the benchmark's path: yaw of 2.4 mrad for each millimetre.
   static void place(WheelRail& w, double y, double z = 0) {
     const double position[6] = {0, y, z, 0, 2.4e-3 * y, 0};
     w.set_position(position);
   }
-  /// What the call is refused with: its status, and words of its text.
+  /// Expects the call to be refused with this status, and words of its text.
   template <class Call>
   static void refused(Call call, Status status, std::initializer_list<const char*> words) {
     try {

@@ -1,5 +1,5 @@
-/// Wheel on rail from profiles, position and velocity: forces beside CONTACT's on the Manchester benchmark, Hertz's
-/// contacts, mirror and units, continuity, what is refused.
+/// Tests a wheel on its rail from profiles, position and velocity: forces beside CONTACT's on the Manchester benchmark,
+/// Hertz's contacts, mirror and units, continuity, what is refused.
 
 #include "wheelrail/wheel_rail.hpp"
 
@@ -11,7 +11,8 @@
 namespace rollcon {
 namespace {
 
-/// CONTACT's answers, case, elements of 0.2 mm; creepages of the rail relative to the wheel, forces on the rail.
+/// Holds CONTACT's answers, case, elements of 0.2 mm; creepages of the rail relative to the wheel, forces on the
+/// rail.
 struct Row {
   std::int32_t side;
   double y, roll, pitch_rate, z;
@@ -19,8 +20,8 @@ struct Row {
   double angle;
   Vec3 creepage;
   double normal, longitudinal, lateral, moment, pressure;
-  /// Of the friction limit. CONTACT's slip is that of creepages and spin; over wide patches the rolling radius varies
-  /// otherwise: with CONTACT's creepages alone forces are within 1 percent in all rows.
+  /// Bound over the friction limit. CONTACT's slip is that of creepages and spin; over wide patches the rolling radius
+  /// varies otherwise: with CONTACT's creepages alone forces are within 1 percent in all rows.
   double force_bound;
 };
 constexpr Row rows[] = {
@@ -95,7 +96,7 @@ constexpr Row rows[] = {
      423.9,
      .01},
 };
-/// Two patches 7 mm apart, which CONTACT solves as one with part of what they do to each other.
+/// The two patches are 7 mm apart; CONTACT solves them as one with part of what they do to each other.
 constexpr Row two_patches = {
     1,      5,     -3.554e-4, -4.3353637, .0015, {-7, 727.0855, 3.0041}, -.2905, {4.174e-3, 1.255e-2, 6.188e-4}, 9619,
     -763.3, -2738, -826.6,    1556,       .04};
@@ -158,7 +159,7 @@ TEST_F(wheel_rail_long, manchester_positions_and_forces) {
     for (std::size_t i = 0; i < 3; ++i)
       expect_error(name + ": " + creepage[i], -of(creepage[i]) - r.creepage[i],
                    2e-3 * std::max(std::abs(r.creepage[i]), 5e-5));
-    // z is known to 5e-5 mm of 0.016 and more, which is half of the bound.
+    // The value z is known to 5e-5 mm of 0.016 and more, which is half of the bound.
     expect_error(name + ": normal force", of("normal_force") / r.normal - 1, 0.01);
     expect_error(name + ": longitudinal force over mu Fn",
                  (-of("longitudinal_force") - r.longitudinal) / (mu * r.normal), r.force_bound);
@@ -186,7 +187,7 @@ TEST_F(wheel_rail, vertical_force_finds_the_height) {
     w->prescribe_vertical(2, 10000);
     ASSERT_EQ(w->solve(), Status::ok) << name_of(r);
     expect_error(name_of(r) + ": vertical force", w->stat("vertical_force") / 10000 - 1, 2e-6);
-    // CONTACT's height is known to 5e-5 mm. On the flange a percent of the force is 6e-4 mm.
+    // CONTACT's height is known to 5e-5 mm. A percent of the force is 6e-4 mm on the flange.
     expect_error(name_of(r) + ": z of the wheelset, mm", w->stat("z") - r.z, r.y > 6 ? 1e-3 : 1e-4);
     double force[3];
     w->resultant(false, force, nullptr);
@@ -251,7 +252,8 @@ TEST_F(wheel_rail, deviations_of_the_rail_are_motions_of_the_wheelset) {
   expect_error("patch moves with it", moved->patch_stat(0, "y") - nominal->patch_stat(0, "y") - 1.5, 1e-9);
 }
 
-// A cylinder on an arc: curvatures 1/R and 1/r, Hertz's approach and pressure; rolling without creepage, no force.
+// A cylinder on an arc has curvatures 1/R and 1/r, Hertz's approach and pressure; rolling without creepage it has no
+// force.
 TEST_F(wheel_rail, hertz_is_there) {
   const double radius = 300, crown = 80, load = 50000;
   const double line[2] = {20, 0};
@@ -292,7 +294,7 @@ TEST_F(wheel_rail, results_are_those_of_the_last_solve) {
   EXPECT_EQ(w->patch_stat(0, "y"), y);
 }
 
-// From the tread through both patches on to the flange: the force follows without a jump.
+// The wheel goes from the tread through both patches on to the flange: the force follows without a jump.
 TEST_F(wheel_rail_long, forces_are_continuous) {
   const auto w = make(1);
   w->prescribe_vertical(2, 10000);
@@ -364,7 +366,7 @@ TEST_F(wheel_rail, bad_input_is_refused) {
 }
 
 }  // namespace
-// Whatever was called in which order: the next solve has the profiles and constants that the bodies have then.
+// The next solve has the profiles and constants that the bodies have then, whatever was called in which order.
 TEST_F(wheels, follow_profiles_and_materials_that_are_set_later) {
   const auto pressure = [](WheelRail& w) {
     EXPECT_GE(static_cast<int>(w.solve()), 0);

@@ -1,4 +1,4 @@
-/// Rigid wheelsets on rigid rails: points of contact, rolling-radius difference, equivalent conicity.
+/// Tests rigid wheelsets on rigid rails: points of contact, rolling-radius difference, equivalent conicity.
 
 #include "wheelrail/wheelset_geometry.hpp"
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Klingel's wavelength with unit e r, by steps of Runge and Kutta from one turning point to the other.
+/// Computes Klingel's wavelength with unit e r, by steps of Runge and Kutta from one turning point to the other.
 double half_period(const std::function<double(double)>& difference, double low, double high) {
   const double step = 0.02;
   double y = high, v = 0, t = 0;
@@ -44,17 +44,17 @@ class wheelset_geometry : public wheels {
 
 TEST(kinematic_motion, springs_of_known_period) {
   expect_error("cone 1:20", kinematic_motion([](double y) { return 0.1 * y; }, 3).conicity / 0.05 - 1, 1e-14);
-  // Two cones, steeper on one side: half a period of each.
+  // The two cones, steeper on one side, have half a period of each.
   const double flat = 0.04, steep = 0.3;
   const auto two = kinematic_motion([&](double y) { return 2 * (y < 0 ? flat : steep) * y; }, 3);
   const double half = pi / 2 * (1 / std::sqrt(2 * flat) + 1 / std::sqrt(2 * steep));
   expect_error("cones of two slopes", two.conicity / (pi * pi / (2 * half * half)) - 1, 1e-12);
   expect_error("their turning points", two.high * std::sqrt(steep) + two.low * std::sqrt(flat), 1e-12);
-  // y'' = -y^3: a quarter of the period is 1.31102877714606 / amplitude.
+  // The motion y'' = -y^3 has a quarter of the period of 1.31102877714606 / amplitude.
   const auto cubic = kinematic_motion([](double y) { return y * y * y; }, 2);
   const double quarter = 1.31102877714606 / 2 * std::sqrt(2.0);
   expect_error("cubic", cubic.conicity / (pi * pi / (8 * quarter * quarter)) - 1, 2.5e-5);
-  // A jump of the difference: parabolas, y = a - d t^2 / 2.
+  // A jump of the difference gives parabolas, y = a - d t^2 / 2.
   const auto jump = kinematic_motion([](double y) { return y < 0.1 ? -0.2 : 0.2; }, 3);
   expect_error("jump", jump.conicity / (pi * pi / (8 * 2 * 3 / 0.2)) - 1, 1e-13);
   expect_error("where it jumps", jump.middle - 0.1, 1e-13);
@@ -74,8 +74,8 @@ TEST(kinematic_motion, what_does_not_come_back_is_refused) {
   EXPECT_NE(told([](double) { return 0.5; }).find("never runs straight on"), std::string::npos);
 }
 
-// With c half the distance of the points of contact, a cone's slope g on rails of radius R: 2 g y (1 + R g / c), as the
-// roll -g y / c of the wheelset moves the contact on round heads.
+// A cone's slope g on rails of radius R, with c half the distance of the points of contact, gives 2 g y (1 + R g / c),
+// because the roll -g y / c of the wheelset moves the contact on round heads.
 TEST_F(wheelset_geometry, cones_have_their_angle) {
   constexpr double slope = 0.05;
   const double cone[4] = {-60, 60 * slope, 80, -80 * slope};
@@ -107,7 +107,7 @@ TEST_F(wheelset_geometry, cones_have_their_angle) {
   }
 }
 
-// Often quoted as 0.18.
+// The conicity is often quoted as 0.18.
 TEST_F(wheelset_geometry, s1002_on_60e1) {
   WheelsetGeometry geometry = standing();
   double wavelength = 0;
@@ -142,7 +142,7 @@ TEST_F(wheelset_geometry, wheels_touch_where_they_begin_to_overlap) {
   }
 }
 
-// One axle carries both wheels: the one on the left has to come down by the difference.
+// One axle carries both wheels, so the one on the left has to come down by the difference.
 TEST_F(wheelset_geometry, radii_may_differ) {
   left = make(-1);
   right = make(1);
@@ -173,7 +173,7 @@ TEST_F(wheelset_geometry, a_shifted_track_shifts_all) {
   const KinematicMotion after = geometry.motion(2, moved);
   expect_error("conicity on a shifted track", after.conicity / before.conicity - 1, 1e-12);
   expect_error("middle", after.middle - 1.25, 1e-12);
-  // Turned about its gauge point by a little, a rail is another one.
+  // A rail turned about its gauge point by a little is another one.
   const double turned[3] = {0, 0, 1e-3};
   left->set_rail_deviation(rate, rate);
   right->set_rail_deviation(turned, rate);
