@@ -1,5 +1,5 @@
-"""What the error of a record means. Rolling cases have that of the force vector, never negative, and that of the spin
-moment beside it; all others one signed error."""
+"""Says what the error of a record means. Rolling cases have that of the force vector, never negative, and that of
+the spin moment beside it; all others have one signed error."""
 
 MEANING = ("Errors of rolling cases are those of all components: of the force vector, |(dFx, dFy)| / |(Fx, Fy)|, and "
            "beside it of the spin moment, |dMz| / (mu Fn sqrt(a b)), a and b the contact's semi-axes. Where a "
@@ -12,17 +12,17 @@ def rolling(r):
 
 
 def moment_error(r):
-    """None: not a rolling case, or a plane one."""
+    """Returns None if it is not a rolling case, or a plane one."""
     return r.get("moment_error")
 
 
 def judged(r):
-    """The larger one of both."""
+    """Returns the larger one of both."""
     return max(abs(r["error"]), moment_error(r) or 0)
 
 
 def uncertainty(r):
-    """Of the reference, in the error that is judged."""
+    """Returns the uncertainty of the reference, in the error that is judged."""
     return max(r["extra"].get("uncertainty", 0), r["extra"].get("uncertainty_moment", 0))
 
 
@@ -40,5 +40,5 @@ def error_text(r):
 
 
 def percent(x, digits=2):
-    """Of an error that has no sign."""
+    """Formats an error that has no sign."""
     return "-" if x is None else f"{100 * x:.{digits}f} %"

@@ -1,4 +1,4 @@
-"""Panels of log-log curves with one legend, by gnuplot: every element has a colour of its own."""
+"""Draws panels of log-log curves with one legend, by gnuplot: every element has a colour of its own."""
 
 import os
 import subprocess
@@ -22,7 +22,7 @@ OTHERS = ("#1f77b4", "#ff7f0e", "#2ca02c", "#d62728", "#9467bd", "#8c564b", "#e3
 
 
 def style_of(name, number):
-    """Colour, point and dash of a curve: that of its element, the first words of its name. CONTACT's
+    """Returns colour, point and dash of a curve: those of its element, the first words of its name. CONTACT's
     published and measured figures are black."""
     if name.startswith("CONTACT"):
         return ("#000000", 2, 4) if "published" in name else ("#000000", 3, 1)
@@ -40,7 +40,7 @@ def style_of(name, number):
 
 
 class Panel:
-    """curves: name -> [(x, y)], or clouds of points with a diagonal; floor: uncertainty of the
+    """Holds curves: name -> [(x, y)], or clouds of points with a diagonal; the floor is the uncertainty of the
     reference, drawn as a grey line."""
 
     def __init__(self, title, xlabel, curves, floor=0, cloud=False):
@@ -51,14 +51,14 @@ class Panel:
 
 
 def span(values):
-    """A range a little wider than the values, for a logarithmic axis."""
+    """Returns a range a little wider than the values, for a logarithmic axis."""
     low, high = min(values), max(values)
     margin = max(1.15, (high / low) ** 0.04)
     return low / margin, high * margin
 
 
 def axis(low, high):
-    """Range and tics of a logarithmic x axis: plain numbers over less than two decades."""
+    """Returns range and tics of a logarithmic x axis: plain numbers over less than two decades."""
     lines = [f"set xrange [{low:g}:{high:g}]"]
     if high / low >= 100:
         return lines + ["set format x '10^{%L}'", "set xtics autofreq"]
@@ -68,7 +68,7 @@ def axis(low, high):
 
 
 def panels(path, ylabel, rows):
-    """rows: lists of panels; all have one y axis, those of a row with the same label one x axis."""
+    """Draws rows, lists of panels; all have one y axis, those of a row with the same label one x axis."""
     rows = [[p for p in row if p.curves] for row in rows]
     rows = [row for row in rows if row]
     if not rows:

@@ -1,4 +1,4 @@
-"""Sections of the work-precision part: for each family of cases a pair of plots and a table."""
+"""Writes sections of the work-precision part: for each family of cases a pair of plots and a table."""
 
 from collections import defaultdict
 
@@ -47,7 +47,7 @@ def floor_of(records, name=None):
 
 
 def by_scheme(records, x, xlabel, marks=None, **kwargs):
-    """A panel for each scheme."""
+    """Returns a panel for each scheme."""
     row = []
     for scheme in SCHEMES:
         own = [r for r in records if r["method"] == scheme]
@@ -63,7 +63,7 @@ def memory_text(r):
 
 
 def size_table(records, columns):
-    """One row for each method; cells: size, error, seconds, memory."""
+    """Returns a table with one row for each method; cells: size, error, seconds, memory."""
     rows, most = defaultdict(list), 0
     for r in records:
         rows[tuple(f(r) for f in columns.values())].append(r)
@@ -146,7 +146,7 @@ def lame(records, images):
 
 
 def plain(case, title, image_name, ylabel, note, y=error):
-    """A section of panels scheme by scheme, time above memory."""
+    """Writes a section of panels scheme by scheme, time above memory."""
     def make(records, images):
         found = of_case(records, case)
         image = panels(f"{images}/precision_{image_name}.png", ylabel,
@@ -244,8 +244,8 @@ def carter(records, images):
 
 
 def bodies(case, title, note, second, second_label):
-    """Sections of the paper's examples with bodies that have a mesh: a second quantity, which does
-    not depend on the scheme, in a plot of its own."""
+    """Writes sections of the paper's examples with bodies that have a mesh: a second quantity, which does not depend
+    on the scheme, has a plot of its own."""
     def make(records, images):
         found = of_case(records, case)
         if not found:

@@ -1,4 +1,4 @@
-"""Which method to choose when, and what the defaults cost and give: written from the records."""
+"""Says which method to choose when, and what the defaults cost and give, from the records."""
 
 import math
 from collections import defaultdict
@@ -27,8 +27,8 @@ def curves(records):
 
 
 def reaching(runs, target):
-    """The coarsest run of a curve from which on no error is beyond the target. The finest alone
-    counts only if the one before it is not far: a curve may cross its reference by chance."""
+    """Returns the coarsest run of a curve from which on no error is beyond the target. The finest alone counts only
+    if the one before it is not far: a curve may cross its reference by chance."""
     count = 0
     while count < len(runs) and judged(runs[-1 - count]) <= target:
         count += 1
@@ -38,8 +38,8 @@ def reaching(runs, target):
 
 
 def cheapest(records, target, wanted=lambda r: True):
-    """Not by Godunov's differences: where they converge they are least squares (quadrilaterals along
-    the flow), elsewhere their curves cross the reference by chance."""
+    """Returns the cheapest run. Godunov's differences do not count: where they converge they are least squares
+    (quadrilaterals along the flow), elsewhere their curves cross the reference by chance."""
     candidates = []
     for runs in curves([r for r in records if wanted(r) and r["method"] != "godunov"]).values():
         r = reaching(runs, target)
@@ -76,14 +76,14 @@ def cheapest_table(records):
 
 
 def mean(values):
-    """Geometric."""
+    """Returns the geometric mean."""
     values = [v for v in values if v > 0]
     return math.exp(sum(map(math.log, values)) / len(values)) if values else None
 
 
 def scheme_ratios(records, case, elements=None):
-    """Errors and seconds of the characteristic scheme and Godunov's over those of least squares on
-    the same mesh: geometric means. Errors below the reference's uncertainty count as that."""
+    """Returns errors and seconds of the characteristic scheme and Godunov's over those of least squares on the same
+    mesh, as geometric means. Errors below the reference's uncertainty count as that."""
     runs = defaultdict(dict)
     for r in of_case(records, case):
         if r["status"] in (0, 4) and (elements is None or r["element"] in elements):
@@ -117,7 +117,7 @@ def cost(r):
 
 
 def compare(records, case, target, first, second, words):
-    """words: with {first} and {second}, what the cheapest run of each sort costs."""
+    """Fills the words, with {first} and {second}, with what the cheapest run of each sort costs."""
     found = of_case(records, case)
     a, b = cheapest(found, target, first), cheapest(found, target, second)
     if a is None and b is None:
@@ -132,7 +132,7 @@ def listed(said):
 
 
 def frames_text(records):
-    """With the default scheme."""
+    """Describes frames with the default scheme."""
     def rings(r):
         return "rings" in r["element"] and r["method"] == DEFAULT
     def grids(r):
@@ -155,7 +155,7 @@ def finest(records, case, element, scheme, model=None):
 
 
 def by_schemes(records, case, element, model=None):
-    """Errors of the finest mesh by characteristic, least squares and Godunov."""
+    """Returns errors of the finest mesh by characteristic, least squares and Godunov."""
     runs = [finest(records, case, element, s, model)
             for s in ("characteristic", "least_squares", "godunov")]
     return "; ".join(map(error_text, runs)) if all(runs) else None
@@ -181,7 +181,7 @@ def schemes_text(records):
 
 
 def examples_text(records):
-    """The paper's examples with meshed bodies: what limits them."""
+    """Says what limits the paper's examples with meshed bodies."""
     said = []
     for case, title in (("example1", "example 1"), ("example2", "example 2"),
                         ("example4", "example 4")):
@@ -227,7 +227,7 @@ def bodies_text(records):
 
 
 def defaults_text(records):
-    """Of the scheme; those of the procedures are in a document of their own."""
+    """Describes the defaults of the scheme; those of the procedures are in a document of their own."""
     groups = (("rings graded to the contact", lambda e: "rings" in e),
               ("quad4 and tri3", lambda e: e in ("quad4", "tri3")),
               ("quad8 and tri6", lambda e: e in ("quad8", "tri6")))

@@ -91,7 +91,7 @@ def percent(x, digits=2):
 
 
 def magnitude(x):
-    """Of an error that has no sign, two digits."""
+    """Formats an error that has no sign with two digits."""
     return f"{100 * x:.2g} %"
 
 
@@ -108,7 +108,7 @@ def table(heading, rows):
 
 
 def plot(path, title, xlabel, ylabel, series, options=""):
-    """Log-log lines; series: name -> [(x, y)]."""
+    """Draws log-log lines of series: name -> [(x, y)]."""
     names = [n for n in series if series[n]]
     if not names:
         return None
@@ -210,13 +210,13 @@ def creep_curve(records, _docs):
 
 
 def contact_marks(records, which):
-    """N, warm seconds and error of the force vector of CONTACT in case a or b, where its time is known."""
+    """Returns N, warm seconds and error of the force vector of CONTACT in case a or b, where its time is known."""
     return sorted((r["extra"]["n"], r["seconds"]["wall"], r["error"])
                   for r in of_case(records, f"case_{which}_contact"))
 
 
 def contact_elements(n):
-    """Of N x N grids, nine tenths of their width in a circular contact."""
+    """Returns the number of elements in contact of N x N grids, nine tenths of their width in a circular contact."""
     return 0.81 * 3.14159265 / 4 * n * n
 
 
@@ -321,7 +321,7 @@ def linear_solver(records, docs):
 
 
 def blas_kernels():
-    """OpenBLAS's name for the kernels it picks here: some are several times as slow as others."""
+    """Returns OpenBLAS's name for the kernels it picks here: some are several times as slow as others."""
     try:
         name = ctypes.CDLL(ctypes.util.find_library("openblas")).openblas_get_corename
     except (OSError, AttributeError, TypeError):

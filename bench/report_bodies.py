@@ -121,7 +121,7 @@ def wheel(records, _docs):
 
 
 def slope(points):
-    """Exponent of a power law through the larger half of the points."""
+    """Returns the exponent of a power law through the larger half of the points."""
     points = sorted(points)[len(points) // 2:]
     if len(points) < 2:
         return None

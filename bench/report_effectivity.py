@@ -13,7 +13,7 @@ SCHEMES = {"characteristic": 0, "least_squares": 1, "godunov": 2, "-": 0}
 
 
 def groups(path):
-    """Records by scene, kind of frame, scheme and quantity; meshes in the order they were run."""
+    """Groups records by scene, kind of frame, scheme and quantity; meshes come in the order they were run."""
     found = {}
     with open(path, encoding="utf-8") as lines:
         for line in lines:

@@ -30,7 +30,7 @@ def usable(r):
 
 
 def row(records):
-    """Median and the range that holds nine tenths of the effectivities; cost."""
+    """Returns the median and the range that holds nine tenths of the effectivities, and the cost."""
     effectivity = sorted(r["value"] / r["error"] for r in records)
     cut = len(effectivity) // 20
     within = effectivity[cut:len(effectivity) - cut]

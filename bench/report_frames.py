@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""docs/frames.md: frames made by the library, from the records of rollcon-bench.
+"""Writes docs/frames.md, on frames made by the library, from the records of rollcon-bench.
 
 usage: report_frames.py RECORDS.jsonl DOCS_DIR "COMMAND THAT MADE THE RECORDS"
 """

@@ -24,7 +24,7 @@ STATUS = {-1: "refused", 1: "not converged", 2: "no contact", 3: "no steady solu
 
 
 def parts(record):
-    """system, Jacobian with estimate, linear solver, preconditioner."""
+    """Returns system, Jacobian with estimate, linear solver, preconditioner."""
     system, jacobian, estimate, solver, preconditioner = record["method"].split()
     return system, METHODS[(jacobian, estimate)], solver, preconditioner
 
@@ -42,7 +42,7 @@ def status(record):
 
 
 def unknowns(record):
-    """With those of the bodies where they are written out."""
+    """Returns the number of unknowns, with those of the bodies where they are written out."""
     own = record["extra"].get("body_unknowns", 0)
     if parts(record)[0] == "monolithic" and record["unknowns"] < own:
         return f"{record['unknowns'] + own:.0f}"
@@ -50,7 +50,7 @@ def unknowns(record):
 
 
 def by_solver(records):
-    """(system, method) -> solver -> record, in the order of METHODS."""
+    """Maps (system, method) -> solver -> record, in the order of METHODS."""
     found = defaultdict(dict)
     for r in records:
         system, method, solver, _ = parts(r)
@@ -61,7 +61,7 @@ def by_solver(records):
 
 
 def cell(records, text):
-    """One entry for the three linear solvers: text of each, or why there is none."""
+    """Returns one entry for the three linear solvers: the text of each, or why there is none."""
     out = []
     for solver in SOLVERS:
         r = records.get(solver)

@@ -1,4 +1,4 @@
-"""Curves and bars of docs/procedures.md, by gnuplot."""
+"""Draws curves and bars of docs/procedures.md, by gnuplot."""
 
 import os
 import subprocess
@@ -14,7 +14,7 @@ def gnuplot(path, lines, size=(820, 480)):
 
 
 def style(name, names):
-    """Colour by method, dashes and points by linear solver."""
+    """Returns the colour by method, dashes and points by linear solver."""
     method, _, solver = name.rpartition(", ")
     methods = list(dict.fromkeys(n.rpartition(", ")[0] for n in names))
     kind = {"GMRES": 2, "adaptive GMRES": 3}.get(solver, 1)
@@ -23,7 +23,7 @@ def style(name, names):
 
 
 def curves(path, title, xlabel, ylabel, series, options=(), with_points=True):
-    """series: name -> [(x, y)]; ordinate logarithmic."""
+    """Draws series: name -> [(x, y)], with a logarithmic ordinate."""
     series = {n: points for n, points in series.items() if points}
     if not series:
         return None
@@ -45,7 +45,7 @@ def curves(path, title, xlabel, ylabel, series, options=(), with_points=True):
 
 
 def bars(path, title, ylabel, groups):
-    """groups: name -> solver -> height; a solver without height leaves a gap."""
+    """Draws groups: name -> solver -> height; a solver without height leaves a gap."""
     if not groups:
         return None
     heights = [h for g in groups.values() for h in g.values() if h]

@@ -1,4 +1,4 @@
-"""What docs/procedures.md says besides numbers."""
+"""Says in docs/procedures.md what is not in numbers."""
 
 OPTIONS = """The standard procedure eliminates the bodies' unknowns once and solves the contact by an
 exact semismooth Newton iteration with a start and fallbacks of its own ([theory](theory.md)). The

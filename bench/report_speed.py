@@ -23,7 +23,7 @@ def paragraph(text):
 
 
 def rows_of(records, columns):
-    """columns: heading -> function of a record that gives text."""
+    """Takes columns: heading -> function of a record that gives text."""
     return table(list(columns), [[f(r) for f in columns.values()] for r in records])
 
 

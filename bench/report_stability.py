@@ -22,7 +22,8 @@ STANDARD = ("cold", "warm from another state")
 
 
 def outcome(r):
-    """solved: laws kept; refused: another status, and right; not converged; else wrong."""
+    """Returns the outcome: "solved" if the laws hold, "refused" if another status is right, "not converged", else
+    "wrong"."""
     if r["status"] == 1:
         return "not converged"
     if not r["extra"]["right"]:
@@ -115,7 +116,7 @@ def procedures(records, docs):
 
 
 def quoted(text):
-    """From the name of the function on: what stands before is the status in words."""
+    """Returns the text from the name of the function on: what stands before is the status in words."""
     at = text.find("rollcon_")
     return (text[at:] if at >= 0 else text).replace("|", "\\|")
 

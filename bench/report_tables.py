@@ -71,7 +71,7 @@ def time(r):
 
 
 def exceeding(r, name):
-    """(error, share of cases with a larger one), but for the largest."""
+    """Returns (error, fraction of cases with a larger one), except for the largest."""
     values = r[name]
     return [(v, 1 - k / (len(values) - 1)) for k, v in enumerate(values[:-1])]
 

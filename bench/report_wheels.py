@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The part "errors and times" of docs/wheelrail.md, from the records of rollcon-bench.
+"""Writes the part "errors and times" of docs/wheelrail.md, from the records of rollcon-bench.
 
 usage: report_wheels.py RECORDS.jsonl DOCS_DIR "COMMAND THAT MADE THE RECORDS"
 """

@@ -28,7 +28,7 @@ FORTRAN_COMMENT = re.compile(r"""(?:[^'"!]|'[^']*'|"[^"]*")*(![!<>]*.*)$""")
 
 
 def comments(path, text):
-    """Line, column and text of each comment; comment lines that follow one another come one by one."""
+    """Yields line, column and text of each comment; comment lines that follow one another come one by one."""
     if path.suffix in C:
         for found in C_TOKEN.finditer(text):
             comment = found["line"] or found["block"]
@@ -52,7 +52,7 @@ def comments(path, text):
 
 
 def misused(path):
-    """Lines and first words of comment blocks; a line right below another comment in its column continues it."""
+    """Yields lines and first words of comment blocks; a line right below another comment in its column continues it."""
     last = (-1, -1)
     for line, column, comment in comments(path, path.read_text(encoding="utf-8")):
         continues = last == (line - 1, column)

@@ -49,7 +49,7 @@ def heights(levels):
 
 
 def place(path):
-    """Room and inner room of a path below src/."""
+    """Returns room and inner room of a path below src/."""
     parts = path.split("/")
     inner = INSIDE.get(parts[0])
     if not inner:

@@ -16,7 +16,7 @@ PART = re.compile(r"^\[  (PASSED|FAILED|SKIPPED) +\] (\d+) tests?\b", re.M)
 
 
 def count(case):
-    """Counter of passed, failed, skipped for one program."""
+    """Counts passed, failed, skipped for one program."""
     status = case.get("status")
     if status in ("notrun", "disabled"):
         skipped = case.find("skipped")  # by its return code; otherwise the program was not found, or the like

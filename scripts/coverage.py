@@ -26,8 +26,8 @@ SLACK = 1.25
 
 
 def notes_of(build):
-    """The notes that the compiler wrote beside the library's objects, as it is configured now:
-    sources may have been compiled alone before and are now in groups, or the other way round."""
+    """Returns the notes that the compiler wrote beside the library's objects, in its present configuration: sources
+    may have been compiled alone before and are now in groups, or the other way round."""
     commands = json.loads((build / "compile_commands.json").read_text())
     outputs = [build / match.group(1) for command in commands
                if (match := re.search(r" -o (\S*\brollcon_objects\.dir/\S+\.o) ", command["command"]))]
@@ -38,7 +38,7 @@ def notes_of(build):
 
 
 def read(gcov, notes, build):
-    """Counts of a batch of objects: {file: {line: count}}."""
+    """Returns the counts of a batch of objects: {file: {line: count}}."""
     result = subprocess.run([gcov, "--json-format", "--stdout", *map(str, notes)], cwd=build,
                             stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=True)
     counts = collections.defaultdict(collections.Counter)
@@ -69,7 +69,7 @@ def collect(build, gcov):
 
 
 def ranges(numbers):
-    """[3, 4, 5, 9] as '3-5 9'."""
+    """Formats [3, 4, 5, 9] as '3-5 9'."""
     runs = []
     for number in sorted(numbers):
         if runs and number == runs[-1][1] + 1:
@@ -80,7 +80,7 @@ def ranges(numbers):
 
 
 def documented(path):
-    """{file or folder: lines granted} from the rows `| src/... | lines | reason |`."""
+    """Returns {file or folder: lines granted} from the rows `| src/... | lines | reason |`."""
     text = path.read_text().split("\n## Coverage", 1)
     if len(text) < 2:
         sys.exit(f"coverage.py: {path} has no section Coverage")

@@ -26,12 +26,12 @@ def pages():
 
 
 def prose(text):
-    """Without code, in which brackets are no links."""
+    """Removes code, in which brackets are no links."""
     return re.sub(r"`[^`\n]*`", "``", re.sub(r"^    .*$", "", FENCE.sub("", text), flags=re.M))
 
 
 def slug(title):
-    """The anchor of a heading, as GitHub and MkDocs make it."""
+    """Returns the anchor of a heading in the way of GitHub and MkDocs."""
     title = re.sub(r"[`*]|\[([^\]]*)\]\([^)]*\)", r"\1", title)
     return re.sub(r"\s+", "-", re.sub(r"[^\w\s-]", "", title.strip().lower()))
 
@@ -73,7 +73,7 @@ def undocumented_options():
 
 
 def functions_without_example():
-    """Of the C interface: each has a line from a program in examples/, which is compiled and run."""
+    """Lists functions of the C interface without a line from a program in examples/, which is compiled and run."""
     text = (ROOT / "docs/api.md").read_text(encoding="utf-8")
     for section in re.split(r"^#+ (?=rollcon_)", text, flags=re.M)[1:]:
         name = re.match(r"\w+", section)[0]
@@ -82,7 +82,7 @@ def functions_without_example():
 
 
 def other_versions():
-    """Recipes and citation whose version is not the header's."""
+    """Lists recipes and citation whose version is not the header's."""
     header = (ROOT / "include/rollcon.h").read_text(encoding="utf-8")
     version = re.search(r'#define ROLLCON_VERSION_STRING "([^"]+)"', header).group(1)
     for name, wanted in (("CITATION.cff", f"\nversion: {version}\n"), ("packaging/vcpkg/vcpkg.json", f'-semver": "{version}"'),
@@ -113,8 +113,8 @@ def check():
 
 
 def staged(path):
-    """Where a file of the repository goes in the site: documents to its top, pages outside as they are, others to
-    source/."""
+    """Returns where a file of the repository goes in the site: documents to its top, pages outside unchanged, others
+    to source/."""
     inside = path.relative_to(ROOT).as_posix()
     if inside == "README.md":
         return "index.md"
@@ -152,7 +152,7 @@ def stage(folder):
 
 
 def site_links(folder):
-    """Every href and src of every page leads to a file of the site, and to an anchor that it has."""
+    """Checks that every href and src of every page leads to a file of the site, and to an anchor that it has."""
     ids, dead, count = {}, [], 0
     files = sorted(folder.rglob("*.html"))
     texts = {file: file.read_text(encoding="utf-8") for file in files}

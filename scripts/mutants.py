@@ -1,4 +1,4 @@
-"""Mutants of contact laws and kernels: which files, which changes, which sample. See mutations.py."""
+"""Makes mutants of contact laws and kernels: which files, which changes, which sample. mutations.py uses it."""
 import random
 import re
 
@@ -68,7 +68,7 @@ class Mutant:
         self.place = ""  # in the words of the source: see name_places
 
     def words(self, text):
-        """The line with its place marked, and what comes there: holds while lines move."""
+        """Returns the line with its place marked, and what comes there: it holds while lines move."""
         first, last = text.rfind("\n", 0, self.begin) + 1, text.find("\n", self.end)
         before, after = text[first:self.begin][-30:].lstrip(), text[self.end:last][:30].rstrip()
         shown, new = (" ".join(part.split())[:40] for part in (self.old, self.new))
@@ -79,12 +79,12 @@ class Mutant:
 
 
 def tokens_of(text):
-    """(kind, text, begin) of what is neither comment, string nor preprocessor line."""
+    """Yields (kind, text, begin) of what is neither comment, string nor preprocessor line."""
     return [(m.lastgroup, m.group(), m.start()) for m in TOKEN.finditer(text) if m.lastgroup != "skip"]
 
 
 def matching(tokens, k):
-    """Index of the bracket that closes the one at k."""
+    """Returns the index of the bracket that closes the one at k."""
     pairs = {"(": ")", "{": "}", "[": "]"}
     depth = 0
     for j in range(k, len(tokens)):
@@ -98,7 +98,7 @@ def matching(tokens, k):
 
 
 def left_out(tokens):
-    """Ranges of token indices inside functions bytes()."""
+    """Returns ranges of token indices inside functions bytes()."""
     out = []
     for k, (_, word, _) in enumerate(tokens):
         if word == "bytes" and tokens[k + 1:k + 3] and tokens[k + 1][1] == "(" and tokens[k + 2][1] == ")":
@@ -180,7 +180,7 @@ def mutants_of(file, text):
 
 
 def is_statement(statement):
-    """An assignment or a call, no declaration (two words, or a word and * or &, in a row)."""
+    """Says whether it is an assignment or a call, no declaration (two words, or a word and * or &, in a row)."""
     words = [token for _, token, _ in statement]
     if "reserve" in words or "shrink_to_fit" in words:
         return False
@@ -218,14 +218,14 @@ def name_places(mutants, text):
 
 
 def all_mutants(root):
-    """{group: {file: [mutants]}} of the tree at root."""
+    """Returns {group: {file: [mutants]}} of the tree at root."""
     texts = {file: (root / file).read_text() for group in GROUPS for file in sources(root, group)}
     return {group[0]: {file: name_places(mutants_of(file, texts[file]), texts[file])
                        for file in sources(root, group)} for group in GROUPS}
 
 
 def sample(mutants, seed, size):
-    """Shares of the groups, spread over each group's files, in an order that mixes the groups."""
+    """Draws from each group, spread over its files, in an order that mixes the groups."""
     groups = [group for group in GROUPS if any(mutants[group[0]].values())]
     total = sum(group[1] for group in groups)
     chosen = []

@@ -59,7 +59,7 @@ STAGES = [0.03, 0.15, 1.0, 4.0, 20.0]
 
 
 def copy_tree(tree, also):
-    """The tree at HEAD, its library one shared object with everything visible, and files as they are."""
+    """Copies the tree at HEAD, and configures its library as one shared object with everything visible."""
     if not tree.exists():
         tree.mkdir(parents=True)
         archive = subprocess.Popen(["git", "-C", ROOT, "archive", "HEAD"], stdout=subprocess.PIPE)
@@ -77,7 +77,7 @@ def copy_tree(tree, also):
 
 
 def nearest_of(room):
-    """A trial: the mutants of one room, and the program that is nearest to it."""
+    """Tries the mutants of one room by the program that is nearest to it."""
     programs = PROGRAMS[room][:1]
     PROGRAMS.clear()
     PROGRAMS[room] = programs
@@ -109,7 +109,7 @@ def compile_all(work, jobs):
 
 
 def run_tests(work, program, names, limit, report=None):
-    """(exit status, first failing test) of one test program, -1 for one that took too long."""
+    """Returns (exit status, first failing test) of one test program, -1 for one that took too long."""
     environment = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
     environment["GTEST_FILTER"] = ":".join(names)
     command = [str(work / "build/tests" / f"test_{program}"), "--gtest_brief=1"]
@@ -132,7 +132,7 @@ def run_tests(work, program, names, limit, report=None):
 
 
 def notices(work, program, names, limit):
-    """None, or how the tests noticed. What fails once must fail again: no test of time misleads."""
+    """Returns None, or how the tests noticed. What fails once must fail again: no test of time misleads."""
     status, failed = run_tests(work, program, names, limit)
     if status == 1 and failed:
         status = run_tests(work, program, [failed], limit)[0]
@@ -140,7 +140,7 @@ def notices(work, program, names, limit):
 
 
 def baseline(work, tests):
-    """{program: [(seconds, test)]} of the unchanged library, kept in DIR."""
+    """Returns {program: [(seconds, test)]} of the unchanged library, stored in DIR."""
     kept = work / f"baseline_{tests}.json"
     left_out = {"all": [], "change": ["nightly"], "quick": ["nightly", "long"]}[tests]
     wanted = ["*-" + ":".join(f"*_{kind}.*:*_{kind}/*" for kind in left_out)] if left_out else ["*"]
@@ -161,7 +161,7 @@ def baseline(work, tests):
 
 
 def suites_of(tree):
-    """{suite: the file under tests/ that defines it}."""
+    """Returns {suite: the file under tests/ that defines it}."""
     suites = {}
     for file in sorted((tree / "tests").rglob("*_test.cpp")):
         for suite in re.findall(r"^(?:TYPED_)?TEST(?:_F|_P)?\((\w+),", file.read_text(), re.M):
@@ -170,14 +170,14 @@ def suites_of(tree):
 
 
 def nearness(source, test):
-    """How much the names of a source and a test file have in common; rooms alone do not count."""
+    """Returns how much the names of a source and a test file have in common; rooms alone do not count."""
     words = lambda path: set(re.split(r"[/_.]", str(path.with_suffix(""))))
     return len((words(source) & words(test)) - {source.parts[0], "test"})
 
 
 def stages_of(file, times, suites, noticing):
-    """[(program, tests, seconds)]: tests whose names are near the file's, those that noticed mutants
-    of it or of its room before, then all, quick ones of near programs first. No test twice."""
+    """Returns [(program, tests, seconds)]: tests whose names are near the file's, those that noticed mutants of it
+    or of its room before, then all, quick ones of near programs first. No test comes twice."""
     stages, taken = [], set()
     source = pathlib.Path(file).relative_to("src")
     room = source.parts[0]

@@ -28,7 +28,7 @@ def pages():
 
 
 def same(printed, wanted):
-    """Why two texts differ, or nothing."""
+    """Says why two texts differ, or nothing."""
     printed, wanted = printed.strip().splitlines(), wanted.strip().splitlines()
     if len(printed) != len(wanted):
         return f"{len(printed)} lines, not {len(wanted)}"
@@ -49,7 +49,7 @@ def environment(prefix):
 
 
 def run(page, env, folder):
-    """What fails on a page, or nothing; None: what it needs is not installed."""
+    """Returns what fails on a page, or nothing; None: what it needs is not installed."""
     last, runs = None, 0
     if page.name == "octave.md" and not (shutil.which("octave-cli") and shutil.which("mkoctfile")):
         return None
@@ -77,7 +77,7 @@ def run(page, env, folder):
 
 
 def saved(page):
-    """Pictures that a page both shows and saves."""
+    """Returns pictures that a page both shows and saves."""
     text = page.read_text(encoding="utf-8")
     return [name for name in re.findall(r"images/(\w+\.png)", text)
             if f'savefig("{name}")' in text or f"print('-dpng', '{name}')" in text]

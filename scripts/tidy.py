@@ -31,14 +31,14 @@ import unity  # noqa: E402
 
 
 def parts_of(file):
-    """[(line at which it begins, source), ...] of a joined source, [] of another."""
+    """Returns [(line at which it begins, source), ...] of a joined source, [] of another."""
     lines = file.read_text().split("\n")
     return [(number + 2, match.group(1)) for number, line in enumerate(lines)
             if (match := re.match(r'#line 1 "(.*)"$', line))]
 
 
 def changed_files(base):
-    """What differs from a commit, new files included."""
+    """Returns what differs from a commit, new files included."""
     git = ["git", "-C", str(ROOT)]
     names = subprocess.check_output([*git, "diff", "--name-only", base], text=True)
     names += subprocess.check_output([*git, "ls-files", "--others", "--exclude-standard"], text=True)
@@ -46,14 +46,14 @@ def changed_files(base):
 
 
 def affected(sources, changed):
-    """Those that changed or see a header that did."""
+    """Returns the sources that changed or see a header that did."""
     headers = unity.Headers([ROOT / "src"])
     return [source for source in sources
             if source in changed or changed & unity.Source(source, headers).headers]
 
 
 def commands_for(commands, sources, folder, jobs):
-    """A command for each of the sources that the build compiles alone, and for groups of the others."""
+    """Returns a command for each of the sources that the build compiles alone, and for groups of the others."""
     alone = {command["file"]: command for command in commands}
     # What stands for an absent component defines the same functions as the component.
     loose = [source for source in sources if source not in alone and not source.endswith("_absent.cpp")]
@@ -66,7 +66,7 @@ def commands_for(commands, sources, folder, jobs):
 
 
 def system_folders(commands):
-    """Of all sources: a header of a component may need one that others do not."""
+    """Returns the folders of all sources: a header of a component may need one that others do not."""
     found = {}
     for command in commands:
         words = shlex.split(command["command"])
@@ -75,7 +75,7 @@ def system_folders(commands):
 
 
 def compiles_alone(command, file, folders):
-    """What the compiler says of a source or header by itself, without anything included before."""
+    """Returns what the compiler says of a source or header by itself, without anything included before."""
     words = shlex.split(command["command"])
     kept = [word for word in words[1:] if re.match(r"-([DIWf]|std)", word) and "pch" not in word] + folders
     # A header is no main file.
@@ -86,7 +86,7 @@ def compiles_alone(command, file, folders):
 
 
 def in_parts(output, parts):
-    """The output with places in parts instead of in the joined source."""
+    """Returns the output with places in parts instead of in the joined source."""
     def part(match):
         line = int(match.group(1))
         start, name = max((start, name) for start, name in parts if start <= line)

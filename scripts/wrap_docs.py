@@ -16,7 +16,7 @@ APART = re.compile(r"\s*(\||#|<|>|```|$)|    ")
 
 
 def wrap(lines):
-    """One paragraph or list item."""
+    """Wraps one paragraph or list item."""
     if max(map(len, lines)) <= LONGEST:
         return lines
     item = ITEM.match(lines[0])

@@ -24,7 +24,7 @@ PERIOD = 0.5
 
 
 def processor_seconds(pid):
-    """Of the process, all of its threads and those of its children that have ended."""
+    """Returns the processor seconds of the process, all of its threads and those of its children that have ended."""
     try:
         with open(f"/proc/{pid}/stat", encoding="ascii", errors="replace") as file:
             fields = file.read().rpartition(")")[2].split()
@@ -34,7 +34,7 @@ def processor_seconds(pid):
 
 
 class Report:
-    """Follows the output: lines of tests that passed are dropped, all others kept."""
+    """Follows the output: drops the lines of tests that passed, and keeps all others."""
 
     def __init__(self):
         self.running = ""
@@ -50,7 +50,7 @@ class Report:
             self._line(line.decode(errors="replace"))
 
     def end(self):
-        """What the program left of a line, and of a test in the middle."""
+        """Prints what the program left of a line, and of a test in the middle."""
         if self._rest:
             self._line(self._rest.decode(errors="replace"))
         if self.running:
@@ -80,7 +80,7 @@ class Report:
 
 
 def watch(child, report, most, idle):
-    """Reads until the program ends; the reason why it was killed, or nothing."""
+    """Reads until the program ends; returns the reason why it was killed, or nothing."""
     test, at_test, at_work, clock = None, 0.0, 0.0, time.monotonic()
     while True:
         readable, _, _ = select.select([child.stdout], [], [], PERIOD)

@@ -1,1 +1,1 @@
-"""Writers of everything that follows from the API table, one module per output language."""
+"""Writes everything that follows from the API table, one module per output language."""

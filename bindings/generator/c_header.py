@@ -1,4 +1,4 @@
-"""include/rollcon.h: prototypes, enumerators and their documentation."""
+"""Writes include/rollcon.h: prototypes, enumerators and their documentation."""
 
 import textwrap
 
@@ -94,7 +94,7 @@ CLOSING = """
 
 
 def c_type(arg):
-    """Type of an argument up to its name, '*' included."""
+    """Returns the type of an argument up to its name, '*' included."""
     if arg.base in ("log_fn", "progress_fn"):
         return f"rollcon_{arg.base} "
     if arg.base in HANDLES or arg.base == "event":
@@ -121,7 +121,7 @@ def return_type(returns):
 
 
 def declaration(head, args):
-    """`head(arg, arg, ...);` with the arguments broken into lines of the allowed width."""
+    """Returns `head(arg, arg, ...);` with the arguments broken into lines of the allowed width."""
     words = [c_type(a) + a.name for a in args] or ["void"]
     text = head + "(" + ", ".join(words) + ");"
     if len(text) <= WIDTH:

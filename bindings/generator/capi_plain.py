@@ -1,4 +1,4 @@
-"""src/capi/plain.cpp: the C functions that hand their arguments to one method of the object."""
+"""Writes src/capi/plain.cpp: the C functions that hand their arguments to one method of the object."""
 
 from generator.c_header import c_type, declaration, return_type
 
@@ -28,7 +28,7 @@ GUARDS = {"context": "with_object(__func__, Kind::context, context, [&](Object& 
 
 
 def statement(function):
-    """What is done with the object."""
+    """Returns what is done with the object."""
     given = [a for a in function.args[1:] if not a.out and a.name != "capacity"]
     call = f"self.{function.calls}({', '.join(a.name for a in given)})"
     results = [a for a in function.args[1:] if a.out]

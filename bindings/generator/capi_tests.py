@@ -1,4 +1,4 @@
-"""tests/capi/every_call.hpp: one call of every function that has an object, for what holds for all of them."""
+"""Writes tests/capi/every_call.hpp: one call of every function that has an object, for what holds for all of them."""
 
 from generator.table import HANDLES
 
@@ -25,7 +25,7 @@ struct HarmlessArguments {
 
 
 def value(arg):
-    """A harmless argument."""
+    """Returns a harmless argument."""
     if arg.base in HANDLES:
         return f"&a.{arg.base}" if arg.out else "nullptr"
     if arg.base in ("log_fn", "progress_fn", "user"):

@@ -1,4 +1,4 @@
-"""src/capi/api_tables.hpp: what the library itself tells about the table at run time."""
+"""Writes src/capi/api_tables.hpp: what the library itself tells about the table at run time."""
 
 
 def write(table):

@@ -1,5 +1,5 @@
-"""A line that calls a function of C, for its place in docs/api.md: from the programs in examples/ where one calls it, else
-made of the names of its arguments."""
+"""Finds a line that calls a function of C, for its place in docs/api.md: from the programs in examples/ where one
+calls it, else made of the names of its arguments."""
 
 import re
 
@@ -7,13 +7,13 @@ STRIPPED = re.compile(r"^(?:must|check)\((.*)\)$")
 
 
 def statements(text):
-    """Statements of a C program on one line each, without comments."""
+    """Returns the statements of a C program on one line each, without comments."""
     text = re.sub(r"/\*.*?\*/", "", text, flags=re.S)
     return [" ".join(part.split()) for part in re.split(r"[;{}]", text)]
 
 
 def calls(text):
-    """Function: its shortest call in a program, without what checks its status."""
+    """Returns for each function its shortest call in a program, without what checks its status."""
     found = {}
     for statement in statements(text):
         for name in re.findall(r"\brollcon_\w+(?=\()", statement):
@@ -34,7 +34,7 @@ def by_names(function):
 
 
 def lines(functions, programs):
-    """Function: (call, name of the program or nothing)."""
+    """Returns for each function (call, name of the program or nothing)."""
     found = {}
     for name, text in programs:
         for function, call in calls(text).items():

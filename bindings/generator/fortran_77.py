@@ -27,7 +27,7 @@ OPENING = """\
 
 
 def dummy_name(arg):
-    """A name that FORTRAN 77's implicit types agree with."""
+    """Returns a name that FORTRAN 77's implicit types agree with."""
     name = {"n_cases": "nc", "n_results": "nres", "n_rows": "nr", "n_values": "nv", "n_nodes": "nn", "max_level": "level",
             "parameters": "par", "connectivity": "ic"}.get(arg.name, arg.name)
     for kind, short in HANDLES.items():
@@ -47,7 +47,7 @@ def dummy_name(arg):
 
 
 class Routine:
-    """One subroutine while it is written."""
+    """Is one subroutine while it is written."""
 
     def __init__(self, name, function, variant):
         self.name, self.function, self.variant = name, function, variant
@@ -67,7 +67,7 @@ class Routine:
                         "  return", "end if"]
 
     def extent(self, shape, count):
-        """Number of entries of an array with this C shape."""
+        """Returns the number of entries of an array with this C shape."""
         parts = re.findall(r"\[(.+?)\]", shape)
         return "*".join(count if part == "n" else part for part in parts)
 
@@ -220,7 +220,7 @@ class Routine:
 
 
 def joined(head, words, tail, indent):
-    """`head(a, b, ...)tail`, continued over as many lines as it takes."""
+    """Returns `head(a, b, ...)tail`, continued over as many lines as it takes."""
     lines, line = [], " " * indent + head + "("
     for i, word in enumerate(words):
         word += ", " if i + 1 < len(words) else ")" + tail
@@ -234,7 +234,7 @@ def joined(head, words, tail, indent):
 
 
 def declarations(dummies):
-    """Dummies of one type stand in one line."""
+    """Puts dummies of one type in one line."""
     rows = {}
     for name, kind, _ in dummies:
         match = re.match(r"((?:character|procedure)\(.*\)|[a-z ]+)(\(.*\))?$", kind)
@@ -259,7 +259,7 @@ def subroutine(name, dummies, body, doc):
 
 
 def routine(name, function, variant):
-    """The subroutine's text, and its arguments as the list of calls shows them."""
+    """Returns the subroutine's text, and its arguments in the form of the list of calls."""
     r = Routine(name, function, variant)
     r.text_out = next((a for a in function.args if a.base == "char"), None)
     for arg in function.args:
@@ -294,7 +294,7 @@ def first_sentence(doc):
 
 
 def fact(name, functions):
-    """Functions that need no object: what they return becomes the last arguments."""
+    """Serves functions that need no object: what they return becomes the last arguments."""
     dummies, body = [], []
     for function in functions:
         if function.returns == "int32" and function.args:
@@ -318,7 +318,7 @@ def fact(name, functions):
 
 
 def of_any_kind(name, functions):
-    """Retain and release: the handle tells its kind."""
+    """Serves retain and release: the handle tells its kind."""
     dummies = [("ih", "integer", "IH"), ("ierr", "integer", "IERR")]
     release = functions[0].returns == "void"
     body = ["ierr = ROLLCON_OK", "if (ih == 0) return"] if release else []
@@ -336,7 +336,7 @@ def of_any_kind(name, functions):
 
 
 def routines(table):
-    """(name, functions, text, arguments) in the order of the table."""
+    """Returns (name, functions, text, arguments) in the order of the table."""
     by_name = {}
     for function in table.functions:
         for name in function.f77:
@@ -352,7 +352,7 @@ def routines(table):
 
 
 def translation(table):
-    """C names and those that the callers of this layer know."""
+    """Translates C names into those that the callers of this layer know."""
     rows = [(f.name, " or ".join(f.f77)) for f in table.functions if f.f77]
     rows.sort(key=lambda row: -len(row[0]))  # no name is taken for the beginning of a longer one
     lines = ["", "!> A text of the library with this layer's names in place of those of rollcon.h.",
@@ -394,7 +394,7 @@ def write_names(table):
 
 
 def call_list(table):
-    """Rows of the table in fortran/README.md."""
+    """Returns the rows of the table in fortran/README.md."""
     rows = ["| call | C function |", "| --- | --- |"]
     for name, functions, _, args in routines(table):
         names = ", ".join(f"`{f.name}`" for f in functions)

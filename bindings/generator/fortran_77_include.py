@@ -1,5 +1,5 @@
-"""fortran/rollcon.inc: interfaces and enumerators for programs that call the FORTRAN 77 layer, in a form that fixed and
-free sources take alike. It is made of the layer's own text (fortran_77.py)."""
+"""Writes fortran/rollcon.inc: interfaces and enumerators for programs that call the FORTRAN 77 layer, in a form that
+fixed and free sources take alike. It is made of the layer's own text (fortran_77.py)."""
 
 import re
 
@@ -12,7 +12,7 @@ OPENING = """\
 
 
 def split(text, room=66):
-    """A statement in columns 7 to 72; continued lines have & in column 73 and, on the next line, in column 6."""
+    """Puts a statement in columns 7 to 72; continued lines have & in column 73 and, on the next line, in column 6."""
     lines, line = [], ""
     for word in re.findall(r"[^,]+,? ?", text):
         if len(line + word.rstrip()) > room:
@@ -25,7 +25,7 @@ def split(text, room=66):
 
 
 def declaration(line, names):
-    """What a declaration says of dummy arguments, or nothing."""
+    """Returns what a declaration says of dummy arguments, or nothing."""
     kind, _, entities = line.strip().partition(" :: ")
     if kind.startswith("procedure"):
         kind = "EXTERNAL"

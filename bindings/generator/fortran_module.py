@@ -1,4 +1,4 @@
-"""fortran/rollcon_c.f90: module rollcon_c, the C interface as Fortran sees it."""
+"""Writes fortran/rollcon_c.f90: module rollcon_c, the C interface that Fortran sees."""
 
 WIDTH = 100  # the language allows 132
 KINDS = {"int32": "integer(c_int32_t)", "row": "integer(c_int32_t)",
@@ -22,7 +22,7 @@ module rollcon_c
 
 
 def dummy(arg):
-    """Declaration of a dummy argument."""
+    """Returns the declaration of a dummy argument."""
     if arg.base in ("log_fn", "progress_fn"):
         return f"type(c_funptr), value :: {arg.name}"
     if arg.base in ("text", "path"):
@@ -39,12 +39,13 @@ def dummy(arg):
 
 
 def callback_dummy(arg):
-    """As dummy, but a text arrives as an address: the callee does not know its length."""
+    """Returns the declaration for a callback, where a text arrives as an address: the callee does not know its
+    length."""
     return f"type(c_ptr), value :: {arg.name}" if arg.base == "text" else dummy(arg)
 
 
 def argument_list(head, args, tail, indent):
-    """`head(a, b, ...) tail`, continued over as many lines as it takes."""
+    """Returns `head(a, b, ...) tail`, continued over as many lines as it takes."""
     lines, line = [], indent + head + "("
     for i, arg in enumerate(args):
         word = arg.name + (", " if i + 1 < len(args) else "")

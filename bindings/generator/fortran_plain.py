@@ -1,7 +1,8 @@
-"""fortran/rollcon_{body,contact,wheelrail,table}_plain.f90: a type with the life of a handle and its plain procedures.
+"""Writes fortran/rollcon_{body,contact,wheelrail,table}_plain.f90: a type with the life of a handle and its plain
+procedures.
 
-What Fortran 2008 says otherwise than C: arrays know their extents, enumerators have a kind of their
-own, other numbers are default INTEGERs, texts have lengths, `defaults` are optional and come last.
+Fortran 2008 differs from C: arrays know their extents, enumerators have a kind of their own, other numbers are
+default INTEGERs, texts have lengths, `defaults` are optional and come last.
 """
 
 import re
@@ -151,7 +152,7 @@ VALUES = [("int32", "integer(c_int32_t)", "int"), ("int64", "integer(c_int64_t)"
 
 
 def option_names(kind):
-    """Suffixes of the settings that the kind has: bodies have no texts."""
+    """Returns suffixes of the settings that the kind has: bodies have no texts."""
     return VALUES if kind == "contact" else VALUES[:3]
 
 
@@ -165,7 +166,7 @@ def option_bindings(kind):
 
 
 def options(kind):
-    """Settings by name, of a value's type."""
+    """Writes settings by name, of a value's type."""
     out = []
     for verb in ("set", "get"):
         for suffix, declared, c_name in option_names(kind):
@@ -208,7 +209,7 @@ def joined(head, words, tail, indent):
 
 
 class Procedure:
-    """One type-bound procedure while it is written."""
+    """Is one type-bound procedure while it is written."""
 
     def __init__(self, function):
         self.function = function

@@ -1,7 +1,8 @@
-"""tests/fortran/mapping_test.f90 and mapping_77_test.f90: each generated procedure of the two Fortran layers.
+"""Writes tests/fortran/mapping_test.f90 and mapping_77_test.f90, which test each generated procedure of the two
+Fortran layers.
 
-It is called with a value of its own for every argument, against what the recorder writes down and gives; then it must
-pass on a failure.
+It is called with a value of its own for every argument, against what the recorder writes down and gives; then it
+must pass on a failure.
 """
 
 import re
@@ -34,7 +35,7 @@ program mapping_77_test
 
 
 def broken(head, words, tail=""):
-    """A call over as many lines as it takes."""
+    """Breaks a call over as many lines as it takes."""
     lines, line = [], head + "("
     words = [part for word in words for part in word.split(", ")]
     for i, word in enumerate(words):
@@ -47,7 +48,7 @@ def broken(head, words, tail=""):
 
 
 def cut_texts(lines):
-    """Texts that no line holds go on in the next one."""
+    """Continues texts that no line holds in the next one."""
     out = []
     for line in lines:
         while len(line) > WIDTH:
@@ -64,12 +65,12 @@ def literal(value, suffix):
 
 
 def matrix(values, rows, columns, suffix):
-    """As mathematics writes it: by rows."""
+    """Writes a matrix by rows, like mathematics does."""
     return f"reshape({literal(values, suffix)}, [{rows}, {columns}], order=[2, 1])"
 
 
 class Outs:
-    """Variables for results, and what must be in them."""
+    """Holds variables for results, and what must be in them."""
 
     def __init__(self, real, integer):
         self.real, self.integer = real, integer
@@ -94,7 +95,7 @@ class Outs:
 
 
 def procedure(name, outs, calls):
-    """One subroutine of a test: each call with what is then written down; the last one again, failing."""
+    """Writes one subroutine of a test: each call with what is then written down; the last one again, failing."""
     body = list(dict.fromkeys(outs.declared)) + ["integer :: stat", "character(len=80) :: message"]
     for lines, check in calls:
         body += ["call answers(ROLLCON_OK)"] + lines + check
@@ -103,7 +104,7 @@ def procedure(name, outs, calls):
 
 
 def test_2008(function, table):
-    """A plain procedure; its defaults left out first."""
+    """Tests a plain procedure, first with its defaults left out."""
     outs = Outs("real(rc_real)", "integer")
     words, late, left_out, from_0 = [], [], {}, {}
     for i, arg in enumerate(function.args[1:], 1):
@@ -156,7 +157,7 @@ def write_2008(table):
 
 
 class Call77:
-    """The call of one FORTRAN 77 subroutine, by the rules at the head of fortran_77.py."""
+    """Is the call of one FORTRAN 77 subroutine, by the rules at the head of fortran_77.py."""
 
     def __init__(self, name, function):
         self.name, self.function = name, function

@@ -1,5 +1,5 @@
-"""bindings/octave: the calls of the MEX gateway (rollcon_calls.c) and, for each, a function of the package +rollcon
-with its help. Callbacks are left out, and what MATLAB and Octave do themselves: references, ids."""
+"""Writes bindings/octave: the calls of the MEX gateway (rollcon_calls.c) and, for each, a function of the package
++rollcon with its help. Callbacks are left out, and what MATLAB and Octave do themselves: references, ids."""
 
 import re
 import textwrap
@@ -35,7 +35,7 @@ def constant(table, value):
 
 
 class Call:
-    """One call while it is written."""
+    """Is one call while it is written."""
 
     def __init__(self, table, function):
         self.table, self.function = table, function
@@ -156,7 +156,7 @@ class Call:
             self.outputs.append(name)
 
     def room_for_results(self):
-        """The lines that find the capacity."""
+        """Writes the lines that find the capacity."""
         f = self.function
         if not self.has_capacity:
             return [], []
@@ -246,7 +246,7 @@ def described(arg, optional):
 
 
 def plain(text):
-    """A text of the table in the words of this layer."""
+    """Puts a text of the table in the words of this layer."""
     text = re.sub(r"\brollcon_(\w+)", r"rollcon.\1", text)
     text = text.replace("NULL", "[]").replace("0 or 1: id of the first node", "")
     return re.sub(r"\bROLLCON_", "", text)

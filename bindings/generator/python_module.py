@@ -1,4 +1,4 @@
-"""bindings/python/rollcon/_api.py: ctypes declarations."""
+"""Writes bindings/python/rollcon/_api.py: ctypes declarations."""
 
 import textwrap
 
@@ -56,7 +56,7 @@ def signature(function):
 
 
 def names_of(enum):
-    """(name, number): "fem" and "body_fem", "quad4"."""
+    """Returns (name, number): "fem" and "body_fem", "quad4"."""
     words = [name.removeprefix("ROLLCON_").lower() for name, _, _ in enum.values]
     first = {word.split("_")[0] + "_" for word in words}
     common = first.pop() if len(first) == 1 and all("_" in word for word in words) else ""

@@ -1,4 +1,4 @@
-"""bindings/python/rollcon/_plain.py: the methods that hand their arguments to one C function."""
+"""Writes bindings/python/rollcon/_plain.py: the methods that hand their arguments to one C function."""
 
 import re
 import textwrap
@@ -30,7 +30,7 @@ C_TYPES = {"int32": "c_int32", "int64": "c_int64", "real": "c_double"}
 
 
 class Method:
-    """One method while it is written."""
+    """Is one method while it is written."""
 
     def __init__(self, function):
         self.function = function
@@ -116,7 +116,7 @@ class Method:
         return [line.replace("\0", " ") for line in lines]
 
     def doc(self):
-        """The documentation in Python's words: names of Python, None for NULL."""
+        """Puts the documentation in Python's words: names of Python, None for NULL."""
         text = " ".join(self.function.doc.split()).replace("ROLLCON_", "").replace("NULL", "None")
         text = re.sub(rf"rollcon_(?:{'|'.join(HANDLES)})_(?:get_)?(\w+)", r"\1()", text)
         notes = [f"{a.name}: {a.doc}." for a in self.function.args[1:]

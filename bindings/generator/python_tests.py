@@ -1,4 +1,5 @@
-"""tests/python/mapping_rows.py: what the test of the Python layer calls, what is written down, what comes back."""
+"""Writes tests/python/mapping_rows.py: what the test of the Python layer calls, what is written down, what comes
+back."""
 
 from generator import samples
 from generator.python_plain import Method
@@ -16,12 +17,12 @@ ROWS = list(starmap(Row, [
 
 
 def standard(table, default):
-    """What the recorder writes for a default."""
+    """Returns what the recorder writes for a default."""
     return f"<{default[1:-1]}>" if default.startswith('"') else f"{table.number(default):.10g}"
 
 
 def row(table, function, absent=False, short=False):
-    """One call; `absent`: arrays that may be None are; `short`: what has a default is left out."""
+    """Returns one call; in `absent` arrays that may be None are, in `short` what has a default is left out."""
     method = Method(function)
     for arg in function.args[1:]:
         method.take(arg)

@@ -1,4 +1,5 @@
-"""tests/bindings/recorded_calls.c: every function of rollcon.h, written down instead of done (see record.h there).
+"""Writes tests/bindings/recorded_calls.c: every function of rollcon.h, written down instead of done (see record.h
+there).
 
 `arguments` says what each writes, and so what the tests of the layers expect.
 """
@@ -22,13 +23,13 @@ COUNTS = {"nodes": "RECORD_NODES", "elements": "RECORD_ELEMENTS", "n_rows": "REC
 
 
 def size(arg):
-    """Entries of an array, in C."""
+    """Returns the entries of an array, in C."""
     words = {"nodes of the type": "record_nodes_of(type)", "parameters": "record_words(parameters)"}
     return " * ".join(words.get(part, part) for part in re.findall(r"\[(.+?)\]", arg.shape))
 
 
 def recording(arg):
-    """The statement that writes one argument down."""
+    """Returns the statement that writes one argument down."""
     if arg.shape == "[n*3]":
         return f"record_nodes({arg.name}, n, node_stride, component_stride)"
     if arg.name in ("node_stride", "component_stride"):
@@ -54,7 +55,7 @@ def recording(arg):
 
 
 def giving(function, position):
-    """The statement that gives the result at a position."""
+    """Returns the statement that gives the result at a position."""
     arg = function.args[position]
     number = f"recorded_{function.name}"
     if arg.base in HANDLES:
@@ -74,7 +75,7 @@ def giving(function, position):
 
 
 def returned(function):
-    """What a function returns."""
+    """Returns what a function returns."""
     if function.returns == "status":
         return "return record_end();"
     if function.returns == "void":

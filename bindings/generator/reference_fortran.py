@@ -1,5 +1,5 @@
-"""docs/reference_fortran.md: types, procedures and their arguments, read from the Fortran sources, which the generator has
-written for the most part."""
+"""Writes docs/reference_fortran.md: types, procedures and their arguments, read from the Fortran sources, most of
+which the generator has written."""
 
 import re
 
@@ -33,7 +33,7 @@ Every call of a type ends with the optional arguments `stat` and `errmsg`, which
 
 
 def statements(text):
-    """Lines, continued ones joined, comments for documentation kept."""
+    """Returns the lines with continued ones joined; comments for documentation stay."""
     joined, out = "", []
     for line in text.splitlines():
         line = line.strip()
@@ -51,7 +51,7 @@ def statements(text):
 
 
 def procedures(text):
-    """Name: (kind, names of arguments, declarations, documentation) of each procedure."""
+    """Returns for each procedure its kind, names of arguments, declarations, documentation."""
     found, doc, now = {}, [], None
     for line in statements(text):
         if line.startswith("!>"):
@@ -73,7 +73,7 @@ def procedures(text):
 
 
 def bound(text):
-    """Pairs of public binding and procedure of the types in a module."""
+    """Returns pairs of public binding and procedure of the types in a module."""
     pairs = []
     for line in statements(text):
         generic = re.match(r"generic :: (\w+) => (\w+)", line)
@@ -113,7 +113,7 @@ def section(prefix, name, procedure):
 
 
 def write(read):
-    """read: the text of a source by its path in the repository, as it is generated now."""
+    """Takes read, which returns the text of a source by its path in the repository, generated now."""
     out = [INTRO]
     for kind in TYPES:
         texts = [read(f"fortran/{name}.f90") for name in FILES[kind]]

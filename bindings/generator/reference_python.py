@@ -1,4 +1,5 @@
-"""docs/reference_python.md: classes, methods and functions of the package, read from its sources without importing it."""
+"""Writes docs/reference_python.md: classes, methods and functions of the package, read from its sources without
+importing it."""
 
 import ast
 import re
@@ -65,7 +66,7 @@ def methods(nodes):
 
 
 def write(read):
-    """read: the text of a source by its path in the repository, as it is generated now."""
+    """Takes read, which returns the text of a source by its path in the repository, generated now."""
     out = [INTRO]
     plain, settings = parsed(read, "_plain"), class_of(parsed(read, "_settings"), "Settings")
     for name, (module,) in CLASSES:

@@ -1,4 +1,5 @@
-"""What the generated tests of the layers pass for each argument, what the recorder writes down then, what it gives."""
+"""Gives what the generated tests of the layers pass for each argument, what the recorder writes down then, and what
+it gives."""
 
 import re
 
@@ -13,7 +14,7 @@ SECOND = {"body2", "rail"}  # handles that are the second of their kind; others 
 
 
 def counts(function, arg):
-    """Whether the argument is the extent of an array."""
+    """Says whether the argument is the extent of an array."""
     return arg.name in ("n", "nodes", "points", "n_cases") and any(a.shape.startswith(f"[{arg.name}]") or a.shape.startswith("[n*")
                                               for a in function.args)
 
@@ -53,7 +54,7 @@ def listed(values):
 
 
 def written(function, position, given=None):
-    """What the recorder writes for an argument; `given` replaces the sample."""
+    """Returns what the recorder writes for an argument; `given` replaces the sample."""
     arg = function.args[position]
     if not recorder.recording(arg):
         return []
@@ -77,18 +78,18 @@ def given_text(function):
 
 
 def capacity(function, numbers=CAPACITY):
-    """The room that a layer makes: of texts, what they need."""
+    """Returns the room that a layer makes, for texts what they need."""
     return len(given_text(function)) + 1 if any(a.base == "char" for a in function.args) else numbers
 
 
 def record(function, given=()):
-    """The whole line; `given` has positions and what is written there."""
+    """Returns the whole line; `given` has positions and what is written there."""
     given = dict(given)
     return " ".join(word for i in range(len(function.args)) for word in written(function, i, given.get(i)))
 
 
 def result(function, position):
-    """What comes out of a result that is no text: a number or a list."""
+    """Returns what comes out of a result that is no text: a number or a list."""
     arg = function.args[position]
     half = 0.5 if arg.base == "real" else 0
     if arg.array:

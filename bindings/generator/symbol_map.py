@@ -1,4 +1,4 @@
-"""cmake/rollcon.map: linker version script that exports exactly the API."""
+"""Writes cmake/rollcon.map: the linker version script that exports exactly the API."""
 
 
 def write(table):

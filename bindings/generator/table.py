@@ -55,7 +55,7 @@ class Function:
 
     @property
     def verb(self):
-        """The name without prefix and kind of object."""
+        """Returns the name without prefix and kind of object."""
         return self.name.removeprefix("rollcon_").removeprefix(self.group + "_")
 
 
@@ -96,7 +96,7 @@ class Table:
         return [f for group in self.groups for f in group.functions]
 
     def number(self, value):
-        """What a default stands for, a number or the name of an enumerator."""
+        """Returns what a default stands for, a number or the name of an enumerator."""
         names = {name: number for enum in self.enums for name, number, _ in enum.values}
         return float(names.get("ROLLCON_" + value, value))
 
@@ -149,7 +149,7 @@ def parse_function(entry, statuses):
 
 
 def check_common_errors(function):
-    """The header says once which statuses every function with a handle may return."""
+    """Checks what the header says once: which statuses every function with a handle may return."""
     if function.returns != "status":
         return
     handle = bool(function.args) and function.args[0].base in OPAQUE and not function.args[0].out
@@ -160,7 +160,7 @@ def check_common_errors(function):
 
 
 def layers(entry, where):
-    """What concerns the layers over the C interface."""
+    """Checks what concerns the layers over the C interface."""
     f77 = entry.get("f77", [])
     f77 = [f77] if isinstance(f77, str) else f77
     plain = set(entry.get("plain", []))

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""same_numbers.py program ...: runs them and demands the same text from all, digit by digit."""
+"""Runs programs and demands the same text from all, digit by digit: same_numbers.py program ..."""
 
 import difflib
 import subprocess

@@ -1,5 +1,5 @@
-"""What tests of the mapping share: one object of each class over a library that writes down its calls, and what is
-asked of it."""
+"""Shares between the tests of the mapping one object of each class over a library that writes down its calls, and
+what is asked of it."""
 
 import ctypes
 import unittest
@@ -34,7 +34,7 @@ class MappingCase(unittest.TestCase):
         self.assertEqual(said(function), record, function)
 
     def fails(self, function, *arguments, **named):
-        """A status and its text arrive."""
+        """Checks that a status and its text arrive."""
         lib.recorder_answers(rc.ERR_STATE)
         with self.assertRaises(rc.RollconError) as caught:
             function(*arguments, **named)

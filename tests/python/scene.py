@@ -1,4 +1,4 @@
-"""The scene of the Python tests: a sphere of radius 50 on a rigid plane, 8 x 8 elements."""
+"""Makes the scene of the Python tests: a sphere of radius 50 on a rigid plane, 8 x 8 elements."""
 
 import unittest
 

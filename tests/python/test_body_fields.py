@@ -1,4 +1,4 @@
-"""Fields inside finite elements from Python, and the VTU file read back."""
+"""Tests fields inside finite elements from Python, and the VTU file read back."""
 
 import os
 import tempfile
@@ -10,7 +10,7 @@ import rollcon as rc
 
 
 def block(n):
-    """A unit cube of n^3 trilinear hexahedra: nodes, elements."""
+    """Returns a unit cube of n^3 trilinear hexahedra: nodes, elements."""
     line = np.linspace(0, 1, n + 1)
     x = np.stack(np.meshgrid(line, line, line, indexing="ij"), axis=-1).reshape(-1, 3)
     corner = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]])
@@ -36,7 +36,7 @@ class BodyFields(unittest.TestCase):
         self.body.prepare()
 
     def test_stretch(self):
-        """A stretch along z: stresses by Hooke's law, everywhere the same."""
+        """Stretches the block along z: stresses follow Hooke's law, everywhere the same."""
         u = np.zeros_like(self.x)
         u[:, 2] = 1e-3 * self.x[:, 2]
         lame = 1000 * 0.3 / (1.3 * 0.4)

@@ -1,4 +1,4 @@
-"""The tables of settings in docs/api.md are those that the library has."""
+"""Tests that the tables of settings in docs/api.md are those that the library has."""
 
 import pathlib
 import re
@@ -11,7 +11,7 @@ TYPES = {rc.TYPE_INT: "int", rc.TYPE_REAL: "real", rc.TYPE_STR: "text"}
 
 
 def documented(title):
-    """Rows of the table whose first column has the title: name -> type, range, standard."""
+    """Returns the rows of the table whose first column has the title: name -> type, range, standard."""
     _, _, rest = DOCUMENT.read_text().partition(f"\n| {title} | type | range | standard |")
     rows = {}
     for line in rest.partition("\n\n")[0].splitlines():

@@ -1,4 +1,4 @@
-"""What a user is told: texts of failures, names of enumerators, copies, paths, the latch."""
+"""Tests what a user is told: texts of failures, names of enumerators, copies, paths, the latch."""
 
 import copy
 import os

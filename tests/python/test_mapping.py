@@ -1,5 +1,5 @@
-"""Every function of C gets its arguments in their places, and its results come back, over a library that only writes
-them down (tests/bindings/record.h): the generated rows, then the methods that are written by hand."""
+"""Tests that every function of C gets its arguments in their places, and that its results come back, over a library
+that only writes them down (tests/bindings/record.h): the generated rows, then the methods that are written by hand."""
 
 import tempfile
 import unittest
@@ -189,7 +189,7 @@ class Mapping(MappingCase):
         self.told("context_set_log", "context1 0 null")
 
     def test_results(self):
-        """The frame has 3 nodes, a field 6 values, a solve 2 iterations."""
+        """Reads results: the frame has 3 nodes, a field 6 values, a solve 2 iterations."""
         contact = self.contact
         lib.recorder_answers(rc.NOT_CONVERGED)
         self.assertEqual(contact.solve(), rc.NOT_CONVERGED)
@@ -258,7 +258,7 @@ class Mapping(MappingCase):
             self.fails(function, *arguments)
 
     def test_cases(self):
-        """Columns of the table: 3 + 3 + 1 + 3 + 2 + 20 + 9 + 2 numbers, the first of which is 600.5."""
+        """Reads the columns of the table: 3 + 3 + 1 + 3 + 2 + 20 + 9 + 2 numbers, the first of which is 600.5."""
         cases = self.contact.solve_many(["normal", rc.FRICTION], X[:, :2], names=["iterations ", "seconds"],
                                         derivatives=True, tractions=True)
         self.told("contact_solve_many", "contact1 <normal friction> 2 [1.5 2.5 4.5 5.5] <force moment approach creep tilt "
@@ -362,7 +362,7 @@ class Mapping(MappingCase):
         self.fails(rc.conicity, wheelrail, wheelrail, [1.5])
 
     def test_z_every_function_is_called(self):
-        """But those that are for layers over C."""
+        """Leaves out the functions for layers over C."""
         self.assertEqual(lib.recorder_missing().decode(), "report context_from_id body_from_id contact_from_id "
                          "wheelrail_from_id table_from_id")
 

@@ -1,5 +1,5 @@
-"""Pictures show what the contact has, reprs tell it, names stand for enumerators, and a library that is not found is
-missed in words that help."""
+"""Tests that pictures show what the contact has, that reprs tell it, that names stand for enumerators, and that the
+text for a library that is not found helps."""
 
 import os
 import pathlib

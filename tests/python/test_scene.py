@@ -1,4 +1,5 @@
-"""Objects of Python over the library itself: results that fit each other, lives of handles, what callbacks raise."""
+"""Tests objects of Python over the library itself: results that fit each other, lives of handles, what callbacks
+raise."""
 
 import gc
 import unittest

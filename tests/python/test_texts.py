@@ -1,4 +1,4 @@
-"""One table has what texts say: the call, and the words that its text must have or must not have."""
+"""Tests texts by one table: the call, and the words that its text must have or must not have."""
 
 import math
 import os

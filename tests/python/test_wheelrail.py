@@ -1,4 +1,5 @@
-"""A wheel on its rail over the library itself: the Manchester benchmark at y = 2 mm (mm, N, s), and lives of contacts."""
+"""Tests a wheel on its rail over the library itself: the Manchester benchmark at y = 2 mm (mm, N, s), and lives of
+contacts."""
 
 import math
 import unittest
@@ -25,7 +26,7 @@ class OnRail(unittest.TestCase):
         self.wheelrail.set_velocity([2000, 0, 0, 0, 0, -4.3459197])
 
     def test_benchmark(self):
-        """CONTACT's forces on the rail: 9799 normal, -517.3 along, -2893 across."""
+        """Compares with CONTACT's forces on the rail: 9799 normal, -517.3 along, -2893 across."""
         wheelrail = self.wheelrail
         with self.assertRaisesRegex(rc.RollconError, "set_friction"):
             wheelrail.solve()
@@ -56,7 +57,8 @@ class OnRail(unittest.TestCase):
         self.assertEqual(contact.tractions().shape, (contact.size[0], 3))
 
     def test_rolling_radii_coefficient(self):
-        """Cones on narrow rail heads: their difference of 2 g y turns a wheelset round the radius e r / (2 g y)."""
+        """Tests cones on narrow rail heads: their difference of 2 g y turns a wheelset round the radius e r / (2 g
+        y)."""
         slope, shift, curve = 0.05, 3.0, 5e5
         self.bodies[0].set_profile([[-60, 60 * slope], [80, -80 * slope]])
         self.bodies[1].set_profile_shape("arc", [-1.0, 0.99])
@@ -71,7 +73,7 @@ class OnRail(unittest.TestCase):
         self.assertAlmostEqual(rc.rolling_radii_coefficient(*wheelset, -shift, curve), -found, delta=1e-9)
 
     def test_conicity(self):
-        """Often quoted as 0.18 at 3 mm."""
+        """Compares with a conicity that is often quoted as 0.18 at 3 mm."""
         wheelset = [rc.WheelRail(self.context, *self.bodies, side=side) for side in ("left", "right")]
         for wheel in wheelset:
             wheel.set_track(1435, 14, math.atan(1 / 40))

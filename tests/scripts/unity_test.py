@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What cmake/unity.py may put into one source, and what it must keep apart.
+"""Tests what cmake/unity.py may put into one source, and what it must hold apart.
 
 usage: unity_test.py FOLDER_OF_UNITY
 """
@@ -33,7 +33,7 @@ class Groups(unittest.TestCase):
         self.addCleanup(self.folder.cleanup)
 
     def groups(self, names):
-        """The names of the sources in each joined file."""
+        """Returns the names of the sources in each joined file."""
         place = pathlib.Path(self.folder.name)
         for name in names:
             (place / f"{name}.cpp").write_text(SOURCES[name])

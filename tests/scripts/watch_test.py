@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""That a program of tests which fails, crashes or hangs says where, and that its tests are counted.
+"""Tests that a program of tests which fails, crashes or hangs says where, and that its tests are counted.
 
 usage: watch_test.py ROOT
 """
