@@ -1,5 +1,6 @@
-// Contacts without a frame: errors of force and spin moment and times over random Hertzian scenes, and a vehicle's time
-// loop. Errors are over mu Fn (moments over mu Fn sqrt(a b)); times of processors by themselves, everything included.
+// Measures contacts without a frame: errors of force and spin moment and times over random Hertzian scenes, and a
+// vehicle's time loop. Errors are over mu Fn (moments over mu Fn sqrt(a b)); times are of processors by themselves,
+// everything included.
 
 #include <algorithm>
 #include <array>
@@ -32,7 +33,7 @@ double cpu_seconds() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-/// Of matrices of 512 rows, in 1e9 operations a second: what times are to be scaled by.
+/// Returns the speed of products of matrices of 512 rows, in 1e9 operations a second, by which times are to be scaled.
 double dgemm_speed() {
   constexpr int n = 512;
   const std::vector<double> a(n * n, 1.5), b(n * n, 0.5);
@@ -58,8 +59,8 @@ struct Scene {
   double arm() const { return std::sqrt(hertz.a * hertz.b); }
 };
 
-/// Ellipses of ratio 0.2 to 5; creepages whose linear theory asks for 0.2 to 2.5 of friction's bound, two of three with
-/// spin; half of them of equal bodies, a quarter steel on aluminium, a quarter on a rigid one.
+/// Draws ellipses of ratio 0.2 to 5, and creepages whose linear theory asks for 0.2 to 2.5 of friction's bound, two of
+/// three with spin; half of them are of equal bodies, a quarter of steel on aluminium, a quarter on a rigid one.
 std::vector<Scene> draw(int count) {
   frames::Random random(20261123);
   std::vector<Scene> all;
@@ -163,8 +164,8 @@ void run_scenes(Runner& runner) {
     }
 }
 
-/// A wheel of radius 460 mm, load +- 30 %, radius of curvature across 150 to 550 mm, creepages and spin at their own
-/// periods.
+/// Returns a step of a wheel of radius 460 mm: load +- 30 %, radius of curvature across 150 to 550 mm, creepages and
+/// spin at their own periods.
 Scene step_of_vehicle(int i) {
   const auto wave = [&](double period, double phase) { return std::sin(2 * std::numbers::pi * i / period + phase); };
   Scene s;

@@ -1,5 +1,5 @@
-// Boundary elements: point evaluations of Kelvin's T and U with all shape functions per second, of the far kernel alone
-// for each instruction set, and of a body's whole assembly.
+// Measures boundary elements: point evaluations of Kelvin's T and U with all shape functions per second, of the far
+// kernel alone for each instruction set, and of a body's whole assembly.
 
 #include <algorithm>
 #include <string>
@@ -28,8 +28,8 @@ Record record_of(const Runner& runner, std::string method, std::string model, El
   return record;
 }
 
-/// Eight points far from the elements of a sphere: 2 x 2 points on linear quadrilaterals, 3 x 3 on quadratic ones, a
-/// rule of degree 4 on triangles.
+/// Takes eight points far from the elements of a sphere: 2 x 2 points on linear quadrilaterals, 3 x 3 on quadratic
+/// ones, a rule of degree 4 on triangles.
 double far_rate(ElementType type, InstructionSet set, double least_seconds) {
   const SurfaceMesh mesh = surfaces::cube_sphere(type, 4, 1);
   std::vector<bem::ElementGeometry> elements;
@@ -61,7 +61,7 @@ double far_rate(ElementType type, InstructionSet set, double least_seconds) {
     }
     return static_cast<double>(mesh.elements() * table.n * bem::pack_points);
   };
-  // The best of ten: others use the machine as well.
+  // The best of ten runs counts, because others use the machine as well.
   double best = 0;
   for (int k = 0; k < 10; ++k) {
     double evaluations = 0;
@@ -89,7 +89,7 @@ void far_kernels(Runner& runner) {
     }
 }
 
-/// With the near field, the choice of rules, and the matrix.
+/// Assembles with the near field, the choice of rules, and the matrix.
 void assemblies(Runner& runner) {
   for (const ElementType type : {ElementType::quad4, ElementType::quad8}) {
     Record record = record_of(runner, "assembly", "ring of example 1, T and U of the hub", type);

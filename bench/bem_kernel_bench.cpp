@@ -1,5 +1,6 @@
-// The boundary integrals in detail: the cost of one pair of point and element near, on and far from each other, and all
-// rows of a ring of about the size of the paper's first example. (The far kernel alone: bem_kernel.cpp.)
+// Measures the boundary integrals in detail: the cost of one pair of point and element near, on and far from each
+// other, and all rows of a ring of about the size of the paper's first example. (bem_kernel.cpp has the far kernel
+// alone.)
 
 #include <benchmark/benchmark.h>
 
@@ -14,7 +15,7 @@
 namespace rollcon {
 namespace {
 
-/// One point at a height over a place on an element (0: on it), T and U to 1e-6.
+/// Integrates for one point at a height over a place on an element (0: on it), T and U to 1e-6.
 void near_pair(benchmark::State& state, ElementType type, double height) {
   const SurfaceMesh mesh = surfaces::cube_sphere(type, 4, 1);
   const bem::ElementGeometry element = bem::element_geometry(mesh, 5, 1);
@@ -35,7 +36,7 @@ void near_pair(benchmark::State& state, ElementType type, double height) {
   state.counters["points"] = static_cast<double>(workspace.evaluations) / static_cast<double>(state.iterations());
 }
 
-/// All rows at all nodes; with_u: columns of all tractions, too.
+/// Computes all rows at all nodes; with_u adds columns of all tractions.
 void rows_of_ring(benchmark::State& state, ElementType type, bool with_u) {
   const SurfaceMesh mesh = surfaces::ring({}, type);
   const bem::BoundaryIntegrals integrals(mesh, 0.3, 1e-6);

@@ -42,7 +42,7 @@ Runner::~Runner() {
 }
 
 namespace {
-/// Contact at the frame's rim is meant in the strip scenes.
+/// The strip scenes mean to have contact at the frame's rim.
 bool trustworthy(std::int32_t status) {
   return status == ROLLCON_OK || status == ROLLCON_RIM_CONTACT;
 }

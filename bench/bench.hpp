@@ -1,5 +1,5 @@
 #pragma once
-/// Benchmarks: a case runs scenes and emits one record per solve.
+/// Defines benchmarks: a case runs scenes and emits one record per solve.
 
 #include <cstdint>
 #include <cstdio>
@@ -16,21 +16,22 @@ namespace rollcon::bench {
 struct Record {
   std::string case_name{}, method{}, model{}, mesh{};
   std::string element{};              ///< kind of element: with method and model it names a curve of a plot
-  std::string quantity{}, against{};  ///< what `error` is of, and what it is against
-  /// Relative and signed unless `quantity` says otherwise; of rolling cases that of the force vector, never negative.
+  std::string quantity{}, against{};  ///< quantity that `error` is of, and what it is against
+  /// Error, relative and signed unless `quantity` says otherwise; in rolling cases it is that of the force vector,
+  /// never negative.
   double value = 0, error = 0;
-  /// Of rolling cases: |dMz| / (mu Fn sqrt(a b)); NaN where a plane problem has no moment.
+  /// Error |dMz| / (mu Fn sqrt(a b)) in rolling cases; NaN where a plane problem has no moment.
   std::optional<double> moment_error{};
   std::int64_t nodes = 0, elements = 0, pairs = 0, unknowns = 0;
   std::int32_t status = 0;
-  double seconds = 0;  ///< wall, from arrays to results
+  double seconds = 0;  ///< wall seconds, from arrays to results
   std::vector<std::pair<std::string, double>> phase_seconds{};
-  std::int64_t peak_bytes = 0;      ///< the library's own count
+  std::int64_t peak_bytes = 0;      ///< bytes by the library's own count
   std::int64_t resident_bytes = 0;  ///< VmHWM of the process during the solve
   std::int64_t iterations = 0, linear_iterations = 0;
   int threads = 1;
   std::vector<std::pair<std::string, double>> extra{};
-  std::vector<std::pair<std::string, std::vector<double>>> series{};  ///< by iteration
+  std::vector<std::pair<std::string, std::vector<double>>> series{};  ///< series by iteration
   std::string note{};                                                 ///< what the library said, if it refused
 
   void judge(const scenes::RollingErrors& errors) { error = errors.force, moment_error = errors.moment; }
@@ -40,13 +41,13 @@ class Runner {
  public:
   bool quick = false;
   int threads = 1;
-  int scenes = 0;  ///< random scenes of the stability suite; 0: its own choice
+  int scenes = 0;  ///< number of random scenes of the stability suite; 0: its own choice
 
   Runner() = default;
   Runner(const Runner&) = delete;
   Runner& operator=(const Runner&) = delete;
-  void emit(const Record& record);   ///< prints and writes it
-  void write(const Record& record);  ///< to the file, if there is one
+  void emit(const Record& record);   ///< prints the record and writes it
+  void write(const Record& record);  ///< writes the record to the file, if there is one
   bool open_json(const std::string& path);
   ~Runner();
 
@@ -59,7 +60,7 @@ struct Case {
   std::function<void(Runner&)> run;
 };
 
-/// Cases of each family; main.cpp strings them together.
+/// Each of these returns the cases of a family; main.cpp strings them together.
 std::vector<Case> hertz_cases();
 std::vector<Case> carter_cases();
 std::vector<Case> kalker_cases();
@@ -67,7 +68,7 @@ std::vector<Case> kalker_mesh_cases();
 std::vector<Case> steady_rolling_cases();
 std::vector<Case> example3_cases();
 std::vector<Case> kernel_cases();
-std::vector<Case> bem_kernel_cases();  ///< where the static library is built
+std::vector<Case> bem_kernel_cases();  ///< filled where the static library is built
 std::vector<Case> linear_solver_cases();
 std::vector<Case> friction_law_cases();
 std::vector<Case> body_cases();
@@ -95,10 +96,10 @@ std::vector<Case> equivalent_ellipse_cases();
 std::vector<Case> stability_cases();
 std::vector<Case> stress_cases();
 
-double now();  ///< seconds, monotonic
+double now();  ///< monotonic seconds
 
-/// Solves, times the solve, and fills status, sizes, phases, memory and iterations of the record. `began`: now() before
-/// the caller built the scene; the record's seconds count from there.
+/// Solves, times the solve, and fills status, sizes, phases, memory and iterations of the record. `began` is now()
+/// before the caller built the scene; the record's seconds count from there.
 scenes::Solution timed_solve(scenes::RollingPair& pair, Record& record, double began);
 
 }  // namespace rollcon::bench

@@ -1,5 +1,5 @@
-// Boundary-element bodies: the paper's two rings and its wheel on a rail, the loaded ring against its Fourier solution,
-// and how the phases of a body's preparation grow.
+// Measures boundary-element bodies: the paper's two rings and its wheel on a rail, the loaded ring against its Fourier
+// solution, and how the phases of a body's preparation grow.
 
 #include <algorithm>
 #include <cmath>
@@ -24,8 +24,8 @@ void add_body(Record& record, const scenes::RollingPair& pair) {
 }
 
 double warm_seconds(scenes::RollingPair& pair, const scenes::Solution& s) {
-  // The first re-solve with creepages given may still size workspaces. Back where it came from, a prediction would be
-  // the solution.
+  // The first re-solve with creepages given may still size workspaces. A prediction would be the solution where the
+  // creepage is back where it came from.
   pair.option("warm_start", std::int64_t{1});
   for (const double factor : {1.0, 1.01, 1.0}) {
     pair.creep(factor * s.creep[0], factor * s.creep[1], factor * s.creep[2]);
@@ -94,7 +94,7 @@ void wheel(Runner& runner) {
 
 void growth(Runner& runner) {
   std::vector<int> parts{8, 10, 12, 14, 20, 24, 28};
-  if (runner.threads > 1) parts.resize(5);  // up to 4000 nodes: what more threads are asked for
+  if (runner.threads > 1) parts.resize(5);  // up to 4000 nodes, for which more threads are asked
   if (runner.quick) parts.resize(2);
   for (const int n : parts) {
     Record record{.case_name = "growth", .method = "characteristic", .model = "BEM on BEM"};

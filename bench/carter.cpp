@@ -1,4 +1,4 @@
-// Carter's strip: force and traction over nodes across the contact, kind of element, scheme and grading; and the same
+// Measures Carter's strip: force and traction over nodes across the contact, kind of element, scheme and grading, also
 // on CONTACT's grids (case e).
 
 #include <cmath>
@@ -11,9 +11,9 @@
 namespace rollcon::bench {
 namespace {
 
-constexpr double half_length = 20;  ///< of the strip, in half-widths of the contact
+constexpr double half_length = 20;  ///< half length of the strip, in half-widths of the contact
 
-/// Corner lines among lines of nodes: every other one for elements with midside nodes.
+/// Returns the corner lines among lines of nodes: every other one for elements with midside nodes.
 std::vector<double> corners(const std::vector<double>& x, ElementType type) {
   if (!is_quadratic(type)) return x;
   std::vector<double> every_other;
@@ -21,14 +21,14 @@ std::vector<double> corners(const std::vector<double>& x, ElementType type) {
   return every_other;
 }
 
-/// Like scenes::strip_nodes, with an even number of steps for quadratic elements.
+/// Returns scenes::strip_nodes with an even number of steps for quadratic elements.
 std::vector<double> uniform(int across, ElementType type) {
   std::vector<double> x = scenes::strip_nodes(across);
   if (is_quadratic(type) && x.size() % 2 == 0) x.push_back(2 * x.back() - x[x.size() - 2]);
   return corners(x, type);
 }
 
-/// Error of the force vector of the middle section; a plane problem has no spin moment.
+/// Returns the error of the force vector of the middle section; a plane problem has no spin moment.
 double roll(Runner& runner, Record& record, ElementType type, const std::vector<double>& x) {
   const scenes::Strip strip{scenes::carter.hertz, half_length};
   const auto mesh = frames::rectangle(type, x, scenes::strip_lines(half_length));
@@ -74,8 +74,8 @@ void carter(Runner& runner) {
   }
 }
 
-/// CONTACT on N strips of which 90 % are in contact: error of the force against its own limit, and seconds of a warm
-/// solve of the plane problem. Measured as those of cases (a) and (b).
+/// Holds CONTACT's results on N strips of which 90 % are in contact: error of the force against its own limit, and
+/// seconds of a warm solve of the plane problem. They were measured like those of cases (a) and (b).
 struct Mark {
   int n;
   double error, seconds;
@@ -90,7 +90,7 @@ void case_e(Runner& runner) {
       Record record{.case_name = "case_e", .method = scheme};
       record.mesh = "strip " + std::to_string(mark.n);
       record.element = "quad4";
-      // Nodes at the centres of the strips.
+      // The nodes are at the centres of the strips.
       const double half = (1 - 1.0 / mark.n) / 0.9;
       const double error = roll(runner, record, ElementType::quad4, frames::uniform_lines(-half, half, mark.n - 1));
       record.extra.insert(record.extra.end(), {{"n", mark.n},

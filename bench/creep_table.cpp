@@ -1,6 +1,6 @@
-// Creep-force tables: errors of force and spin moment over random Hertzian cases, by region, beside FASTSIM (J. J.
-// Kalker, Vehicle System Dynamics 11 (1982) 1-13) on the same cases; unlike bodies; times of an evaluation. Errors are
-// over mu Fn (moments over mu Fn sqrt(a b)).
+// Measures creep-force tables: errors of force and spin moment over random Hertzian cases, by region, beside FASTSIM
+// (J. J. Kalker, Vehicle System Dynamics 11 (1982) 1-13) on the same cases; unlike bodies; times of an evaluation.
+// Errors are over mu Fn (moments over mu Fn sqrt(a b)).
 
 #include <algorithm>
 #include <array>
@@ -27,7 +27,7 @@ using rolling_cases::poisson;
 using rolling_cases::shear;
 using rolling_cases::steel;
 constexpr const char* steel_on_steel = "steel on steel";
-constexpr double pair_ratio = 5;  ///< greatest one of tables of a pair
+constexpr double pair_ratio = 5;  ///< greatest ratio of tables of a pair
 
 double cpu_seconds() {
   std::timespec t{};
@@ -35,7 +35,7 @@ double cpu_seconds() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-/// On n x n cells; c: C11, C22, C23.
+/// Returns FASTSIM's forces on n x n cells; c holds C11, C22, C23.
 Forces fastsim(const Input& in, const std::array<double, 3>& c, int n) {
   const double a = in[3], b = in[4];
   const double flex[3] = {8 * a / (3 * shear * c[0]), 8 * a / (3 * shear * c[1]),
@@ -69,7 +69,7 @@ struct Errors {
     force.push_back(std::hypot(f[0] - exact[0], f[1] - exact[1]) / bound);
     moment.push_back(std::abs(f[2] - exact[2]) / (bound * arm));
   }
-  /// Numbers that a part of all does not exceed, for each of 0 .. parts over parts.
+  /// Returns numbers that a fraction of all does not exceed, for each of 0 .. parts over parts.
   static std::vector<double> quantiles(std::vector<double> v, std::size_t parts) {
     std::sort(v.begin(), v.end());
     std::vector<double> q;
@@ -80,7 +80,7 @@ struct Errors {
 
 struct Times {
   double forces = 0, derivatives = 0;
-  double table_cold = 0, all_cold = 0;  ///< the table in memory alone; the code as well
+  double table_cold = 0, all_cold = 0;  ///< seconds with the table in memory alone; with the code as well
 };
 
 void emit(Runner& runner, const char* method, const char* model, const std::string& region, const Errors& e,
@@ -122,7 +122,8 @@ constexpr Region regions[] = {
     {"a/b above 5, r below 0.75", 5, HUGE_VAL, 0, 0.2}, {"a/b above 5, r 0.75 to 4.5", 5, HUGE_VAL, 0.2, 0.6},
     {"a/b above 5, r above 4.5", 5, HUGE_VAL, 0.6, 1}};
 
-/// Of one evaluation on one of many copies of the standard table, in turn: code is in the caches, the table is not.
+/// Returns the seconds of one evaluation on one of many copies of the standard table, in turn: code is in the caches,
+/// the table is not.
 double table_cold_seconds(const std::vector<RollingCase>& drawn) {
   rollcon_context* context = nullptr;
   rollcon_context_create(ROLLCON_ABI, &context);
@@ -139,7 +140,7 @@ double table_cold_seconds(const std::vector<RollingCase>& drawn) {
   return seconds;
 }
 
-/// Of one evaluation after other data has filled all caches; median.
+/// Returns the median seconds of one evaluation after other data has filled all caches.
 double all_cold_seconds(const rollcon_table* table, const std::vector<RollingCase>& drawn) {
   std::vector<double> other(std::size_t{16} << 20), seconds;
   for (std::size_t i = 0; i < std::min<std::size_t>(drawn.size(), 40); ++i) {
@@ -173,7 +174,7 @@ Times time_table(const rollcon_table* table, const std::vector<RollingCase>& dra
   return times;
 }
 
-/// Linear theory's coefficients of the table: C11, C22, C23.
+/// Returns linear theory's coefficients of the table: C11, C22, C23.
 std::array<double, 3> coefficients(const rollcon_table* table, Input rest) {
   Forces f{};
   double by[27];
@@ -195,8 +196,8 @@ Errors table_errors(const rollcon_table* table, const std::vector<RollingCase>& 
   return errors;
 }
 
-/// By frames finer than the table's; once more by yet finer ones where these differ from the table, and at every
-/// hundredth case, which tells their own error.
+/// Returns forces by frames finer than the table's, and once more by yet finer ones where these differ from the table,
+/// and at every hundredth case, which tells their own error.
 std::vector<Forces> references(Runner& runner, const rollcon_table* table, const std::vector<RollingCase>& drawn) {
   constexpr double differs = 0.002;
   constexpr std::size_t each = 100;
@@ -238,7 +239,7 @@ void run_steel(Runner& runner, const rollcon_table* table, std::size_t count) {
   emit(runner, "FASTSIM, 50 x 50", model, "all", by_fastsim, {.forces = seconds / static_cast<double>(count)});
 }
 
-/// A table of these two bodies alone, ellipses 1 : 5 to 5 : 1, one coefficient of friction.
+/// Makes a table of these two bodies alone: ellipses 1 : 5 to 5 : 1, one coefficient of friction.
 rollcon_table* table_of_pair(rollcon_context* context, const double (&young)[2], bool coarse) {
   const double poissons[2] = {poisson, poisson};
   rollcon_table* table = nullptr;
@@ -252,7 +253,7 @@ rollcon_table* table_of_pair(rollcon_context* context, const double (&young)[2],
   return nullptr;
 }
 
-/// Unlike bodies, by the rule of rollcon_contact_get_equivalent_ellipse, and by a table of their own.
+/// Compares unlike bodies by the rule of rollcon_contact_get_equivalent_ellipse, and by a table of their own.
 void run_unlike(Runner& runner, const rollcon_table* table, std::size_t count) {
   struct Pair {
     const char* name;

@@ -1,5 +1,5 @@
-// Error estimates beside true errors, and what they cost: every scene with a known solution, five frames and more of
-// each kind.
+// Compares error estimates with true errors, and measures what they cost: every scene with a known solution, five
+// frames and more of each kind.
 
 #include "support/effectivity.hpp"
 

@@ -1,6 +1,7 @@
-// The Hertzian contact that stands for a patch of a wheel on its rail (rollcon_contact_get_equivalent_ellipse): forces
-// and moment of the standard creep-force table from it, beside those of the patch's own solution. S1002 on 60E1, the
-// Manchester benchmark's shifts, yaw and speeds about those of free rolling.
+// Compares the Hertzian contact that stands for a patch of a wheel on its rail
+// (rollcon_contact_get_equivalent_ellipse): forces and moment of the standard creep-force table from it, with those of
+// the patch's own solution. The scenes are S1002 on 60E1, the Manchester benchmark's shifts, yaw and speeds about those
+// of free rolling.
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +33,7 @@ class Comparison {
   Comparison(const Comparison&) = delete;
   Comparison& operator=(const Comparison&) = delete;
 
-  /// Both wheels at a shift with creepages of their own.
+  /// Adds both wheels at a shift with creepages of their own.
   void add(double y, frames::Random& random, std::vector<Errors>& errors, std::int64_t& refused) {
     for (Wheel* wheel : {&right_, &left_}) {
       const double position[6] = {0, y, 0, 0, 2.4e-3 * y + 2e-3 * random(), 0};

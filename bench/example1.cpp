@@ -1,5 +1,5 @@
-// The paper's example 1, two equal rings: creepage over element size, by boundary and by finite elements and by one
-// ring of each.
+// Measures the paper's example 1, two equal rings: creepage over element size, by boundary and by finite elements and
+// by one ring of each.
 
 #include "support/example1.hpp"
 
@@ -12,7 +12,7 @@ namespace {
 
 namespace example1 = scenes::example1;
 
-/// parts: elements along and across the zone, odd or even.
+/// Takes as `parts` the elements along and across the zone, odd or even.
 scenes::MeshedBody ring(const BodyKind& kind, int parts) {
   const surfaces::Ring shape = ring_shape(example1::paper_ring().zone, parts, kind.volume);
   scenes::MeshedBody body = meshed_ring(shape, kind, example1::material);
@@ -28,15 +28,15 @@ Record blank(const Runner& runner, const std::string& model, const std::string& 
   return record;
 }
 
-/// Lines graded to the edges of the contact, on top of the first ring.
+/// Lays lines graded to the edges of the contact on top of the first ring.
 SurfaceMesh graded_frame(int lines) {
   SurfaceMesh frame = graded_strip(example1::hertz_a, example1::width, lines);
   for (Vec3& x : frame.node) x[2] = example1::radius;
   return frame;
 }
 
-/// The contact's own mesh limits the creepage more than the bodies' meshes do: the reference has lines graded to the
-/// edges of the contact, laid on rings of quadratic elements.
+/// Adds a reference with lines graded to the edges of the contact, laid on rings of quadratic elements, because the
+/// contact's own mesh limits the creepage more than the bodies' meshes do.
 void add_reference(FrameLimits& limits, const BodyKind& kind, int parts, int coarse, int lines, int threads) {
   add_frame_limits(
       limits, parts, coarse, lines,
@@ -57,7 +57,7 @@ void solve(Runner& runner, Study& study, const Record& start, double across, con
   });
 }
 
-/// The frame is the first ring's zone.
+/// Takes the first ring's zone as the frame.
 void solve_on_zone(Runner& runner, Study& study, Record start, const scenes::MeshedBody& ring1,
                    const scenes::AnyBody& ring2, int parts, bool quadratic) {
   start.mesh = start.element + ", zone " + std::to_string(parts) + " x " + std::to_string(parts);
@@ -65,7 +65,7 @@ void solve_on_zone(Runner& runner, Study& study, Record start, const scenes::Mes
   solve(runner, study, start, across, [&] { return example1::pair(ring1, ring2, "characteristic", runner.threads); });
 }
 
-/// Frames graded to the contact's edges, laid on one mesh of the rings.
+/// Lays frames graded to the contact's edges on one mesh of the rings.
 void solve_on_graded(Runner& runner, Study& study, Record start, const BodyKind& kind, int parts) {
   const scenes::MeshedBody body = ring(kind, parts);
   start.element = "laid on " + kind.name;

@@ -1,5 +1,5 @@
-// The paper's example 2, a ring of finite elements on a half-space or on a block of boundary elements: creepage over
-// element size.
+// Measures the paper's example 2, a ring of finite elements on a half-space or on a block of boundary elements:
+// creepage over element size.
 
 #include "support/example2.hpp"
 
@@ -12,9 +12,9 @@ namespace {
 
 namespace example2 = scenes::example2;
 
-constexpr double side = 80, depth = 40;  ///< of the block
+constexpr double side = 80, depth = 40;  ///< size of the block
 
-/// parts: elements along and across the zone.
+/// Takes as `parts` the elements along and across the zone.
 scenes::MeshedBody ring(const BodyKind& kind, int parts) {
   const surfaces::Ring shape = ring_shape(example2::ring_of().zone, parts, kind.volume);
   scenes::MeshedBody body = meshed_ring(shape, kind, example2::ring);
@@ -23,7 +23,7 @@ scenes::MeshedBody ring(const BodyKind& kind, int parts) {
   return body;
 }
 
-/// As many elements below the ring's zone as there are in it.
+/// Puts as many elements below the ring's zone as there are in it.
 scenes::MeshedBody ground(const BodyKind& kind, int parts) {
   surfaces::Block b;
   b.line[0] = lines_with_zone(example2::ring_of().zone / 2, parts, std::max(2, parts / 4), side / 2);
@@ -47,14 +47,14 @@ std::unique_ptr<scenes::RollingPair> roll(const scenes::MeshedBody& ring1, const
   return p;
 }
 
-/// Lines graded to the edges of the contact, on top of the ring.
+/// Lays lines graded to the edges of the contact on top of the ring.
 SurfaceMesh graded_frame(int lines) {
   SurfaceMesh frame = graded_strip(example2::hertz.a, example2::width, lines);
   for (Vec3& x : frame.node) x[2] = example2::radius;
   return frame;
 }
 
-/// Such lines on a fine ring.
+/// Adds a reference with such lines on a fine ring.
 void add_reference(FrameLimits& limits, const BodyKind& kind, int parts, int coarse, const scenes::AnyBody& body2,
                    int lines, int threads) {
   add_frame_limits(

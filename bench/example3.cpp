@@ -1,5 +1,5 @@
-// The paper's example 3 on its four frames and with each scheme: cold from arrays to tractions, and the re-solve after
-// a small change of creepage, its heap allocations counted.
+// Measures the paper's example 3 on its four frames and with each scheme: cold from arrays to tractions, and the
+// re-solve after a small change of creepage, its heap allocations counted.
 
 #include "support/example3.hpp"
 
@@ -16,15 +16,15 @@ namespace {
 
 namespace example3 = scenes::example3;
 
-/// The paper's frames and others like them: discs of quadrilaterals around a core, discs of triangles in equal rings,
-/// and triangles in rings graded to the contact's edge.
+/// Describes the paper's frames and others like them: discs of quadrilaterals around a core, discs of triangles in
+/// equal rings, and triangles in rings graded to the contact's edge.
 struct Frame {
   std::string element, name;
   int across;  ///< nodes from edge to edge of the contact, nearly
   SurfaceMesh mesh;
 };
 
-/// `rings` equal rings; with 16 nearly the paper's disc.
+/// Makes `rings` equal rings; with 16 it is nearly the paper's disc.
 SurfaceMesh equal_rings(ElementType type, int rings, double reach) {
   std::vector<double> radius;
   std::vector<int> count;
@@ -81,8 +81,8 @@ void roll(Runner& runner, Study& study, const Frame& frame, const char* scheme) 
   scenes::RollingPair& pair = *solved.pair;
   const double p0 = *std::max_element(s.pressure.begin(), s.pressure.end());
 
-  // Creepage-driven re-solves, each after 1 % of change; the first one may still size workspaces. Back where it came
-  // from, a prediction would be the solution.
+  // The re-solves are driven by creepage, each after 1 % of change; the first one may still size workspaces. A
+  // prediction would be the solution where the creepage is back where it came from.
   pair.option("warm_start", std::int64_t{1});
   pair.creep(s.creep[0], s.creep[1], 0);
   pair.solve();
@@ -99,7 +99,7 @@ void roll(Runner& runner, Study& study, const Frame& frame, const char* scheme) 
                   {"warm_heap_allocations", static_cast<double>(heap_allocations() - allocations)},
                   {"law_normal", pair.stat("law_normal")},
                   {"law_friction", pair.stat("law_friction")}};
-  // On graded rings this scheme comes nearest to what is known (cases a and b).
+  // This scheme comes nearest to what is known on graded rings (cases a and b).
   const bool trusted = frame.element.ends_with("rings") && record.method == "characteristic";
   const double a = example3::hertz().a;
   study.add(record, scenes::found_creepage(s, example3::mu * example3::load, a), frame.across, trusted);

@@ -1,5 +1,5 @@
-// The paper's example 4, a wheel on a rigid rail head: longitudinal force over element size, the wheel of boundary or
-// of finite elements.
+// Measures the paper's example 4, a wheel on a rigid rail head: longitudinal force over element size, the wheel of
+// boundary or of finite elements.
 
 #include "support/example4.hpp"
 
@@ -15,11 +15,11 @@ namespace {
 namespace example4 = scenes::example4;
 
 constexpr double creepage = -9e-4;
-constexpr double half_width = 65, rim = 60, sector = 120;  ///< of the part of the wheel
+constexpr double half_width = 65, rim = 60, sector = 120;  ///< size of the part of the wheel
 constexpr double zone_along = 5.49, zone_across = 7;
 
-/// As examples/wheel_mesh.h, with n by n elements in the zone: lines along the tread, across, and from the rim's inner
-/// face to the conical tread.
+/// Makes the wheel of examples/wheel_mesh.h with n by n elements in the zone: lines along the tread, across, and from
+/// the rim's inner face to the conical tread.
 surfaces::Block wheel_block(int n, bool volume) {
   surfaces::Block b;
   const int beyond = std::max(2, n / 2);
@@ -48,7 +48,7 @@ scenes::MeshedBody wheel(const BodyKind& kind, int n) {
   return body;
 }
 
-/// A cylinder along x whose top is the origin; quad8.
+/// Makes a cylinder along x of quad8 whose top is the origin.
 scenes::MeshedBody rail() {
   constexpr double half_length = 10, half_angle = 20 / example4::rail;
   scenes::MeshedBody body;
@@ -77,12 +77,12 @@ const closed_forms::Hertz hertz =
     closed_forms::hertz_from_approach(1 / (2 * example4::radius), 1 / (2 * example4::rail),
                                       closed_forms::effective_modulus(example4::material), example4::depth);
 
-/// Forces and moment over those of half-spaces with this approach.
+/// Returns forces and moment over those of half-spaces with this approach.
 scenes::RollingAnswer found(const scenes::Solution& s) {
   return scenes::found_forces(s, example4::mu * hertz.load, std::sqrt(hertz.a * hertz.b));
 }
 
-/// Rings graded to the edge of the contact, on top of the wheel.
+/// Lays rings graded to the edge of the contact on top of the wheel.
 SurfaceMesh graded_frame(int rings) {
   const double c = 1 / std::hypot(1, example4::cone), s = example4::cone * c;
   SurfaceMesh frame = scenes::graded_disc(hertz.a, hertz.b, rings);
@@ -90,7 +90,7 @@ SurfaceMesh graded_frame(int rings) {
   return frame;
 }
 
-/// Such rings on a fine wheel: tangential forces, moment and normal force.
+/// Adds a reference with such rings on a fine wheel: tangential forces, moment and normal force.
 void add_reference(FrameLimits& limits, const BodyKind& kind, int parts, int coarse, int rings, int threads) {
   add_frame_limits(
       limits, parts, coarse, rings, [&](int n) { return roll(wheel(kind, n), threads); },
@@ -102,7 +102,7 @@ void add_reference(FrameLimits& limits, const BodyKind& kind, int parts, int coa
       });
 }
 
-/// Meshes of the reference.
+/// Returns the meshes of the reference.
 int parts_of(const BodyKind& kind, bool quick) {
   return quick ? 4 : kind.volume ? 10 : 8;
 }

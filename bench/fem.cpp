@@ -1,5 +1,5 @@
-// Finite-element bodies: how the phases of their preparation grow, the paper's ring on a half-space, its two rings by
-// finite and by boundary elements, one block by both, and the location of a frame on many faces.
+// Measures finite-element bodies: how the phases of their preparation grow, the paper's ring on a half-space, its two
+// rings by finite and by boundary elements, one block by both, and the location of a frame on many faces.
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,7 @@ void add_body(Record& record, const scenes::RollingPair& pair, int which, const 
   record.peak_bytes += static_cast<std::int64_t>(bytes);
 }
 
-/// Block of nx * nx * nz hex8, 1 mm each, held at its bottom; 400 contact nodes on its top.
+/// Makes a block of nx * nx * nz hex8, 1 mm each, held at its bottom, with 400 contact nodes on its top.
 scenes::MeshedBody contact_block(int nx, int nz) {
   constexpr int contact = 19;
   surfaces::Block shape = surfaces::brick({nx, nx, nz}, {1.0 * nx, 1.0 * nx, 1.0 * nz});
@@ -71,7 +71,7 @@ void press_block(Runner& runner, int nx, int nz) {
 }
 
 void growth(Runner& runner) {
-  // (nx, nz): 3 (nx + 1)^2 nz unknowns, 1200 of them in contact.
+  // The sizes (nx, nz) give 3 (nx + 1)^2 nz unknowns, 1200 of them in contact.
   std::vector<std::pair<int, int>> sizes{{19, 4}, {19, 8}, {20, 16}, {24, 24}, {31, 31}, {40, 40}, {45, 47}};
   if (runner.threads > 1) sizes = {{24, 24}, {40, 40}};
   if (runner.quick) sizes.resize(2);
@@ -116,7 +116,7 @@ void ring_on_halfspace(Runner& runner) {
       }
 }
 
-/// Two rings of example 1, each by either method; parts: elements along and across the zone.
+/// Measures two rings of example 1, each by either method; `parts` are the elements along and across the zone.
 void ring_pairs(Runner& runner) {
   struct Mesh {
     VolumeType fem;
@@ -164,7 +164,7 @@ scenes::MeshedBody elastic_block(VolumeType type, int n) {
   return scenes::meshed(volumes::zone_block({10, 5, 2.5, n, n / 2, n}, type), example3::sphere);
 }
 
-/// A rigid sphere on a block of finite and of boundary elements; one frame laid on all meshes.
+/// Presses a rigid sphere on a block of finite and of boundary elements, with one frame laid on all meshes.
 void same_block(Runner& runner) {
   std::vector<std::pair<std::string, std::function<scenes::MeshedBody(int)>>> elements;
   const auto add = [&](auto type, const std::string& name) {
@@ -209,7 +209,7 @@ void same_block(Runner& runner) {
     }
 }
 
-/// Seconds to find 5,000 frame nodes on 20,000 faces.
+/// Measures the seconds to find 5,000 frame nodes on 20,000 faces.
 void location(Runner& runner) {
   const int parts = runner.quick ? 30 : 100;
   const auto bent = [](SurfaceMesh mesh) {

@@ -1,5 +1,5 @@
-// What laws of friction cost beside Coulomb's: the same scenes from nothing under each of them, in turns, so that loads
-// of the machine fall on all alike.
+// Measures what laws of friction cost beside Coulomb's: the same scenes from nothing under each of them, in turns, so
+// that loads of the machine fall on all alike.
 
 #include <algorithm>
 #include <cmath>
@@ -19,8 +19,8 @@ struct Law {
 };
 
 void run(Runner& runner) {
-  // Rolling at a speed of 1: slip speeds are creepages.
-  // The second and third tell what less friction costs from what a law costs.
+  // The speed of rolling is 1, so slip speeds are creepages. The second and third laws tell what less friction costs
+  // from what a law costs.
   const Law laws[] = {{"coulomb", "coulomb", {0.3}},
                       {"coulomb, 0.2", "coulomb", {0.2}},
                       {"orthotropic, equal", "orthotropic", {0.3, 0.3, 0.6}},
@@ -50,7 +50,7 @@ void run(Runner& runner) {
           pair.reset();
           const double began = now();
           pair.solve();
-          if (round > 0) seconds[l].push_back(now() - began);  // the first assembles
+          if (round > 0) seconds[l].push_back(now() - began);  // the first round assembles
           iterations[l] = static_cast<std::int64_t>(pair.stat("iterations"));
         }
       double coulomb = 0;

@@ -1,4 +1,4 @@
-// What guards, checks and statistics cost: each measured by itself, many times over, and counted as often as it happens
+// Measures what guards, checks and statistics cost: each by itself, many times over, and counted as often as it happens
 // in a warm re-solve of 169 pairs and in preparing a boundary-element body. Instructions counted by callgrind say the
 // same (docs/speed.md).
 
@@ -27,7 +27,7 @@ namespace {
 
 using closed_forms::Elastic;
 
-/// Seconds of one call: the least mean of several rounds.
+/// Returns the seconds of one call: the least mean of several rounds.
 template <class F>
 double seconds_of(F&& call, int calls = 2000) {
   double least = INFINITY;
@@ -39,7 +39,7 @@ double seconds_of(F&& call, int calls = 2000) {
   return least;
 }
 
-/// Of all threads: long pieces must not count the time that others had the processor.
+/// Returns the seconds of all threads: long pieces must not count the time that others had the processor.
 double cpu_seconds() {
   timespec t{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
@@ -59,7 +59,7 @@ double cpu_seconds_of(F&& call) {
 
 struct Guard {
   std::string name;
-  double times, each;  ///< in one re-solve or preparation; seconds
+  double times, each;  ///< number in one re-solve or preparation; seconds of each
 };
 
 void emit(Runner& runner, Record& record, const std::vector<Guard>& guards, double whole) {
@@ -94,7 +94,7 @@ void resolve(Runner& runner, const std::string& model, const Elastic& body2, dou
   std::snprintf(what, sizeof what, "share of a re-solve after %g %%, tolerance %.0e", 100 * change, tolerance);
   record.quantity = what;
 
-  // Back and forth; the quicker way is the stricter measure.
+  // The change goes back and forth; the quicker way is the stricter measure.
   double whole = INFINITY, records = 0, systems = 0;
   const auto factor = [&](int k) { return k % 2 == 0 ? 1 + change : 1; };
   for (int k = 0; k < (runner.quick ? 20 : 400); ++k) {
@@ -105,14 +105,14 @@ void resolve(Runner& runner, const std::string& model, const Elastic& body2, dou
     if (k < 4 || !(seconds < whole)) continue;
     whole = seconds;
     record.iterations = static_cast<std::int64_t>(pair.stat("iterations"));
-    records = pair.stat("iterations") + 2;  // before the first step of each part too
+    records = pair.stat("iterations") + 2;  // one before the first step of each part, too
     systems = solves(pair);
   }
   record.pairs = static_cast<std::int64_t>(pair.stat("nodes_contact"));
   const auto unknowns = static_cast<std::size_t>(pair.stat("system_unknowns"));
   const auto nodes = static_cast<std::size_t>(pair.solution().nodes());
 
-  Context quiet;  // no sink, as that of the pair
+  Context quiet;  // no sink, like that of the pair
   std::vector<double> history, copy[3], tractions[3], x(unknowns, 0.5);
   history.reserve(4096);
   for (std::size_t c = 0; c < 3; ++c) copy[c].resize(nodes), tractions[c].assign(nodes, 1.0);
@@ -120,8 +120,8 @@ void resolve(Runner& runner, const std::string& model, const Elastic& body2, dou
   volatile double sink = 0;
   volatile bool seen = false;
   std::vector<Guard> guards;
-  // Handle, busy flag, floating-point environment, exceptions to statuses; of both calls, the checks of the creepages
-  // included.
+  // The calls take handle, busy flag, floating-point environment, exceptions to statuses, and in both calls the checks
+  // of the creepages.
   guards.push_back({"calls", 1, seconds_of([&] { rollcon_contact_set_progress(pair.handle(), nullptr, nullptr); })});
   guards.push_back({"setter", 1, seconds_of([&] {
                       rollcon_contact_set_creep(pair.handle(), rolling::creepage, 0, rolling::spin);
@@ -137,7 +137,7 @@ void resolve(Runner& runner, const std::string& model, const Elastic& body2, dou
                       for (int c = 0; c < 3; ++c) copy[c] = tractions[c];
                       sink = copy[0][nodes / 2];
                     })});
-  // Pressures that the tangential part stands on are those that the normal part ended with.
+  // The pressures that the tangential part stands on are compared with those that the normal part ended with.
   guards.push_back({"last_guard", 1, seconds_of([&] {
                       copy[2] = tractions[2];
                       seen = std::memcmp(copy[2].data(), tractions[2].data(), nodes * sizeof(double)) == 0;
@@ -197,8 +197,8 @@ void prepare(Runner& runner, int parts) {
                       sink = static_cast<double>(sum.value());
                     })});
   guards.push_back({"memory_limit", 1, cpu_seconds_of([] { require_memory({2e7, 2e7}, "none", "a matrix needs"); })});
-  // The condition: a norm of a seventh of the matrix, and a solution with its factors. Factors of the unit matrix take
-  // as long as any.
+  // The condition takes a norm of a seventh of the matrix, and a solution with its factors. Factors of the unit matrix
+  // take as long as any.
   std::vector<double> factors(size * size, 0.0), b(size, 1.0);
   std::vector<int> pivot(size);
   for (std::size_t k = 0; k < size; ++k) factors[k * (size + 1)] = 1;

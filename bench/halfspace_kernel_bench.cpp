@@ -1,6 +1,5 @@
-// The half-space integrals alone: point evaluations per second of the far and near kernels for each instruction set,
-// and whole matrices on discs of about the size
-// of the frames of the paper's third example.
+// Measures the half-space integrals alone: point evaluations per second of the far and near kernels for each
+// instruction set, and whole matrices on discs of about the size of the frames of the paper's third example.
 
 #include <benchmark/benchmark.h>
 
@@ -19,7 +18,7 @@ namespace {
 
 using rollcon::InstructionSet;
 
-/// A disc: a grid of n x n cells pressed into a circle, one quadrilateral or two triangles to a cell.
+/// Makes a disc: a grid of n x n cells pressed into a circle, one quadrilateral or two triangles to a cell.
 SurfaceMesh disc(ElementType type) {
   const bool triangles = corner_count(type) == 3, quadratic = is_quadratic(type);
   const int n = triangles ? 26 : 25, step = quadratic ? 2 : 1, row = n * step + 1;
@@ -30,7 +29,7 @@ SurfaceMesh disc(ElementType type) {
       mesh.node.push_back({u * std::sqrt(1 - v * v / 2), v * std::sqrt(1 - u * u / 2), 0});
     }
   mesh.offset.push_back(0);
-  // Corners in steps of the grid; midside nodes halfway between them.
+  // The corners are in steps of the grid; midside nodes lie halfway between them.
   auto add = [&](std::vector<std::array<int, 2>> corner) {
     auto node = [&](int i, int j) { mesh.connectivity.push_back(j * row + i); };
     for (const auto& c : corner) node(c[0] * step, c[1] * step);
@@ -64,7 +63,7 @@ bool unavailable(benchmark::State& state, InstructionSet set) {
   return true;
 }
 
-/// All five kernels with the shape functions of a quad4, 4 x 4 points, far observers.
+/// Computes all five kernels with the shape functions of a quad4, 4 x 4 points, far observers.
 void far_kernel(benchmark::State& state, InstructionSet set) {
   if (unavailable(state, set)) return;
   const Frame frame = build_frame(disc(ElementType::quad4), Axes{});
@@ -83,7 +82,7 @@ void far_kernel(benchmark::State& state, InstructionSet set) {
                                                   benchmark::Counter::kIsRate);
 }
 
-/// All rows and blocks at all nodes.
+/// Computes all rows and blocks at all nodes.
 void matrix(benchmark::State& state, ElementType type, double tolerance) {
   const Frame frame = build_frame(disc(type), Axes{});
   const auto compliance = make_halfspace_compliance(frame, {1, 0.4, 0.2}, tolerance, 1);

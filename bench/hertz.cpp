@@ -1,4 +1,4 @@
-// Frictionless Hertz contact: force at given approach over mesh size, kind of frame and axis ratio.
+// Measures frictionless Hertz contact: force at given approach over mesh size, kind of frame and axis ratio.
 
 #include <cmath>
 #include <cstdio>
@@ -16,7 +16,7 @@ using scenes::RollingPair;
 const closed_forms::Elastic steel{.shear = 82000, .poisson = 0.28};
 constexpr double reach = 28.0 / 24.0;
 
-/// Half-spaces.
+/// Presses half-spaces together.
 void press(Runner& runner, const Hertz& exact, const SurfaceMesh& mesh, const std::string& element,
            const std::string& name, int across) {
   Record record{.case_name = "hertz", .method = "frictionless", .model = "half-spaces"};

@@ -1,5 +1,5 @@
-// Frictionless contact of a rigid sphere with a block of boundary or of finite elements, the frame being the block's
-// own faces: approach over element size.
+// Measures frictionless contact of a rigid sphere with a block of boundary or of finite elements, the frame being the
+// block's own faces: approach over element size.
 
 #include <cmath>
 
@@ -16,7 +16,7 @@ namespace example3 = scenes::example3;
 
 constexpr double side = 10, depth = 5, zone = 2.5;
 
-/// n elements along the zone, held at its bottom.
+/// Makes a block with n elements along the zone, held at its bottom.
 scenes::MeshedBody block(const BodyKind& kind, int n) {
   scenes::MeshedBody body =
       meshed_zone_block({side, depth, zone, n, (n + 1) / 2, kind.volume ? n : (n + 1) / 2}, kind, example3::sphere);
@@ -39,7 +39,7 @@ std::unique_ptr<scenes::RollingPair> press(const scenes::MeshedBody& body, int t
   return pair;
 }
 
-/// Rings graded to the edge of the contact, laid on a fine block: approach and largest pressure.
+/// Adds a reference with rings graded to the edge of the contact, laid on a fine block: approach and largest pressure.
 void add_reference(FrameLimits& limits, const BodyKind& kind, int parts, int coarse, int rings, int threads) {
   const closed_forms::Hertz hertz = example3::hertz();
   add_frame_limits(

@@ -1,5 +1,5 @@
 #pragma once
-/// One JSON object on one line: enough for benchmark records.
+/// Writes one JSON object on one line, which is enough for benchmark records.
 
 #include <cmath>
 #include <cstdint>

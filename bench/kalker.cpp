@@ -1,4 +1,4 @@
-// Kalker's coefficients over axis ratio and Poisson's ratio, and the creep-force curve.
+// Measures Kalker's coefficients over axis ratio and Poisson's ratio, and the creep-force curve.
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-// Kalker's coefficients and the creep-force curve over element size, kind of frame and scheme.
+// Measures Kalker's coefficients and the creep-force curve over element size, kind of frame and scheme.
 
 #include <algorithm>
 #include <array>
@@ -22,7 +22,8 @@ std::vector<int> sizes(const FrameKind& kind, bool quick) {
   return kind.rings ? std::vector{12, 16, 20, 24, 32} : std::vector{10, 16, 20, 24, 32};
 }
 
-/// On rings graded to the contact's edge the characteristic scheme comes nearest to what is known (cases a and b).
+/// Says whether a curve counts: on rings graded to the contact's edge the characteristic scheme comes nearest to what
+/// is known (cases a and b).
 bool trusted(const FrameKind& kind, const std::string& scheme) {
   return kind.rings && scheme == "characteristic";
 }
@@ -31,7 +32,7 @@ std::string mesh_name(const FrameKind& kind, int across) {
   return std::string(kind.name) + ", " + std::to_string(across) + " nodes across";
 }
 
-/// Linear theory on a circle at nu = 1/4: its three motions on one frame, the worst of their errors.
+/// Applies linear theory on a circle at nu = 1/4: its three motions on one frame, the worst of their errors.
 void coefficients(Runner& runner) {
   namespace linear = scenes::linear_theory;
   using Answers = std::array<scenes::RollingAnswer, 3>;
@@ -73,7 +74,7 @@ void coefficients(Runner& runner) {
   const Limit limit[] = {study.limit("C11"), study.limit("C22"), study.limit("C23"), study.limit("C32"),
                          study.limit("C33")};
   const linear::Coefficients exact{limit[0].value, limit[1].value, limit[2].value, limit[3].value, limit[4].value};
-  // Of the extrapolation, or as far as it is from Kalker's table.
+  // The uncertainty is that of the extrapolation, or the distance from Kalker's table.
   const double listed[] = {table.c11, table.c22, table.c23, table.c32, table.c33};
   const auto uncertain = [&](std::size_t k) {
     return std::max(limit[k].uncertainty, std::abs(limit[k].value - listed[k]));
@@ -94,7 +95,7 @@ void coefficients(Runner& runner) {
   study.emit(runner, judge, uncertainty, "own extrapolation of graded rings, characteristic; zeros by symmetry");
 }
 
-/// Eleven creepages: the worst of their errors against the curve's own limit.
+/// Solves eleven creepages, and takes the worst of their errors against the curve's own limit.
 void curve(Runner& runner) {
   const closed_forms::Elastic steel{.shear = 82000, .poisson = 0.28};
   constexpr double friction = 0.33;
@@ -146,7 +147,7 @@ void curve(Runner& runner) {
   std::vector<RollingLimit> limits;
   double uncertainty = 0;
   for (std::size_t p = 0; p < points.size(); ++p) {
-    Study study;  // of one creepage
+    Study study;  // study of one creepage
     for (const Entry& e : entries) study.add(e.record, e.found[p], e.across, e.trusted);
     limits.push_back(symmetric_limit(study.limit()));
     uncertainty = std::max(uncertainty, limits.back().uncertainty);

@@ -1,4 +1,4 @@
-// Half-space kernel: point evaluations per second while a compliance is assembled.
+// Measures the half-space kernel: point evaluations per second while a compliance is assembled.
 
 #include "bench.hpp"
 #include "support/example3.hpp"

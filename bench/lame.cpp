@@ -1,5 +1,5 @@
-// Thick walls under pressure from inside (Lame): bodies by themselves, of every element by boundary and by finite
-// elements.
+// Measures thick walls under pressure from inside (Lame): bodies by themselves, of every element by boundary and by
+// finite elements.
 
 #include <algorithm>
 #include <cmath>
@@ -25,10 +25,10 @@ struct Wall {
   surfaces::Block (*shape)(int n);  ///< 2 n by n by n elements; tag 5 is the inner face
   Vec3 (*exact)(const Vec3& x);
   std::vector<scenes::Slide> slide;  ///< planes of symmetry
-  std::int32_t given_tag;            ///< where the exact displacements are given; 0: nowhere
+  std::int32_t given_tag;            ///< tag where the exact displacements are given; 0: nowhere
 };
 
-/// A quarter around the y axis, plane strain.
+/// Makes a quarter around the y axis, in plane strain.
 surfaces::Block cylinder(int n) {
   surfaces::Block b = surfaces::brick({2 * n, n, n}, {pi / 2, 1, outer - inner});
   b.map = [](const Vec3& q) { return Vec3{(inner + q[2]) * std::sin(q[0]), q[1], (inner + q[2]) * std::cos(q[0])}; };
@@ -41,7 +41,7 @@ Vec3 cylinder_displacement(const Vec3& x) {
   return (u / r) * Vec3{x[0], 0, x[2]};
 }
 
-/// Between three planes of symmetry and a cone at 45 degrees, where the displacements are given.
+/// Makes the part between three planes of symmetry and a cone at 45 degrees, where the displacements are given.
 surfaces::Block sphere(int n) {
   surfaces::Block b = surfaces::brick({2 * n, n, n}, {pi / 2, pi / 4, outer - inner});
   b.map = [](const Vec3& q) {
@@ -72,7 +72,7 @@ void give_displacements(rollcon_body* body, const SurfaceMesh& mesh, const Wall&
        "set_support");
 }
 
-/// Arrays to displacements; fills seconds, bytes, sizes and the error.
+/// Solves from arrays to displacements; fills seconds, bytes, sizes and the error.
 void press(const Wall& wall, const scenes::MeshedBody& shape, Record& record) {
   const double began = now();
   rollcon_context* context = nullptr;

@@ -1,5 +1,5 @@
-// Regular frames on half-spaces by FFT: cases (a) and (b) up to 512 x 512, with creepages or forces given, alike and
-// unlike bodies; time and memory over the number of nodes.
+// Measures regular frames on half-spaces by FFT: cases (a) and (b) up to 512 x 512, with creepages or forces given,
+// alike and unlike bodies; time and memory over the number of nodes.
 
 #include <algorithm>
 #include <cmath>
@@ -21,8 +21,8 @@ constexpr double engineering = 1e-6;  // tolerance of the timed solves
 struct Variant {
   const char* name;
   const char* which;  ///< "a" or "b"
-  bool rigid;         ///< body 2: normal and tangential problems coupled
-  bool forces;        ///< the forces of the creepage-driven solution given instead
+  bool rigid;         ///< true for a rigid body 2, which couples normal and tangential problems
+  bool forces;        ///< true if the forces of the creepage-driven solution are given instead
 };
 
 constexpr Variant variants[] = {{"a", "a", false, false},          {"a, forces", "a", false, true},
@@ -40,7 +40,7 @@ std::unique_ptr<RollingPair> make(const Runner& runner, const Variant& v, int n,
   return pair;
 }
 
-/// Force and spin moment that the creepages of the variant give.
+/// Gives the force and spin moment of the variant's creepages.
 void give_forces(RollingPair& pair, const scenes::Solution& s) {
   pair.tangential_force(ROLLCON_LONGITUDINAL, s.force[0]);
   pair.tangential_force(ROLLCON_LATERAL, s.force[1]);

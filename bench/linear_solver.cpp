@@ -1,4 +1,4 @@
-// Dense LU against GMRES over the size of the problem: where the time curves cross.
+// Compares dense LU with GMRES over the size of the problem: where the time curves cross.
 
 #include <algorithm>
 

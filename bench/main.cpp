@@ -1,4 +1,4 @@
-// rollcon-bench: error against run time and memory.
+// Runs rollcon-bench: error against run time and memory.
 //   rollcon-bench list
 //   rollcon-bench run CASE... | all [--json FILE] [--quick] [--threads N] [--scenes N]
 //   rollcon-bench stability [...]   the same as run stability

@@ -1,4 +1,4 @@
-// A table of load cases in one call, over threads, against a plain loop of solves.
+// Compares a table of load cases in one call, over threads, with a plain loop of solves.
 
 #include <algorithm>
 #include <cmath>
@@ -119,9 +119,9 @@ void many(Runner& runner) {
       for (scenes::RollingPair* pair : {&single, &twin}) {
         wheelset_run::set_scene(pair->handle(), elements);
         pair->load(wheelset_run::load);
-        pair->solve();  // operators: not what is compared
+        pair->solve();  // makes the operators, which are not compared
       }
-      // The least of three, in turns.
+      // The least of three runs counts, in turns.
       Run loop, one, two;
       for (int k = 0; k < 3; ++k) {
         for (auto& [best, next] :

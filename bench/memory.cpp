@@ -10,7 +10,7 @@ namespace {
 std::atomic<std::int64_t> allocations{0};
 }
 
-// The program's own malloc family, in front of glibc's: every library of the process comes by.
+// The program's own malloc family stands in front of glibc's: every library of the process calls it.
 #if defined(__GLIBC__)
 extern "C" {
 void* __libc_malloc(size_t size);

@@ -1,15 +1,15 @@
 #pragma once
-/// Peak memory of the process, and a count of heap allocations.
+/// Reads the peak memory of the process, and counts heap allocations.
 
 #include <cstdint>
 
 namespace rollcon::bench {
 
-/// Peak resident set since the last reset, from /proc/self/status (VmHWM); 0 where there is none.
+/// Returns the peak resident set since the last reset, from /proc/self/status (VmHWM); 0 where there is none.
 std::int64_t peak_resident_bytes();
 void reset_peak_resident();
 
-/// Calls of malloc, calloc, realloc and aligned_alloc by any thread since the start of the process.
+/// Returns the calls of malloc, calloc, realloc and aligned_alloc by any thread since the start of the process.
 std::int64_t heap_allocations();
 
 }  // namespace rollcon::bench

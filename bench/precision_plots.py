@@ -3,7 +3,7 @@
 import os
 import subprocess
 
-# colour, point type; boundary elements and frames solid, finite elements dashed
+# The entries are colour and point type; boundary elements and frames are solid, finite elements dashed.
 STYLES = {
     "quad4": ("#1f77b4", 5), "tri3": ("#ff7f0e", 9), "quad8": ("#2ca02c", 7),
     "quad9": ("#8c564b", 13), "tri6": ("#d62728", 11),

@@ -9,10 +9,10 @@ from report import COARSE, contact_elements, contact_marks, of_case, seconds
 SCHEMES = ("godunov", "least_squares", "characteristic")
 TIME, MEMORY = "seconds, arrays to results", "peak memory, MB"
 
-# Wall seconds of CONTACT published with its own performance tests: sequential, a workstation of
-# 2016, steady rolling with given creepages, SteadyGS; by elements that slip.
+# These are the wall seconds of CONTACT published with its own performance tests: sequential, a workstation of 2016,
+# steady rolling with given creepages, SteadyGS; by elements that slip.
 PUBLISHED_2016 = [(1872, 4.8), (7735, 97.0), (30181, 2210.0)]
-# CONTACT's published Carter example (user guide): 50 strips across the contact.
+# This is CONTACT's published Carter example (user guide): 50 strips across the contact.
 PUBLISHED_STRIPS = [(50, 0.0125)]
 
 

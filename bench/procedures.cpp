@@ -9,7 +9,7 @@ namespace rollcon::bench {
 
 namespace {
 
-constexpr double short_solve = 0.3;  ///< seconds; longer ones are not repeated
+constexpr double short_solve = 0.3;  ///< seconds; longer solves are not repeated
 
 void must(std::int32_t status, const char* what) {
   if (status < 0) throw std::runtime_error(what);

@@ -1,4 +1,4 @@
-// The paper's figure 16: time of each way of solving on example 3.
+// Measures the paper's figure 16: the time of each way of solving on example 3.
 
 #include <cmath>
 
@@ -21,7 +21,7 @@ void solve_all(Runner& runner, const char* name, const Mesh& mesh, const char* s
   const double reach = 1.3 * example3::hertz().a;
   const SurfaceMesh frame = frames::o_grid(ElementType::quad4, mesh.core, mesh.rings, reach, reach);
   auto pair = example3::pair(frame, scheme, runner.threads);
-  pair->solve();  // for the compliance
+  pair->solve();  // makes the compliance
   scenes::Solution standard;
   for (const Procedure& procedure : procedures) {
     Record record{.case_name = name, .model = scheme};
@@ -37,7 +37,7 @@ void solve_all(Runner& runner, const char* name, const Mesh& mesh, const char* s
   }
 }
 
-/// Figure 16(a): everything on the paper's frame of linear quadrilaterals.
+/// Solves for figure 16(a) everything on the paper's frame of linear quadrilaterals.
 void one_mesh(Runner& runner) {
   const Mesh mesh = runner.quick ? Mesh{8, 3} : paper_mesh;
   for (const char* scheme : {"godunov", "least_squares"}) {
@@ -55,7 +55,7 @@ void one_mesh(Runner& runner) {
   }
 }
 
-/// Figure 16(b): linear solvers relative to LU over the density of the mesh.
+/// Solves for figure 16(b) with linear solvers relative to LU over the density of the mesh.
 void densities(Runner& runner) {
   std::vector<Mesh> meshes{{8, 3}, {10, 4}, {12, 5}, {14, 5}, {16, 6}, {18, 7}};
   if (runner.quick) meshes.resize(2);
@@ -66,7 +66,7 @@ void densities(Runner& runner) {
                             .slip_estimate = jacobian == std::string("reduced") ? "jacobi" : "auto",
                             .linear_solver = solver});
   for (const Mesh& mesh : meshes) {
-    // Slow there, and nothing new.
+    // These are slow there, and show nothing new.
     if (mesh.core > paper_mesh.core)
       std::erase_if(procedures, [](const Procedure& p) { return p.jacobian == "simplified"; });
     solve_all(runner, "procedures_density", mesh, "godunov", procedures, runner.quick ? 1 : 2);

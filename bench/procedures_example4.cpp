@@ -1,4 +1,4 @@
-// The paper's figure 21: error function over iterations and over time on example 4.
+// Measures the paper's figure 21: the error function over iterations and over time on example 4.
 
 #include <cmath>
 
@@ -10,7 +10,7 @@ namespace {
 void error_function(Runner& runner) {
   const Example example = runner.quick ? coarse_examples()[5] : paper_examples().back();
   const auto pair = example.make(runner.threads);
-  pair->solve();  // for the compliance
+  pair->solve();  // makes the compliance
   scenes::Solution standard;
   std::vector<Procedure> procedures{Procedure{}};
   for (const char* jacobian : {"b_derivative", "simplified"})

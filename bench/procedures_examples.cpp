@@ -1,5 +1,5 @@
-// Every admissible combination of system, Jacobian, slip estimate and linear solver on the paper's examples, and the
-// standard procedure beside the monolithic ones.
+// Measures every admissible combination of system, Jacobian, slip estimate and linear solver on the paper's examples,
+// and the standard procedure beside the monolithic ones.
 
 #include <cmath>
 #include <exception>
@@ -12,7 +12,7 @@ namespace {
 void combinations(Runner& runner) {
   for (const Example& example : coarse_examples()) {
     const auto pair = example.make(runner.threads);
-    pair->solve();  // for the compliance
+    pair->solve();  // makes the compliance
     scenes::Solution standard;
     const auto add = [&](const Procedure& procedure) {
       Record record{.case_name = "procedures_examples", .model = example.name};
@@ -38,13 +38,13 @@ void combinations(Runner& runner) {
   }
 }
 
-/// From arrays to tractions, then again and again after a hundredth of change.
+/// Solves from arrays to tractions, then again and again after a hundredth of change.
 void add_resolves(Record& record, scenes::RollingPair& pair, const scenes::Solution& s) {
   constexpr int most = 4;
-  constexpr double long_enough = 0.1;  // seconds; slower ones are not repeated as often
+  constexpr double long_enough = 0.1;  // seconds; slower solves are not repeated as often
   double fastest = INFINITY, iterations = 0;
-  // The first one with creepages given may still size workspaces. Back where it came from, a prediction would be the
-  // solution.
+  // The first re-solve with creepages given may still size workspaces. A prediction would be the solution where the
+  // creepage is back where it came from.
   pair.option("warm_start", std::int64_t{1});
   pair.creep(s.creep[0], s.creep[1], s.creep[2]).solve();
   for (int k = 0; k < (fastest > long_enough && k > 0 ? 2 : most); ++k) {
@@ -59,16 +59,16 @@ void add_resolves(Record& record, scenes::RollingPair& pair, const scenes::Solut
   record.extra.emplace_back("warm_iterations", iterations);
 }
 
-/// The standard against the monolithic procedures that converge fast, cold and on re-solve.
+/// Compares the standard with the monolithic procedures that converge fast, cold and on re-solve.
 void speed(Runner& runner) {
   std::vector<Procedure> procedures{Procedure{}};
-  // Of the linear solvers the fastest (case procedures_examples).
+  // The linear solver is the fastest (case procedures_examples).
   for (const char* jacobian : {"exact", "b_derivative"})
     procedures.push_back({"monolithic", jacobian, "auto", "gmres_adaptive", "bodies"});
   for (const Example& example : runner.quick ? coarse_examples() : paper_examples()) {
     scenes::Solution standard;
     std::vector<Procedure> here = procedures;
-    // Dense bodies of the paper's size: half an hour.
+    // Dense bodies of the paper's size take half an hour.
     if (runner.quick || example.name.find("FEM") != std::string::npos)
       here.push_back({.system = "monolithic", .jacobian = "exact", .linear_solver = "lu"});
     for (const Procedure& procedure : here) {

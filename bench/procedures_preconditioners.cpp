@@ -1,4 +1,4 @@
-// Krylov iterations per linear system over the size of the mesh, for every preconditioner.
+// Measures Krylov iterations per linear system over the size of the mesh, for every preconditioner.
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +13,9 @@ namespace {
 namespace example1 = scenes::example1;
 namespace steady_rolling = scenes::steady_rolling;
 
-constexpr double tolerance = 1e-6;  ///< of GMRES, relative to the residual
+constexpr double tolerance = 1e-6;  ///< tolerance of GMRES, relative to the residual
 
-/// On fine meshes these take minutes.
+/// Finer meshes take minutes.
 constexpr int largest_plain_grid = 32;
 bool plain(const std::string& preconditioner) {
   return preconditioner == "none" || preconditioner == "diagonal";

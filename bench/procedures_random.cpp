@@ -1,4 +1,4 @@
-// The published procedures on contacts of half-spaces drawn at random.
+// Runs the published procedures on contacts of half-spaces drawn at random.
 
 #include <cmath>
 
@@ -13,7 +13,7 @@ struct Drawn {
   bool force_given = false;
 };
 
-/// Ellipse, materials, friction, and creepages or forces: everything from one seed.
+/// Draws ellipse, materials, friction, and creepages or forces from one seed.
 Drawn draw(std::uint32_t seed, int threads) {
   frames::Random random(seed);
   const auto either = [&] { return random() < 0; };

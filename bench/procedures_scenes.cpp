@@ -1,4 +1,4 @@
-// The paper's examples for the cases of the solution procedures.
+// Makes the paper's examples for the cases of the solution procedures.
 
 #include <cmath>
 
@@ -17,10 +17,10 @@ namespace example3 = scenes::example3;
 namespace example4 = scenes::example4;
 using Pair = std::unique_ptr<scenes::RollingPair>;
 
-/// Of section 11.8 and the characteristic scheme the first needs a matrix of convection.
+/// Section 11.8 needs a matrix of convection, which the characteristic scheme does not have.
 constexpr const char* scheme = "godunov";
 
-/// 15 mm of the ring's circumference, or all of it.
+/// Makes 15 mm of the ring's circumference, or all of it.
 surfaces::Ring coarse(bool whole) {
   surfaces::Ring shape = example1::paper_ring();
   shape.sector = whole ? 0 : 0.3;
@@ -77,7 +77,7 @@ Pair sphere(int threads) {
   return example3::pair(frames::o_grid(ElementType::quad4, 10, 4, reach, reach), scheme, threads);
 }
 
-/// A part of the wheel of example 4 around its top: 20 x 20 x 14 mm, 9 x 9 elements in 6 x 6 mm.
+/// Makes a part of the wheel of example 4 around its top: 20 x 20 x 14 mm, 9 x 9 elements in 6 x 6 mm.
 Pair coarse_wheel(int threads) {
   return example4::pair(example4::part_of_wheel({20, 14, 6, 9, 1, 2}), scheme, threads);
 }

@@ -23,7 +23,7 @@ def load(path):
         return [json.loads(line) for line in lines if line.strip()]
 
 
-# Parts of accuracy.md in their order; each command rewrites its own.
+# The parts of accuracy.md come in this order; each command rewrites its own.
 PARTS = ("work-precision", "estimates", "half-spaces")
 TITLE = f"""# Accuracy, time and memory
 
@@ -68,7 +68,7 @@ COARSE = 5
 
 
 def unfinished_text(records):
-    unfinished = [r for r in records if r["status"] not in (0, 4, COARSE)]  # 4: rim, meant in the strips
+    unfinished = [r for r in records if r["status"] not in (0, 4, COARSE)]  # 4: contact at the rim, meant in the strips
     coarse = [r for r in records if r["status"] == COARSE]
     text = ""
     if unfinished:

@@ -19,7 +19,7 @@ METHODS = {("exact", "auto"): "exact", ("b_derivative", "auto"): "B-derivative",
            ("simplified", "auto"): "simplified", ("reduced", "jacobi"): "reduced, Jacobi",
            ("reduced", "pseudo_temporal"): "reduced, pseudo-temporal",
            ("reduced", "extrapolation"): "reduced, extrapolation"}
-SAME = 1e-6  # largest relative difference of tractions that counts as the same solution
+SAME = 1e-6  # largest relative difference of tractions that counts as one solution
 STATUS = {-1: "refused", 1: "not converged", 2: "no contact", 3: "no steady solution"}
 
 

@@ -12,7 +12,7 @@ from collections import Counter, defaultdict
 
 from report import load, of_case, plot, processor, table
 
-BOUND = 1e-8  # laws kept
+BOUND = 1e-8  # error to which laws hold
 STATUS = {0: "OK", 1: "NOT_CONVERGED", 2: "NO_CONTACT", 3: "CANCELLED", 4: "RIM_CONTACT", 5: "COARSE", 6: "INACCURATE",
           -1: "ERR_ARGUMENT", -3: "ERR_NONFINITE", -4: "ERR_MESH", -5: "ERR_STATE", -6: "ERR_OPTION",
           -8: "ERR_SINGULAR", -9: "ERR_MEMORY", -10: "ERR_UNSUPPORTED", -12: "ERR_LOAD",

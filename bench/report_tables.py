@@ -12,7 +12,7 @@ import sys
 from precision_plots import Panel, panels
 from report import load, magnitude, of_case, processor, put_part, table
 
-REFERENCE = "the reference's frames"  # by their own error
+REFERENCE = "the reference's frames"  # frames judged by their own error
 ERRORS = """
 {cases} random cases of the standard table's whole range (magnitudes evenly from 0.03 to 0.97; any direction and
 spin), beside two frames of strips on the known ellipse, 1.5 times as fine as the table's own, extrapolated, their

@@ -1,5 +1,5 @@
-// Solving again: after a change of creepage (dense systems), along a table of creepages, and along a creep curve. What
-// a Newton iteration costs is set against LAPACK's time for its own system.
+// Measures solving again: after a change of creepage (dense systems), along a table of creepages, and along a creep
+// curve. The cost of a Newton iteration is set against LAPACK's time for its own system.
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 
 using closed_forms::Elastic;
 
-/// Factorisation and one right side, double precision, the least of several.
+/// Returns the seconds of a factorisation and one right side in double precision, the least of several.
 double lapack_seconds(int n) {
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> entry(-1, 1);
@@ -44,7 +44,7 @@ double lapack_seconds(int n) {
 struct Scene {
   std::string model, mesh;
   std::unique_ptr<scenes::RollingPair> pair;
-  std::array<double, 3> creep{};  ///< of the solution that all changes start from
+  std::array<double, 3> creep{};  ///< creepages of the solution that all changes start from
 };
 
 std::vector<Scene> resolved_scenes(const Runner& runner) {
@@ -76,7 +76,7 @@ std::vector<Scene> resolved_scenes(const Runner& runner) {
   return all;
 }
 
-/// One change of creepage, there and back, the least of several.
+/// Measures one change of creepage, there and back, the least of several.
 void resolve(Runner& runner, Scene& scene, double change, double tolerance) {
   scenes::RollingPair& pair = *scene.pair;
   char what[80];
@@ -127,7 +127,7 @@ void resolve(Runner& runner, Scene& scene, double change, double tolerance) {
   runner.emit(record);
 }
 
-/// All five derivatives after a re-solve, in Newton iterations of that solve.
+/// Measures all five derivatives after a re-solve, in Newton iterations of that solve.
 void derive(Runner& runner, Scene& scene) {
   scenes::RollingPair& pair = *scene.pair;
   Record record{.case_name = "resolve", .method = "", .model = scene.model};
@@ -172,8 +172,8 @@ void run_resolve(Runner& runner) {
   }
 }
 
-/// 3000 creepages on a grid of nodes, one after the other, as three nested loops; every other line backwards so that
-/// each scene neighbours the one before.
+/// Solves 3000 creepages on a grid of nodes, one after the other, like three nested loops; every other line goes
+/// backwards so that each scene neighbours the one before.
 void table(Runner& runner, int nodes, const std::string& model, const Elastic& body2, double tolerance, bool turning) {
   namespace rolling = scenes::steady_rolling;
   scenes::RollingPair pair(rolling::steel, body2, runner.threads);
@@ -182,7 +182,7 @@ void table(Runner& runner, int nodes, const std::string& model, const Elastic& b
   pair.frame(rolling::grid(nodes)).gap_quadratic(hertz.A, hertz.B).load(hertz.load);
   pair.friction(rolling::mu).option("tolerance", tolerance);
   const int n1 = 20, n2 = 15, n3 = runner.quick ? 1 : 10;
-  // Full sliding near 0.75 of mu F / (G a^2); tables are finer at small creepages.
+  // Full sliding comes near 0.75 of mu F / (G a^2); tables are finer at small creepages.
   const double unit = 0.7 * rolling::mu * hertz.load / (rolling::steel.shear * rolling::radius * rolling::radius);
   const auto graded = [](double t) { return t * std::abs(t); };
   Record record{.case_name = "table", .method = turning ? "turning" : "rewinding", .model = model};
@@ -239,7 +239,7 @@ void table(Runner& runner, int nodes, const std::string& model, const Elastic& b
 void run_table(Runner& runner) {
   namespace rolling = scenes::steady_rolling;
   const Elastic soft{.shear = 41000, .poisson = 0.45};
-  // As many nodes as CONTACT has elements, and 11 x 11 elements.
+  // The frames have as many nodes as CONTACT has elements, and 11 x 11 elements.
   for (const int nodes : {11, 12})
     for (const double tolerance : {1e-6, 1e-10})
       for (const bool turning : {true, false}) {
@@ -248,7 +248,7 @@ void run_table(Runner& runner) {
       }
 }
 
-/// A time loop of a vehicle: load and creepages vary slowly, each with periods of its own.
+/// Runs a time loop of a vehicle: load and creepages vary slowly, each with periods of its own.
 void loop(Runner& runner, const std::string& model, const Elastic& body2, double tolerance, bool prediction) {
   namespace rolling = scenes::steady_rolling;
   scenes::RollingPair pair(rolling::steel, body2, runner.threads);
@@ -297,7 +297,7 @@ void run_loop(Runner& runner) {
     }
 }
 
-/// 100 creepages from stick to full sliding on the paper's two rings.
+/// Solves 100 creepages from stick to full sliding on the paper's two rings.
 void run_curve(Runner& runner) {
   namespace example1 = scenes::example1;
   const int parts = runner.quick ? 6 : 12;

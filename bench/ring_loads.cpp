@@ -1,5 +1,5 @@
-// The ring of the paper's first example under loads on a patch, as a body by itself: against its Fourier series in the
-// angle, over meshes and elements.
+// Compares the ring of the paper's first example under loads on a patch, as a body by itself, with its Fourier series
+// in the angle, over meshes and elements.
 
 #include <algorithm>
 #include <cmath>
@@ -40,8 +40,8 @@ void must(std::int32_t status, const char* what) {
   if (status < 0) throw std::runtime_error(what);
 }
 
-/// The faces of a tag share one traction, so each column of elements along the patch gets a tag of its own. What that
-/// leaves of the load's turning within a column has no resultant.
+/// Gives each column of elements along the patch a tag of its own, because the faces of a tag have one traction. What
+/// that leaves of the load's turning within a column has no resultant.
 std::map<std::int32_t, Vec3> tag_columns(SurfaceMesh& mesh) {
   constexpr std::int32_t first_tag = 100;
   std::map<std::int64_t, std::int32_t> tag_of_place;
@@ -110,14 +110,14 @@ Solved press(scenes::MeshedBody shape, const LoadCase& load, int threads) {
   return solved;
 }
 
-/// What is meshed, by which method, and how it is called.
+/// Says what is meshed, by which method, and how it is called.
 struct Meshed {
   scenes::MeshedBody body;
   std::string method, mesh;
 };
 
-/// Elements on half of the zone |s| <= 2 (as many along the patch |s| <= 1), on half of the rest, on half of the width,
-/// and from hub to rim. Edges at the patch's ends: along is even.
+/// Holds the elements on half of the zone |s| <= 2 (as many along the patch |s| <= 1), on half of the rest, on half of
+/// the width, and from hub to rim. Edges lie at the patch's ends, so `along` is even.
 struct BemMesh {
   int along, far, across, deep;
 };
@@ -138,7 +138,7 @@ Meshed by(ElementType type, const BemMesh& n) {
   return m;
 }
 
-/// Finite elements want them to be fine below the patch as well, and fewer far from it.
+/// Makes finite elements, which have to be fine below the patch as well, and may be fewer far from it.
 Meshed by(VolumeType type, int across) {
   volumes::Mesh mesh = volumes::ring({.zone = 2,
                                       .around = 4 * across,
@@ -157,7 +157,7 @@ Meshed by(VolumeType type, int across) {
 
 using Maker = std::function<Meshed()>;
 
-/// The first mesh only when `quick`.
+/// Adds the first mesh only when `quick`.
 template <class Type, class Size>
 void add(std::vector<Maker>& all, bool quick, Type type, const std::vector<Size>& sizes) {
   for (const Size& n : sizes) {
@@ -193,7 +193,7 @@ std::vector<Maker> finite_element_meshes(bool quick) {
   return all;
 }
 
-/// Near incompressibility tet4 and wedge6 are refused.
+/// Says whether the mesh is refused: tet4 and wedge6 are near incompressibility.
 bool refused(const scenes::MeshedBody& body, double poisson) {
   if (body.volume.elements() == 0 || poisson < 0.45) return false;
   const VolumeType type = body.volume.type.front();

@@ -67,13 +67,13 @@ Forces solve_one(scenes::RollingPair& pair, double longitudinal, double lateral,
   return {f[0], f[1], moment[2]};
 }
 
-/// Of bodies that slide on each other as rigid ones: Coulomb's law under the pressure of Hertz.
+/// Returns the forces of bodies that slide on each other like rigid ones: Coulomb's law under the pressure of Hertz.
 Forces sliding(const RollingCase& c) {
   constexpr int radii = 160, around = 240;
   const auto& in = c.input;
   Forces f{};
   for (int i = 0; i < radii; ++i) {
-    // Midpoints in sqrt(1 - r^2), in which the pressure is smooth.
+    // The midpoints are in sqrt(1 - r^2), in which the pressure is smooth.
     const double z = (i + 0.5) / radii, r = std::sqrt(1 - z * z), part = 3 * mu * load * z * z / (radii * around);
     for (int j = 0; j < around; ++j) {
       const double angle = 2 * std::numbers::pi * (j + 0.5) / around;
@@ -88,11 +88,11 @@ Forces sliding(const RollingCase& c) {
   return f;
 }
 
-/// Two frames on one ellipse.
+/// Holds two frames on one ellipse.
 class Strips {
  public:
   Strips(const RollingCase& first, double finer) : coarse_(steel, steel), fine_(steel, steel) {
-    // Long ellipses want many cells along their length.
+    // Long ellipses need many cells along their length.
     const double along = 12 * finer * std::clamp(std::pow(first.ratio, 0.2), 0.5, 1.35);
     const double across = 10 * finer * std::clamp(std::pow(first.ratio, -0.35), 0.8, 2.2);
     const auto nx = static_cast<std::int32_t>(std::lround(along)), ny = static_cast<std::int32_t>(std::lround(across));

@@ -1,4 +1,4 @@
-// A prepared body saved and loaded, against preparing it: seconds, and bytes in memory and file.
+// Compares a prepared body saved and loaded with preparing it: seconds, and bytes in memory and file.
 
 #include <unistd.h>
 
@@ -22,7 +22,7 @@ void must(rollcon_status status, const char* what) {
   std::exit(1);
 }
 
-/// The best of several runs on a machine that others use too.
+/// Returns the best of several runs, because others use the machine, too.
 double best_of(int runs, const std::function<void()>& work) {
   double least = 1e30;
   for (int k = 0; k < runs; ++k) {

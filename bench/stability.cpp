@@ -17,8 +17,8 @@ namespace {
 using extremes::Ending;
 using extremes::Scene;
 
-/// The standard procedure and those of the paper on condensed systems. The others cost more and make the same steps
-/// (docs/procedures.md).
+/// Returns the standard procedure and those of the paper on condensed systems. The others cost more and make the same
+/// steps (docs/procedures.md).
 std::vector<Procedure> published() {
   std::vector<Procedure> all;
   const auto add = [&](const char* jacobian, const char* linear) {
@@ -145,7 +145,7 @@ class Suite {
   StabilityTable table_;
 };
 
-constexpr std::int64_t small = 300;  // nodes: published procedures can be waited for
+constexpr std::int64_t small = 300;  // nodes up to which one can wait for the published procedures
 
 void run_named(Suite& suite, const std::vector<Scene>& scenes, bool quick, std::size_t published_every) {
   std::size_t number = 0;

@@ -1,5 +1,5 @@
 #pragma once
-/// The stability suite: stiff and extreme scenes, each judged by laws of contact recomputed without the solver.
+/// Runs the stability suite: stiff and extreme scenes, each judged by laws of contact recomputed without the solver.
 
 #include <array>
 #include <cstdint>
@@ -14,30 +14,30 @@
 
 namespace rollcon::bench {
 
-/// Laws of contact are kept to this.
+/// The laws of contact must hold to this.
 inline constexpr double law_bound = 1e-8;
 
-/// Scenes with bodies that have meshes.
+/// Returns scenes with bodies that have meshes.
 std::vector<extremes::Scene> stability_body_scenes(bool quick);
-/// Seeds 1, 2, ...
+/// Returns the scene of a seed 1, 2, ...
 extremes::Scene stability_random_body_scene(std::uint32_t seed);
-/// How many of them among so many random scenes.
+/// Returns how many of them are among so many random scenes.
 std::uint32_t stability_random_body_count(std::uint32_t scenes);
 
-/// What was asked for in vain, and what the library said.
+/// Returns what was asked for in vain, and what the library said.
 std::vector<std::pair<std::string, std::string>> stability_refusals();
 
-/// Numbers of one group of scenes and one way of solving.
+/// Holds the numbers of one group of scenes and one way of solving.
 struct StabilityRow {
   std::int64_t scenes = 0;
-  std::int64_t solved = 0;   ///< laws kept
-  std::int64_t refused = 0;  ///< ended with a status that is right
+  std::int64_t solved = 0;   ///< scenes that satisfy the laws
+  std::int64_t refused = 0;  ///< scenes that ended with a status that is right
   std::int64_t not_converged = 0;
-  std::int64_t wrong = 0;  ///< laws broken, or another status than is right
+  std::int64_t wrong = 0;  ///< scenes with broken laws, or another status than is right
   double law = 0, iterations = 0, all_iterations = 0, condition = 0, seconds = 0;
 };
 
-/// Rows by way of solving and group, in the order of their first record.
+/// Holds rows by way of solving and group, in the order of their first record.
 class StabilityTable {
  public:
   void add(const std::string& way, const std::string& group, const extremes::Ending& ending, bool right);

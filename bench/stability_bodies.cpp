@@ -1,4 +1,4 @@
-// Scenes of the stability suite with bodies that have meshes.
+// Makes scenes of the stability suite with bodies that have meshes.
 
 #include <array>
 
@@ -19,7 +19,7 @@ std::vector<extremes::Scene> stability_body_scenes(bool quick) {
   if (!has_bodies()) return {};
   std::vector<extremes::Scene> all = extremes::named_body_scenes();
   if (quick) return all;
-  // The largest: once.
+  // The largest block is solved once.
   extremes::BlockShape large;
   large.n = {24, 24, 15};
   all.push_back(extremes::scene_on_block("meshes", "finite elements, 10000 nodes", large, scenes::RigidBody{}));

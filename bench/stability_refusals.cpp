@@ -1,4 +1,4 @@
-// What the library says when it is asked for what it cannot do.
+// Collects what the library says when it is asked for what it cannot do.
 
 #include <exception>
 #include <functional>
@@ -23,7 +23,7 @@ Scene of_poisson(double poisson) {
   return scene;
 }
 
-/// One node of a regular frame moved.
+/// Moves one node of a regular frame.
 Scene with_node_moved(ElementType type, std::size_t node, double dx, double dy) {
   Scene scene = extremes::base("", "");
   const auto lines = frames::uniform_lines(-1.3, 1.3, 4);

@@ -1,5 +1,5 @@
-// Cases (a) and (b): errors of force vector and spin moment, and time per solve, beside CONTACT's on grids of N x N,
-// and on frames fitted to the contact.
+// Measures cases (a) and (b): errors of force vector and spin moment, and time per solve, beside CONTACT's on grids of
+// N x N, and on frames fitted to the contact.
 
 #include "support/steady_rolling.hpp"
 
@@ -15,7 +15,7 @@ namespace {
 namespace steady_rolling = scenes::steady_rolling;
 using scenes::RollingPair;
 
-/// CONTACT's elements, or their corners for elements with midside nodes.
+/// Makes CONTACT's elements, or their corners for elements with midside nodes.
 SurfaceMesh grid(ElementType type, int n) {
   if (type == ElementType::quad4) return steady_rolling::grid(n);
   const double half = steady_rolling::radius / 0.9;
@@ -40,7 +40,7 @@ void add_marks(Record& record, const std::string& which, int n) {
   record.extra.emplace_back("warm_seconds_over_contact", record.extra.front().second / mark->second);
 }
 
-/// CONTACT's own runs where its time is known.
+/// Emits CONTACT's own runs where its time is known.
 void emit_contact(Runner& runner, const std::string& which) {
   for (const auto& [n, seconds] : closed_forms::steady_rolling_by_size(which, "seconds")) {
     Record record{.case_name = "case_" + which + "_contact", .method = "CONTACT", .model = "half-spaces"};
@@ -54,7 +54,7 @@ void emit_contact(Runner& runner, const std::string& which) {
   }
 }
 
-/// Cold, then warm after 1 % more creepage and back, as CONTACT's times are warm.
+/// Solves cold, then warm after 1 % more creepage and back, like CONTACT's warm times.
 void roll(Runner& runner, const std::string& which, const FrameKind& kind, int n) {
   // A ring's nodes lie within the contact, nine tenths of a grid's.
   const SurfaceMesh mesh =
@@ -66,7 +66,7 @@ void roll(Runner& runner, const std::string& which, const FrameKind& kind, int n
   blank.quantity = "tangential force over mu Fn";
   blank.against = "CONTACT extrapolated";
   const auto limit = steady_rolling::limit(which).force;
-  // As the data say.
+  // The uncertainty is that of the data.
   const double uncertain = which == "a" ? 0.0004 : std::hypot(0.0001, 0.0002);
   const double spin = which == "b" ? steady_rolling::spin : 0;
   for (const char* scheme : scenes::schemes) {

@@ -1,4 +1,5 @@
-// Stresses inside half-spaces: points per second below grids and irregular frames, near the surface and far from it.
+// Measures stresses inside half-spaces: points per second below grids and irregular frames, near the surface and far
+// from it.
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,7 @@ using scenes::RollingPair;
 
 const closed_forms::Elastic steel{.shear = 82000, .poisson = 0.28};
 
-/// A contact of semi-axes 1 in the middle of a frame that reaches to 1.1.
+/// Solves a contact of semi-axes 1 in the middle of a frame that reaches to 1.1.
 std::unique_ptr<RollingPair> solved(const Runner& runner, const SurfaceMesh& mesh) {
   const double e_star = closed_forms::effective_modulus(steel, steel);
   const closed_forms::Hertz circle = closed_forms::hertz_from_axes(1, 1, 1000, e_star);
@@ -30,7 +31,7 @@ struct Block {
   const char* name;
   int nx, ny, nz;
   double from, to;  ///< depth
-  double shift;     ///< from place to place, in cells; negative: on no grid
+  double shift;     ///< shift from place to place, in cells; negative: on no grid
 };
 
 std::vector<double> points_of(const Block& block, int cells) {

@@ -21,7 +21,7 @@ struct Fit {
   double value = 0, residual = 0;
 };
 
-/// Least squares of value + c x.
+/// Fits value + c x by least squares.
 Fit straight_line(const std::vector<double>& x, const std::vector<double>& y) {
   const auto n = static_cast<double>(x.size());
   double sx = 0, sy = 0, sxx = 0, sxy = 0;
@@ -193,7 +193,7 @@ Solved cold_solve(const Runner& runner, Record& record, const MakePair& make) {
 
 double warm_solve(const Runner& runner, scenes::RollingPair& pair, const std::array<double, 3>& creep) {
   double best = std::numeric_limits<double>::max(), spent = 0;
-  // Back where it came from, a prediction would be the solution.
+  // A prediction would be the solution where the creepage is back where it came from.
   pair.option("warm_start", std::int64_t{1});
   for (int k = 0; k < (runner.quick ? 1 : most_repeats) && spent < repeat_below; ++k) {
     pair.creep(1.01 * creep[0], creep[1], creep[2]);

@@ -1,5 +1,5 @@
-// What each row of the plan saves: the same scene with the shortcut and without, in turn, several times; processor time
-// and the library's own count of bytes, the least of each. docs/thrift.md.
+// Measures what each row of the plan saves: the same scene with the shortcut and without, in turn, several times;
+// processor time and the library's own count of bytes, the least of each. docs/thrift.md shows the results.
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 using scenes::RollingPair;
 using PairPointer = std::unique_ptr<RollingPair>;
 
-/// Of the process: other programs on the machine do not count.
+/// Returns the processor seconds of the process: other programs on the machine do not count.
 double processor_seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
@@ -26,9 +26,9 @@ double processor_seconds() {
 struct Shortcut {
   std::string name, scene;
   std::function<PairPointer(bool with)> make;
-  /// What is timed; the pair is new.
+  /// Runs what is timed; the pair is new.
   std::function<void(RollingPair&, bool with)> run;
-  /// Done before and not timed.
+  /// Does what comes before and is not timed.
   std::function<void(RollingPair&, bool with)> before = [](RollingPair&, bool) {};
   int times = 6;
 };
@@ -92,7 +92,7 @@ PairPointer sphere(int nodes, int threads) {
   return pair;
 }
 
-/// Case (b), or bodies of which one has another Poisson's ratio by `other`.
+/// Makes case (b), or bodies of which one has another Poisson's ratio by `other`.
 PairPointer case_b(int n, double other, int threads) {
   namespace rolling = scenes::steady_rolling;
   auto second = rolling::steel;

@@ -1,5 +1,5 @@
-// The time loop of a vehicle simulation: one contact of a wheelset, solved again and again while load and creepages
-// change slowly. Does it stay as fast and as small as it began?
+// Measures the time loop of a vehicle simulation: one contact of a wheelset, solved again and again while load and
+// creepages change slowly. Does it stay as fast and as small as it began?
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@ namespace {
 
 using wheelset_run::Drive;
 
-/// Of this thread: what else the machine does must not look like growth.
+/// Returns the processor seconds of this thread: other work of the machine must not look like growth.
 double cpu_seconds() {
   std::timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
@@ -27,7 +27,7 @@ struct Loop {
   std::string model;
   int elements;  ///< along one side
   Drive drive;
-  double second_poisson;  ///< of body 2
+  double second_poisson;  ///< Poisson's ratio of body 2
 };
 
 struct Part {
@@ -38,7 +38,7 @@ struct Part {
 };
 
 void run(Runner& runner, const Loop& loop) {
-  constexpr double young2_over_young = 0.7;  // of dissimilar bodies
+  constexpr double young2_over_young = 0.7;  // ratio for dissimilar bodies
   const bool same = loop.second_poisson == wheelset_run::poisson;
   const closed_forms::Elastic steel = closed_forms::Elastic{
       .shear = wheelset_run::young / (2 * (1 + wheelset_run::poisson)), .poisson = wheelset_run::poisson};
@@ -54,7 +54,7 @@ void run(Runner& runner, const Loop& loop) {
   const std::int64_t steps = runner.quick ? 2000 : 100000, tenth = steps / 10;
   std::array<Part, 3> part;  // first tenth, between, last tenth
   std::int64_t resident_first = 0;
-  constexpr std::int64_t warm_up = 2000;  // a period of the load: all sizes of systems occurred
+  constexpr std::int64_t warm_up = 2000;  // one period of the load, after which all sizes of systems occurred
   int told = 0;
   reset_peak_resident();
   for (std::int64_t i = -warm_up; i < steps; ++i) {

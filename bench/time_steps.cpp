@@ -1,5 +1,5 @@
-// What a step in time costs beside a steady warm solve of the same loads: two contacts of a wheelset's oscillation, one
-// in steps, solved in turn, so that the machine's load does not tell.
+// Compares a step in time with a steady warm solve of the same loads: two contacts of a wheelset's oscillation, one in
+// steps, are solved in turn, so that the machine's load does not tell.
 
 #include <cstdio>
 #include <ctime>
@@ -25,8 +25,8 @@ struct Walk {
   int elements;  ///< along one side
   const char* operators;
   Drive drive;
-  double second_poisson;  ///< of body 2
-  double distance;        ///< of a step, over an element
+  double second_poisson;  ///< Poisson's ratio of body 2
+  double distance;        ///< distance of a step, over an element
   bool shift = false;
 };
 

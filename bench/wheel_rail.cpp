@@ -1,6 +1,6 @@
-// A wheel on its rail in a vehicle's time loop, S1002 on 60E1, and at the positions of the Manchester benchmark
-// time of a step (processor time of one thread), errors beside the finest lattice at the same positions,
-// allocations.
+// Measures a wheel on its rail in a vehicle's time loop, S1002 on 60E1, and at the positions of the Manchester
+// benchmark: time of a step (processor time of one thread), errors beside the finest lattice at the same
+// positions, allocations.
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ constexpr Method methods[] = {{CreepForces::solved, 0.02, "frames of 8 x 16"},
                               {CreepForces::table, 0.02, "pressures of 8 x 16, table"},
                               {CreepForces::table_on_ellipses, 0.02, "ellipses of overlaps, table"}};
 
-/// The wheelset's lateral shift over a run.
+/// Describes the wheelset's lateral shift over a run.
 struct Course {
   const char* name;
   double middle, swing;
@@ -38,10 +38,10 @@ double shift(const Course& course, std::int64_t i, std::int64_t period) {
          course.swing * std::sin(2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(period));
 }
 
-/// Means and greatest of pairs of errors, force and moment.
+/// Holds means and greatest of pairs of errors, force and moment.
 struct Errors {
   std::array<double, 2> sum{}, worst{};
-  double count = 0, above = 0;  ///< above: those of which one is more than a percent
+  double count = 0, above = 0;  ///< number of all, and of those with an error of more than a percent
   void add(const std::array<double, 2>& e) {
     for (std::size_t k = 0; k < 2; ++k) sum[k] += e[k], worst[k] = std::max(worst[k], e[k]);
     count += 1;
@@ -50,7 +50,7 @@ struct Errors {
   double mean(std::size_t k) const { return sum[k] / count; }
 };
 
-/// What the finest lattice finds along a course.
+/// Holds what the finest lattice finds along a course.
 struct Expected {
   const Course& course;
   std::vector<double> at, height;
@@ -65,7 +65,7 @@ struct Expected {
       result.push_back(fine.result());
     }
   }
-  /// The height that carries the load, between the positions that were solved.
+  /// Returns the height that carries the load, between the positions that were solved.
   double z(double y) const {
     const double last = static_cast<double>(at.size() - 1), t = (y - at.front()) / (at.back() - at.front()) * last;
     const auto k = static_cast<std::size_t>(std::clamp(std::floor(t), 0.0, last - 1));
@@ -87,7 +87,7 @@ Record record_of(const Method& method, bool by_force, const char* model, const E
   return record;
 }
 
-/// Under the load; at the heights that carry it the errors are the same.
+/// Returns the errors under the load; at the heights that carry it the errors are the same.
 Errors errors_of(const Method& method, const Expected& expected) {
   Errors errors;
   Wheel wheel(method.accuracy, true, method.by);
@@ -145,7 +145,7 @@ void run(Runner& runner) {
   }
 }
 
-/// Rolls and rates of rotation at shifts of 0, 0.5 .. 10 mm, as examples/manchester.c finds them.
+/// Holds rolls and rates of rotation at shifts of 0, 0.5 .. 10 mm, found in the way of examples/manchester.c.
 struct Motion {
   double roll, rate;
 };
@@ -157,7 +157,7 @@ constexpr Motion manchester[] = {{0, -4.3479979},         {-2.354e-5, -4.3473094
                                  {-7.642e-3, -4.2575031}, {-8.606e-3, -4.2533941}, {-9.407e-3, -4.2502672},
                                  {-1.010e-2, -4.2477074}, {-1.071e-2, -4.2455145}, {-1.126e-2, -4.2435887}};
 
-/// From no handle to the forces of 21 positions, one after the other.
+/// Runs from no handle to the forces of 21 positions, one after the other.
 void run_manchester(Runner& runner) {
   constexpr std::int32_t sides[] = {ROLLCON_RIGHT, ROLLCON_LEFT};
   const auto pass = [](Wheel& wheel, std::vector<Wheel::Result>& results) {
