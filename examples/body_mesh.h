@@ -1,5 +1,5 @@
-/* Meshes of bodies for the examples: a block that is divided like a grid and then bent into a ring,
-   the rim of a wheel, ...: its surface alone, or filled with hexahedra. */
+/* Makes meshes of bodies for the examples: a block that is divided like a grid and then bent into a ring, the rim of a
+   wheel, ...: its surface alone, or filled with hexahedra. */
 #ifndef BODY_MESH_H
 #define BODY_MESH_H
 
@@ -19,20 +19,20 @@ typedef struct {
   double (*x)[3];
   int32_t* id; /* nodes of the elements, one element after the other; normals point outwards */
   int first[MOST_TAGS + 1];
-  int32_t solid_type; /* of the inside: ROLLCON_HEX8 or HEX20, 0: the surface alone */
+  int32_t solid_type; /* type of the inside: ROLLCON_HEX8 or HEX20; 0: the surface alone */
   int per_cell, cells;
   int32_t* cell; /* nodes of the hexahedra; NULL: none */
 } body_mesh;
 
-/* What is meshed. The block is [line[0][0], line[0][n[0]]] x ... in coordinates q. */
+/* Describes what is meshed. The block is [line[0][0], line[0][n[0]]] x ... in coordinates q. */
 typedef struct {
   int n[3];                     /* elements along q[0], q[1], q[2] */
   const double* line[3];        /* n + 1 ascending values of each */
   int ring;                     /* nonzero: q[0] runs full circle, its last line is the first one */
-  int32_t face_tag[6];          /* 1 to MOST_TAGS - 1, of q[0] least, q[0] most, q[1] least, ... */
+  int32_t face_tag[6];          /* 1 to MOST_TAGS - 1, for q[0] least, q[0] most, q[1] least, ... */
   int zone_from[2], zone_to[2]; /* elements of the last face, q[2] most, that have a tag of */
   int32_t zone_tag;             /* their own; from 0 to 0: none */
-  /* Position of q; right-handed. Midside nodes lie at the middle of their corners' q. */
+  /* Gives the position of q; right-handed. Midside nodes lie at the middle of their corners' q. */
   void (*position)(const double q[3], const void* shape, double x[3]);
   const void* shape;
 } body_grid;
@@ -46,13 +46,13 @@ static void free_body_mesh(body_mesh* m) {
   m->nodes = m->elements = m->cells = 0;
 }
 
-/* Value of q[axis] on half line h: on line h / 2, or between two lines. */
+/* Returns q[axis] on half line h: on line h / 2, or between two lines. */
 static double on_half_line(const body_grid* g, int axis, int h) {
   const double* line = g->line[axis];
   return 0.5 * (line[h / 2] + line[(h + 1) / 2]);
 }
 
-/* Node at a point of the grid of half lines; a new one unless it is there already. */
+/* Returns the node at a point of the grid of half lines; a new one unless it is there already. */
 static int32_t grid_node(body_mesh* m, const body_grid* g, int32_t* known, const int at[3]) {
   const int turn = g->ring && at[0] == 2 * g->n[0] ? 0 : at[0];
   const size_t place =
@@ -74,7 +74,7 @@ static int32_t grid_tag(const body_grid* g, int face, int i, int j) {
   return in_zone ? g->zone_tag : g->face_tag[face];
 }
 
-/* The element of `face` at row i, column j of the grid on it. */
+/* Adds the element of `face` at row i, column j of the grid on it. */
 static void add_grid_element(body_mesh* m, const body_grid* g, int32_t* known, int face, int i, int j) {
   static const int corner_first[9][2] = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 0}, {2, 1}, {1, 2}, {0, 1}, {1, 1}};
   const int axis = face / 2, most = face % 2;
@@ -83,14 +83,14 @@ static void add_grid_element(body_mesh* m, const body_grid* g, int32_t* known, i
   int k, at[3];
   at[axis] = most ? 2 * g->n[axis] : 0;
   for (k = 0; k < m->per_element; ++k) {
-    /* Seen from outside the block, p and q change places between opposite faces. */
+    /* The directions p and q change places between opposite faces, seen from outside the block. */
     at[p] = 2 * i + corner_first[k][most ? 0 : 1];
     at[q] = 2 * j + corner_first[k][most ? 1 : 0];
     id[k] = grid_node(m, g, known, at);
   }
 }
 
-/* The hexahedron at place i of the grid. */
+/* Adds the hexahedron at place i of the grid. */
 static void add_grid_cell(body_mesh* m, const body_grid* g, int32_t* known, const int i[3]) {
   static const int place[20][3] = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 2}, {2, 0, 2}, {2, 2, 2},
                                    {0, 2, 2}, {1, 0, 0}, {2, 1, 0}, {1, 2, 0}, {0, 1, 0}, {1, 0, 2}, {2, 1, 2},
@@ -110,8 +110,8 @@ static void fill_grid(body_mesh* m, const body_grid* g, int32_t* known) {
       for (i[2] = 0; i[2] < g->n[2]; ++i[2]) add_grid_cell(m, g, known, i);
 }
 
-/* type: ROLLCON_QUAD4, QUAD8 or QUAD9 for the surface alone, ROLLCON_HEX8 or HEX20 for a solid,
-   whose surface is meshed by QUAD4 or QUAD8. Returns 0 when there is not enough memory. */
+/* Takes as type ROLLCON_QUAD4, QUAD8 or QUAD9 for the surface alone, ROLLCON_HEX8 or HEX20 for a solid, whose surface
+   is meshed by QUAD4 or QUAD8. Returns 0 when there is not enough memory. */
 static int make_grid_mesh(body_mesh* m, const body_grid* g, int32_t type) {
   const int* n = g->n;
   const int solid = type == ROLLCON_HEX8 || type == ROLLCON_HEX20;
@@ -147,7 +147,7 @@ static int make_grid_mesh(body_mesh* m, const body_grid* g, int32_t type) {
   return 1;
 }
 
-/* Nodes of the elements of a tag, ascending; list has room for all nodes. Returns their number. */
+/* Lists the nodes of the elements of a tag, ascending; list has room for all nodes. Returns their number. */
 static int nodes_of_tag(const body_mesh* m, int tag, int32_t* list) {
   const int32_t* end = m->id + m->first[tag + 1] * m->per_element;
   const int32_t* id;
@@ -159,8 +159,8 @@ static int nodes_of_tag(const body_mesh* m, int tag, int32_t* list) {
   return count;
 }
 
-/* line[0] = from, ..., line[n] = to. The first step has the size `first`, the others grow by one
-   factor but not beyond `largest` (0: no bound), as far as n steps allow. */
+/* Sets line[0] = from, ..., line[n] = to. The first step has the size `first`, the others grow by one factor but not
+   beyond `largest` (0: no bound), as far as n steps allow. */
 static void graded_lines(double* line, int n, double from, double to, double first, double largest) {
   const double length = fabs(to - from), toward = to > from ? 1 : -1;
   double low = 1e-3, high = 1e3, sum = 0, step;
@@ -191,7 +191,7 @@ static void reverse_lines(double* line, int n) {
   }
 }
 
-/* n steps from -half to half, zone_n equal ones of them from -half_zone to half_zone. */
+/* Sets n steps from -half to half, zone_n equal ones of them from -half_zone to half_zone. */
 static void lines_with_zone(double* line, int n, double half, int zone_n, double half_zone, double largest) {
   const int before = (n - zone_n) / 2, after = n - zone_n - before;
   const double step = 2 * half_zone / zone_n;

@@ -1,5 +1,5 @@
-/* For examples whose frame is a part of a body's surface: reads all nodal results of a contact and
-   writes them as text that gnuplot draws, together with the meshes of the bodies. */
+/* Serves examples whose frame is a part of a body's surface: reads all nodal results of a contact and writes them as
+   text that gnuplot draws, together with the meshes of the bodies. */
 #ifndef CONTACT_OUTPUT_H
 #define CONTACT_OUTPUT_H
 
@@ -15,7 +15,7 @@ enum { MOST_FRAME_NODES = 2000, MOST_FRAME_IDS = 8000 };
 
 static rollcon_context* context;
 
-/* A status below zero ends the program with the library's own words. */
+/* Ends the program with the library's own words if a status is below zero. */
 static int32_t must(int32_t status) {
   if (status >= 0) return status;
   fprintf(stderr, "%s: %s\n", rollcon_status_string(status), rollcon_last_error());
@@ -45,16 +45,16 @@ static double body_statistic(const rollcon_body* body, const char* name) {
 
 typedef struct {
   int nodes, elements, per_element;
-  int32_t id[MOST_FRAME_IDS];       /* of the elements, one after the other */
-  double x[MOST_FRAME_NODES][3];    /* along t1, t2, n from the origin */
+  int32_t id[MOST_FRAME_IDS];       /* node ids of the elements, one after the other */
+  double x[MOST_FRAME_NODES][3];    /* positions along t1, t2, n from the origin */
   double t[MOST_FRAME_NODES][3];    /* traction on body 1 */
-  double slip[MOST_FRAME_NODES][2]; /* of body 1 relative to body 2 */
+  double slip[MOST_FRAME_NODES][2]; /* slip of body 1 relative to body 2 */
   double gap[MOST_FRAME_NODES], area[MOST_FRAME_NODES], weight[MOST_FRAME_NODES];
   int32_t state[MOST_FRAME_NODES];
 } frame_results;
 
-/* The frame that rollcon_contact_frame_from_body makes of a tag: the nodes of these faces in the
-   order of their ids. */
+/* Makes the frame that rollcon_contact_frame_from_body makes of a tag: the nodes of these faces in the order of their
+   ids. */
 static void frame_of_tag(frame_results* r, const body_mesh* m, int tag) {
   const int32_t* from = m->id + m->first[tag] * m->per_element;
   int32_t* list = (int32_t*)malloc((size_t)m->nodes * sizeof *list);
@@ -103,7 +103,7 @@ static void write_row(FILE* file, const frame_results* r, int k) {
           r->t[k][1], r->slip[k][0], r->slip[k][1], r->gap[k], (int)r->state[k]);
 }
 
-/* The point where the edge from a to b crosses the line y = 0. */
+/* Writes the point where the edge from a to b crosses the line y = 0. */
 static void write_crossing(FILE* file, const frame_results* r, int a, int b) {
   const double ya = r->x[a][1], yb = r->x[b][1], s = ya / (ya - yb);
   int c;
@@ -146,7 +146,7 @@ static void write_frame(const frame_results* r, const char* folder, const char* 
   fclose(section);
 }
 
-/* All faces of a body where its pose has put it, x y z and tag, in the form of pm3d. */
+/* Writes all faces of a body where its pose has put it, x y z and tag, in the form of pm3d. */
 static void write_body(const body_mesh* m, const double rotation[9], const double translation[3], const char* folder,
                        const char* name) {
   static const int corner[4] = {0, 1, 3, 2};

@@ -17,19 +17,19 @@
 
 enum { SIDE = 11, LOADS = 5, ALONG = 41, ACROSS = 21, SPINS = 3 };
 enum { CASES = LOADS * ALONG * ACROSS * SPINS, PARAMETERS = 4 };
-/* Columns of the results. */
+/* The results have these columns. */
 enum { FORCE = 0, MOMENT = 3, ITERATIONS = 6, POWER = 7, SLOPES = 8, WIDTH = 8 + 10 * PARAMETERS };
 enum { BY_LATERAL = SLOPES + 20, BY_LONGITUDINAL = SLOPES + 30 };
 
 static const double young = 210000, poisson = 0.28, mu = 0.3, load = 100000, speed = 30000;
 static const double wheel_radius = 460, rail_crown = 300;
-static const double half_along = 9, half_across = 6.8; /* of the frame */
+static const double half_along = 9, half_across = 6.8; /* half sizes of the frame */
 
 static rollcon_context* context;
 static double values[CASES][PARAMETERS], result[CASES][WIDTH];
 static int32_t status[CASES];
 
-/* A status below zero ends the program with the library's own words. */
+/* Ends the program with the library's own words if a status is below zero. */
 static int32_t must(int32_t result) {
   if (result >= 0) return result;
   fprintf(stderr, "%s: %s\n", rollcon_status_string(result), rollcon_last_error());

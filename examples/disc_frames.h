@@ -1,5 +1,5 @@
-/* Contact frames on a disc around the origin, for the examples: triangles on rings of nodes, or
-   quadrilaterals on a square core with rings around it; linear or quadratic. */
+/* Makes contact frames on a disc around the origin, for the examples: triangles on rings of nodes, or quadrilaterals on
+   a square core with rings around it; linear or quadratic. */
 #ifndef DISC_FRAMES_H
 #define DISC_FRAMES_H
 
@@ -13,7 +13,7 @@ enum { MOST_NODES = 2745, MOST_ELEMENTS = 1340 };
 
 typedef struct {
   int32_t type;    /* ROLLCON_TRI3, TRI6, QUAD4 or QUAD8 */
-  int corners;     /* of an element */
+  int corners;     /* corners of an element */
   int per_element; /* nodes of an element: corners, then midside nodes */
   int nodes, elements;
   double x[MOST_NODES][3];
@@ -34,8 +34,8 @@ static void add_corners(disc_frame* f, int a, int b, int c, int d) {
   if (f->corners == 4) id[3] = d;
 }
 
-/* 703 nodes, 1340 triangles, 64 of their edges on the rim. Neighbouring rings are out of step, so
-   no line of nodes follows the rolling direction. */
+/* Makes 703 nodes, 1340 triangles, 64 of their edges on the rim. Neighbouring rings are out of step, so no line of
+   nodes follows the rolling direction. */
 static void triangle_disc(disc_frame* f, double radius) {
   static const int count[] = {1, 6, 12, 18, 24, 30, 36, 42, 48, 48, 54, 64, 64, 64, 64, 64, 64};
   const int rings = (int)(sizeof count / sizeof count[0]) - 1;
@@ -64,7 +64,7 @@ static void triangle_disc(disc_frame* f, double radius) {
   }
 }
 
-/* 673 nodes, 640 quadrilaterals: 16 x 16 in the core, 6 rings of 64 around it. */
+/* Makes 673 nodes, 640 quadrilaterals: 16 x 16 in the core, 6 rings of 64 around it. */
 static void quad_disc(disc_frame* f, double radius) {
   enum { SIDE = 16, RIM = 4 * SIDE, RINGS = 6 };
   int rim[RIM], i, j, k, n = 0;
@@ -117,7 +117,7 @@ static void add_midside_nodes(disc_frame* f) {
   }
 }
 
-/* name: tri3, tri6, quad4 or quad8. Returns 0 for another one. */
+/* Takes as name tri3, tri6, quad4 or quad8. Returns 0 for another one. */
 static int make_disc_frame(disc_frame* f, const char* name, double radius) {
   static const struct {
     const char* name;

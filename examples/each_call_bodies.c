@@ -1,4 +1,4 @@
-/* Calls that other examples do not need: contexts, bodies, meshes, profiles. docs/api.md shows its lines. */
+/* Makes calls that other examples do not need: contexts, bodies, meshes, profiles. docs/api.md shows its lines. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,7 +18,7 @@ static void print_line(int32_t level, const char* message, void* user) {
   if (level <= ROLLCON_LOG_WARNING) printf("log: %s\n", message);
 }
 
-/* Two hexahedra on top of each other, as Abaqus writes them. */
+/* Writes two hexahedra on top of each other, in the form of Abaqus. */
 static void write_mesh(const char* path) {
   FILE* file = fopen(path, "w");
   int k, corner;
@@ -54,7 +54,7 @@ static void contexts(rollcon_context* context, int* lines) {
 
 static void mesh(rollcon_context* context) {
   const double traction[3] = {0, 0, 3};
-  const int32_t free_side = 3, side_face = 3;  /* its tag; nodes 2 3 7 6 of an element */
+  const int32_t free_side = 3, side_face = 3;  /* tag of that face; nodes 2 3 7 6 of an element */
   const int32_t top_element = 1, top_face = 1; /* counting from 0: the second element, its face 5678 */
   int32_t groups, kind, ids[8];
   int64_t n, i, step;
@@ -67,7 +67,7 @@ static void mesh(rollcon_context* context) {
   must(rollcon_body_read_mesh(bar, "each_call.inp", "steel"));
   must(rollcon_body_tag_group(bar, "steel", 1));
   must(rollcon_body_tag_group(bar, "high", 2));
-  must(rollcon_body_tag_faces(bar, 1, &top_element, &top_face, 0, 2)); /* the same by number */
+  must(rollcon_body_tag_faces(bar, 1, &top_element, &top_face, 0, 2)); /* that face by its number */
   must(rollcon_body_tag_faces(bar, 1, &top_element, &side_face, 0, free_side));
   must(rollcon_body_set_contact_faces(bar, 1, &free_side));
   must(rollcon_body_get_group_count(bar, &groups));
@@ -115,7 +115,7 @@ static void mesh(rollcon_context* context) {
   rollcon_body_release(bar);
 }
 
-/* A rigid ball on the bar's side, in the middle of the upper element. */
+/* Presses a rigid ball on the bar's side, in the middle of the upper element. */
 static void pressed(rollcon_context* context) {
   const double middle[3] = {1, 0.5, 1.5}, along[3] = {0, 1, 0}, outwards[3] = {1, 0, 0};
   const double inside[3] = {0.7, 0.5, 1.5};

@@ -1,4 +1,5 @@
-/* Calls that other examples do not need: frames, fields, options, watching, results. docs/api.md shows its lines. */
+/* Makes calls that other examples do not need: frames, fields, options, watching, results. docs/api.md shows its lines.
+ */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* Calls that other examples do not need: creep-force tables, wheels on rails. docs/api.md shows its lines. */
+/* Makes calls that other examples do not need: creep-force tables, wheels on rails. docs/api.md shows its lines. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,7 +17,7 @@ static int32_t count(const rollcon_event* event, void* user) {
   return 0;
 }
 
-/* A coarse table: of ratios of half axes around 1 alone. */
+/* Makes a coarse table, for ratios of half axes around 1 alone. */
 static void small_table(rollcon_context* context) {
   const double poisson = 0.28;
   const double steel_on_rubber[2] = {210000, 5}, poissons[2] = {0.28, 0.49}, frictions[2] = {0.2, 0.4};
@@ -44,7 +44,7 @@ static void small_table(rollcon_context* context) {
   if (rollcon_table_from_id(rollcon_id_of(copy)) != copy) exit(1);
   rollcon_table_release(copy);
   rollcon_table_release(copy);
-  /* Made in parts, by several processes: the samples of one go to another. */
+  /* Parts can be made by several processes: the samples of one go to another. */
   must(rollcon_table_get_samples(table, 0, NULL, &n));
   samples = malloc((size_t)n * sizeof *samples);
   if (!samples) exit(1);
@@ -106,7 +106,7 @@ static void wheels(rollcon_context* context) {
   double ellipse[9], center[2], of_table[3], looked_up;
   rollcon_contact* contact;
   must(rollcon_wheelrail_set_accuracy(right, 0.02));
-  must(rollcon_wheelrail_set_roll_outside(right, 1)); /* positions as CONTACT has them */
+  must(rollcon_wheelrail_set_roll_outside(right, 1)); /* positions in CONTACT's order */
   must(rollcon_wheelrail_set_position(right, position));
   must(rollcon_wheelrail_set_velocity(right, velocity));
   must(rollcon_wheelrail_solve(right));
@@ -143,7 +143,7 @@ static void wheels(rollcon_context* context) {
   printf("the table has its lateral force to %.0f N\n", ceil(fabs(of_table[1] - force[1]) / 100) * 100);
   rollcon_contact_release(contact);
   must(rollcon_wheelrail_set_table(right, table));
-  rollcon_table_release(table); /* the wheel keeps it */
+  rollcon_table_release(table); /* the wheel has a reference of its own */
   must(rollcon_wheelrail_solve(right));
   must(rollcon_wheelrail_get_patch_stat(right, 0, "by_table", &looked_up));
   printf("by the table: %s\n", looked_up == 1 ? "yes" : "no");

@@ -9,23 +9,23 @@
 
 #include "rollcon.h"
 
-/* The block: nodes i, j, k along x, y, z, 1 mm apart; its top is z = 0. */
+/* The block has nodes i, j, k along x, y, z, 1 mm apart; its top is z = 0. */
 enum { NX = 17, NY = 17, NZ = 9, NODES = NX * NY * NZ, LAYER = (NX - 1) * (NY - 1) };
-/* The frame: a square in the middle of the top. */
+/* The frame is a square in the middle of the top. */
 enum { ALONG = 12, FRAME_NODES = (ALONG + 1) * (ALONG + 1) }; /* elements along each side */
 enum { BASE = 1, TREAD = 2 };                                 /* tags of elements: materials */
 enum { TOP = 1 };                                             /* tag of faces */
 
 static rollcon_context* context;
 
-/* A status below zero ends the program with the library's own words. */
+/* Ends the program with the library's own words if a status is below zero. */
 static int32_t must(int32_t status) {
   if (status >= 0) return status;
   fprintf(stderr, "%s: %s\n", rollcon_status_string(status), rollcon_last_error());
   exit(1);
 }
 
-/* Six digits; what is zero up to rounding is printed as zero. */
+/* Prints six digits; what is zero up to rounding is printed as zero. */
 static void print_numbers(const char* name, int n, const double* v) {
   int i;
   printf("%-14s", name);
@@ -50,7 +50,7 @@ static int32_t node(int i, int j, int k) {
   return (int32_t)((k * NY + j) * NX + i);
 }
 
-/* Layer k of the block: bottom face counter-clockwise seen from above, then the top face. */
+/* Lists layer k of the block: bottom face counter-clockwise seen from above, then the top face. */
 static void hexahedra(int k, int32_t id[LAYER][8]) {
   static const int corner[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   int i, j, c;

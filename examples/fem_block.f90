@@ -87,7 +87,7 @@ contains
     node = i + nx*(j - 1 + ny*(k - 1))
   end function
 
-  !> Six digits; what is zero up to rounding is printed as zero.
+  !> Prints six digits; what is zero up to rounding is printed as zero.
   subroutine print_numbers(name, v)
     character(len=*), intent(in) :: name
     real(rc_real), intent(in) :: v(:)

@@ -1,4 +1,4 @@
-/* What a line of nodes across the contact, y = const, tells: largest pressure and half-width. */
+/* Reads off a line of nodes across the contact, y = const, the largest pressure and the half-width. */
 #ifndef FRAME_LINE_H
 #define FRAME_LINE_H
 
@@ -13,8 +13,8 @@ static int by_x(const void* a, const void* b) {
   return (xa > xb) - (xa < xb);
 }
 
-/* Largest pressure and half-width on the line of nodes at y, the latter by the second moment of the
-   pressure: a^2 = 4 <x^2> under Hertz's ellipse. Returns the number of nodes on the line. */
+/* Returns the number of nodes on the line at y, with the largest pressure there and the half-width, the latter by the
+   second moment of the pressure: a^2 = 4 <x^2> under Hertz's ellipse. */
 static int on_line(const frame_results* r, double y, double* pressure, double* half_width) {
   static line_point line[MOST_FRAME_NODES];
   double sum = 0, first = 0, second = 0;

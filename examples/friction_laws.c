@@ -18,7 +18,7 @@ static void solve_at(rollcon_contact* contact, double creepage, double force[3])
   must(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, force, NULL));
 }
 
-/* The creepage that a solve finds for a given longitudinal force. */
+/* Returns the creepage that a solve finds for a given longitudinal force. */
 static double creepage_of(rollcon_contact* contact, double force) {
   double creep[3];
   must(rollcon_contact_prescribe(contact, ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE, force));

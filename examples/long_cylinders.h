@@ -1,5 +1,5 @@
-/* What the middle of two long cylinders does: plane strain, for comparison with bodies of finite
-   length. Both are half-spaces, of any materials. */
+/* Computes what the middle of two long cylinders does: plane strain, for comparison with bodies of finite length. Both
+   are half-spaces, of any materials. */
 #ifndef LONG_CYLINDERS_H
 #define LONG_CYLINDERS_H
 
@@ -8,9 +8,9 @@
 #include "contact_output.h"
 
 typedef struct {
-  double young[2], poisson[2]; /* of body 1 and body 2 */
+  double young[2], poisson[2]; /* elastic constants of body 1 and body 2 */
   double curvature;            /* 1 / R1 + 1 / R2 */
-  double load;                 /* per length */
+  double load;                 /* load per length */
   double mu, speed;
 } cylinder_pair;
 
@@ -32,7 +32,7 @@ static cylinder_results hertz_line(const cylinder_pair* c) {
   return h;
 }
 
-/* Hertz's gap beside the contact, at the distance x > half_width from its middle. */
+/* Returns Hertz's gap beside the contact, at the distance x > half_width from its middle. */
 static double hertz_gap(const cylinder_pair* c, double half_width, double x) {
   const double t = x / half_width;
   return c->curvature / 2 * half_width * half_width * (t * sqrt(t * t - 1) - acosh(t));

@@ -19,7 +19,7 @@ static const double shear = 82000, poisson = 0.28, mu = 0.3, load = 10000, speed
 static const double gauge = 1435, gauge_height = 14, back_to_back = 1360, flange_back = -70, radius = 460;
 enum { right = 0, left = 1, sides = 2 };
 
-/* A status below zero ends the program with the library's own words. */
+/* Ends the program with the library's own words if a status is below zero. */
 static int32_t must(int32_t status) {
   if (status >= 0) return status;
   fprintf(stderr, "%s: %s\n", rollcon_status_string(status), rollcon_last_error());
@@ -69,7 +69,7 @@ static int32_t solve(rollcon_wheelrail* wheel[sides], double y, double roll, dou
   return worst;
 }
 
-/* Roll and rate at which nothing is off, by Newton's method with differences. */
+/* Finds the roll and rate at which nothing is off, by Newton's method with differences. */
 static int32_t find_equilibrium(rollcon_wheelrail* wheel[sides], double y, double* roll, double* rate) {
   const double roll_step = 1e-6, rate_step = 1e-5;
   double off[2], rolled[2], faster[2];
@@ -120,7 +120,7 @@ static FILE* open_in(const char* folder, const char* name) {
   exit(1);
 }
 
-/* The right wheel on its rail, pressures 4 mm high for each 1000 MPa. */
+/* Draws the right wheel on its rail, pressures 4 mm high for each 1000 MPa. */
 static void draw(const char* folder, const rollcon_wheelrail* wheel, double y) {
   const double height = 0.004;
   char name[64];

@@ -17,8 +17,8 @@ typedef struct {
   double side_grading;        /* 0: equal elements across, 1: cosine, finer towards the sides */
 } ring_shape;
 
-/* The ring of the paper's first example: 1472 nodes, 1472 quadrilaterals, 12 x 12 of them in the
-   zone. (The paper counts 1474 nodes, as a sector has: sector = pi, around = 32, deep = 8.) */
+/* Returns the ring of the paper's first example: 1472 nodes, 1472 quadrilaterals, 12 x 12 of them in the
+   zone. (The paper counts 1474 nodes, which a sector has: sector = pi, around = 32, deep = 8.) */
 static ring_shape paper_ring(void) {
   ring_shape r;
   r.inner = 25;
@@ -36,7 +36,7 @@ static ring_shape paper_ring(void) {
   return r;
 }
 
-/* q: angle from the top, y, radius. */
+/* Takes as q the angle from the top, y, and the radius. */
 static void ring_position(const double q[3], const void* shape, double x[3]) {
   (void)shape;
   x[0] = q[2] * sin(q[0]);
@@ -44,7 +44,7 @@ static void ring_position(const double q[3], const void* shape, double x[3]) {
   x[2] = q[2] * cos(q[0]);
 }
 
-/* type: ROLLCON_QUAD4, QUAD8, QUAD9, or of a solid HEX8, HEX20; all nodes of the surface lie on the
+/* Takes as type ROLLCON_QUAD4, QUAD8, QUAD9, or for a solid HEX8, HEX20; all nodes of the surface lie on the
    ring itself. Returns 0 when there is not enough memory. */
 static int make_ring_mesh(body_mesh* m, const ring_shape* r, int32_t type) {
   static const int32_t tag[6] = {6, 7, 4, 5, 3, 1};

@@ -15,15 +15,15 @@
 #include "ring_mesh.h"
 
 static const double radius = 50, width = 8, mu = 0.1, load = 1345, ratio = 0.5373, omega = 0.2;
-static double young[2] = {1e4, 1e6}, poisson[2] = {0.3, 0.3}; /* of the ring, of the ground */
+static double young[2] = {1e4, 1e6}, poisson[2] = {0.3, 0.3}; /* ring, ground */
 
 static rollcon_body *ring, *ground;
 static rollcon_contact* contact;
 static frame_results r;
 
-/* 2016 hexahedra: 28 around, 12 across, 6 deep; 12 x 12 of their faces are the zone. Pressure
+/* Returns 2016 hexahedra: 28 around, 12 across, 6 deep; 12 x 12 of their faces are the zone. Pressure
    varies within a fraction of a millimetre below the surface, and the layers must show it: the
-   first is as deep as its faces are long. With hex20 half as many faces each way, 480 in all. */
+   first is as deep as its faces are long. It has half as many faces each way with hex20, 480 in all. */
 static ring_shape ring_of(int32_t type) {
   ring_shape shape = paper_ring();
   shape.zone = 3.1; /* not in the paper: its widest gap comes out */
@@ -50,7 +50,7 @@ static void as_it_is(const double q[3], const void* shape, double x[3]) {
   x[2] = q[2];
 }
 
-/* A block of 80 x 80 x 40 mm with the ring's zone in the middle of its top, z = 0, which has the
+/* Makes a block of 80 x 80 x 40 mm with the ring's zone in the middle of its top, z = 0, which has the
    paper's 288 quadrilaterals: 16 x 18, 12 x 12 of them in the zone. Tags: 1 top outside the zone,
    2 zone, 3 bottom, 4 to 7 the sides. */
 static int make_block_mesh(body_mesh* m, double zone) {
@@ -66,7 +66,7 @@ static int make_block_mesh(body_mesh* m, double zone) {
   return make_grid_mesh(m, &g, ROLLCON_QUAD4);
 }
 
-/* For the picture only: a piece of the plane. */
+/* Writes a piece of the plane, for the picture only. */
 static void write_plane(const char* folder, const char* name) {
   FILE* file = open_file(folder, name);
   fprintf(file, "-40 -40 0 1\n40 -40 0 1\n\n-40 40 0 1\n40 40 0 1\n");

@@ -12,7 +12,7 @@
 static const double radius = 6, ring = 30, young = 2.08e5, poisson = 0.3, load = 1500;
 static const double crown = 2000, relief = 100, flat_half = 4, half = 5;
 
-/* A status below zero ends the program with the library's own words. */
+/* Ends the program with the library's own words if a status is below zero. */
 static int32_t must(int32_t status) {
   if (status >= 0) return status;
   fprintf(stderr, "%s: %s\n", rollcon_status_string(status), rollcon_last_error());
@@ -26,7 +26,7 @@ static rollcon_body* elastic(rollcon_context* context) {
   return body;
 }
 
-/* From the left end to the right one: relief, crown, relief; z = 0 in the middle. */
+/* Gives the profile from the left end to the right one: relief, crown, relief; z = 0 in the middle. */
 static void give_roller_profile(rollcon_body* roller) {
   const double turn = asin(flat_half / crown);
   const double rest = asin(sin(turn) + (half - flat_half) / relief) - turn;

@@ -1,7 +1,7 @@
 /* Two equal spheres are shifted against each other by a force, and then roll under it (Kalker's transient, from
-   Cattaneo's tractions to those of steady rolling): the creepage begins at half of what it becomes. Step by step, as a
-   vehicle code would; the state in the middle is saved and gone back to. shift_and_roll.py and _77.f print the same.
-   docs/time.md. */
+   Cattaneo's tractions to those of steady rolling): the creepage begins at half of what it becomes. It goes step by
+step, like a vehicle code; the state in the middle is saved and gone back to. shift_and_roll.py and _77.f print the
+same. docs/time.md. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -41,11 +41,11 @@ int main(void) {
   must(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, load));
   must(rollcon_contact_prescribe(contact, ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE, -0.657 * mu * load));
 
-  /* Shifted: a distance. */
+  /* The bodies are shifted by a distance. */
   must(rollcon_contact_set_step(contact, ROLLCON_SHIFT_STEP, 1));
   step(contact, "shift", 0);
 
-  /* Rolling: a creepage. */
+  /* The bodies roll with a creepage. */
   must(rollcon_contact_set_rolling(contact, 1));
   must(rollcon_contact_set_step(contact, ROLLCON_ROLLING_STEP, 0.25));
   for (k = 1; k <= 8; ++k) step(contact, "roll", 0.25 * k);

@@ -8,14 +8,14 @@
 
 static rollcon_context* context;
 
-/* A status below zero ends the program with the library's own words. */
+/* Ends the program with the library's own words if a status is below zero. */
 static int32_t must(int32_t status) {
   if (status >= 0) return status;
   fprintf(stderr, "%s: %s\n", rollcon_status_string(status), rollcon_last_error());
   exit(1);
 }
 
-/* Six digits; what is zero up to rounding is printed as zero. */
+/* Prints six digits; what is zero up to rounding is printed as zero. */
 static void print_numbers(const char* name, int n, const double* v) {
   int i;
   printf("%-14s", name);

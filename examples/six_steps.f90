@@ -54,7 +54,7 @@ program six_steps
 
 contains
 
-  !> Six digits; what is zero up to rounding is printed as zero.
+  !> Prints six digits; what is zero up to rounding is printed as zero.
   subroutine print_numbers(name, v)
     character(len=*), intent(in) :: name
     real(rc_real), intent(in) :: v(:)

@@ -21,7 +21,7 @@ static disc_frame frame;
 static double t[MOST_NODES][3], slip[MOST_NODES][2], area[MOST_NODES];
 static int32_t state[MOST_NODES];
 
-/* A status below zero ends the program with the library's own words. */
+/* Ends the program with the library's own words if a status is below zero. */
 static int32_t must(int32_t status) {
   if (status >= 0) return status;
   fprintf(stderr, "%s: %s\n", rollcon_status_string(status), rollcon_last_error());
@@ -115,7 +115,7 @@ static void write_row(FILE* file, int k) {
           slip[k][0], slip[k][1], (int)state[k]);
 }
 
-/* The point where the edge from a to b crosses the rolling axis. */
+/* Writes the point where the edge from a to b crosses the rolling axis. */
 static void write_crossing(int a, int b) {
   const double ya = frame.x[a][1], yb = frame.x[b][1], s = ya / (ya - yb);
   int c;
@@ -127,7 +127,7 @@ static void write_crossing(int a, int b) {
   fprintf(section, "\n");
 }
 
-/* A triangle (c = d) or quadrilateral in the form of gnuplot's pm3d. */
+/* Writes a triangle (c = d) or quadrilateral in the form of gnuplot's pm3d. */
 static void write_patch(int a, int b, int c, int d) {
   write_row(patches, a);
   write_row(patches, b);

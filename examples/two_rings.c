@@ -21,7 +21,7 @@ static frame_results r;
 
 /* ------------------------------------------------------------------------------------- Table */
 
-/* Along the lines that have all nodes (quadratic elements: those through vertices). */
+/* Prints the sides along the lines that have all nodes (quadratic elements: those through vertices). */
 static void print_sides(void) {
   double pressure, half_width, previous = -1e-6;
   const int full = on_line(&r, 0, &pressure, &half_width);
@@ -41,7 +41,7 @@ static void print_sides(void) {
 }
 
 static void print_table(void) {
-  /* Long cylinders under the same load per length; 1/E* = 2 (1 - nu^2)/E, 1/R = 2/radius. */
+  /* Long cylinders under this load per length have 1/E* = 2 (1 - nu^2)/E, 1/R = 2/radius. */
   const double pi = acos(-1.0), per_length = load / width;
   const double a = sqrt(4 * per_length * (radius / 2) * 2 * (1 - poisson * poisson) / (pi * young));
   const double p0 = 2 * per_length / (pi * a);
@@ -89,7 +89,7 @@ static void print_cost(void) {
          1e3 * statistic(contact, "seconds_newton"));
 }
 
-/* The paper's mesh; with quadratic elements half as many of them each way. */
+/* Returns the paper's mesh; with quadratic elements it has half as many of them each way. */
 static ring_shape ring_of(int quadratic, double zone) {
   ring_shape shape = paper_ring();
   shape.zone = zone > 0 ? zone : 2.98; /* not in the paper: its widest gap comes out */

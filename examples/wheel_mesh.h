@@ -10,7 +10,7 @@
 enum { MOST_PROFILE_POINTS = 64 };
 
 typedef struct {
-  int points;                             /* of the tread's profile, 3 to MOST_PROFILE_POINTS */
+  int points;                             /* points of the tread's profile, 3 to MOST_PROFILE_POINTS */
   double profile[MOST_PROFILE_POINTS][2]; /* y (ascending; the tread reaches from the first to
                                              the last) and radius; a smooth curve between them */
   double inner;                           /* radius of the rim's inner face */
@@ -23,7 +23,7 @@ typedef struct {
   double bend[MOST_PROFILE_POINTS];       /* set by make_wheel_mesh: second derivatives */
 } wheel_shape;
 
-/* For the paper's fourth example, whose profile is not in its text: a 28-inch wheel (radius 355.6),
+/* Returns a wheel for the paper's fourth example, whose profile is not in its text: a 28-inch wheel (radius 355.6),
    cone 1:20, tread crowned with the radius `crown` (0: none), width 130, rim 60 thick. 1954 nodes,
    1952 quadrilaterals, 14 x 15 of them in the zone of 5.49 x 7. */
 static wheel_shape paper_wheel(double crown) {
@@ -50,8 +50,8 @@ static wheel_shape paper_wheel(double crown) {
   return w;
 }
 
-/* Second derivatives of a cubic spline whose end pieces are parabolas: cones and parabolas come out
-   exact, and curvature is continuous everywhere, as contact needs it. */
+/* Computes the second derivatives of a cubic spline whose end pieces are parabolas:
+cones and parabolas come out exact, and curvature is continuous everywhere, which contact needs. */
 static void bend_profile(wheel_shape* w) {
   double(*p)[2] = w->profile;
   double pivot[MOST_PROFILE_POINTS];
@@ -74,7 +74,7 @@ static void bend_profile(wheel_shape* w) {
   w->bend[last] = w->bend[last - 1];
 }
 
-/* Radius of the tread at y; beyond the profile's ends its end pieces go on. bend_profile first. */
+/* Returns the radius of the tread at y; beyond the profile's ends its end pieces go on. Call bend_profile first. */
 static double tread_radius(const wheel_shape* w, double y) {
   const double(*p)[2] = w->profile;
   double h, a, b;
@@ -86,7 +86,7 @@ static double tread_radius(const wheel_shape* w, double y) {
   return a * p[k][1] + b * p[k + 1][1] + h * h / 6 * ((a * a * a - a) * w->bend[k] + (b * b * b - b) * w->bend[k + 1]);
 }
 
-/* q: angle from the top, y, height in the rim from 0 to 1. */
+/* Takes as q the angle from the top, y, and the height in the rim from 0 to 1. */
 static void wheel_position(const double q[3], const void* shape, double x[3]) {
   const wheel_shape* w = (const wheel_shape*)shape;
   const double radius = w->inner + q[2] * (tread_radius(w, q[1]) - w->inner);
@@ -95,7 +95,7 @@ static void wheel_position(const double q[3], const void* shape, double x[3]) {
   x[2] = radius * cos(q[0]);
 }
 
-/* type: ROLLCON_QUAD4, QUAD8 or QUAD9; all nodes lie on the wheel itself. Returns 0 when there is
+/* Takes as type ROLLCON_QUAD4, QUAD8 or QUAD9; all nodes lie on the wheel itself. Returns 0 when there is
    not enough memory. */
 static int make_wheel_mesh(body_mesh* m, wheel_shape* w, int32_t type) {
   static const int32_t tag[6] = {6, 7, 4, 5, 3, 1};

@@ -18,10 +18,10 @@ static const double depth = 0.015, omega = 0.1;
 static rollcon_body *wheel, *rail;
 static rollcon_contact* contact;
 static frame_results r;
-static double seconds, iterations; /* of all solutions so far */
+static double seconds, iterations; /* sums over all solutions so far */
 static int solutions;
 
-/* Part of a cylinder along x whose top is the origin: n x n faces. The rail is rigid, so only what
+/* Makes a part of a cylinder along x whose top is the origin: n x n faces. The rail is rigid, so only what
    lies near the contact is wanted. */
 static int make_rail_head(body_mesh* m, double half_length, double half_width, int n) {
   static const int place[9][2] = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 0}, {2, 1}, {1, 2}, {0, 1}, {1, 1}};
@@ -57,7 +57,7 @@ typedef struct {
   double force[3], pressure, semi[2], creep[3];
 } measures;
 
-/* Semi-axes by the second moments of the pressure: a^2 = 5 <x^2> under Hertz's ellipsoid. */
+/* Computes semi-axes by the second moments of the pressure: a^2 = 5 <x^2> under Hertz's ellipsoid. */
 static void semi_axes(double semi[2]) {
   int c, k;
   for (c = 0; c < 2; ++c) {

@@ -1,5 +1,5 @@
-/* A wheel on its rail for a plotting program: both profiles in the track, and the pressures of each patch as heights
-   over the rail. Blocks of lines "y z", two blank lines between them: wheel, rail, then each patch. */
+/* Writes a wheel on its rail for a plotting program: both profiles in the track, and the pressures of each patch as
+   heights over the rail. Blocks of lines "y z", two blank lines between them: wheel, rail, then each patch. */
 #ifndef WHEEL_PICTURE_H
 #define WHEEL_PICTURE_H
 
@@ -7,8 +7,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Pressures of one patch: along the rail and back over the largest pressure of each line of nodes, `height` for each
-   unit of pressure. Patches without a solution of their own (ellipses by table) are left out. */
+/* Writes the pressures of one patch: along the rail and back over the largest pressure of each line of nodes, `height`
+   for each unit of pressure. Patches without a solution of their own (ellipses by table) are left out. */
 static int32_t write_patch(FILE* out, const rollcon_wheelrail* wheel, int32_t patch, double height) {
   rollcon_contact* contact = NULL;
   double origin[3], axes[9], *value = NULL;
@@ -52,7 +52,7 @@ static int32_t write_patch(FILE* out, const rollcon_wheelrail* wheel, int32_t pa
   return status;
 }
 
-/* The last solve of a wheel. height: as above. */
+/* Writes the last solve of a wheel; write_patch() explains the height. */
 static int32_t write_wheel_on_rail(FILE* out, const rollcon_wheelrail* wheel, double height) {
   enum { POINTS = 1500 };
   int32_t status = ROLLCON_OK, body;

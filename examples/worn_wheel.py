@@ -20,7 +20,8 @@ RADIUS, LOAD, SPEED, FRICTION = 460.0, 80e3, 30e3, 0.3
 AMPLITUDES, SHARES, PHASES = (1.5, 3.0, 4.5), (0.5, 0.35, 0.15), 8
 POINTS, DEEPEST, SMOOTHING = 401, 0.02, 4.0
 LINE, WHEELS = 4e6, 240
-# Over the density: 5.3 T-gamma/A ug/m/mm^2 at first, 55.12 between T-gamma/A = 10.4 and 77.2 N/mm^2, then 61.9 more for each N/mm^2.
+# The rates are over the density: 5.3 T-gamma/A ug/m/mm^2 at first, 55.12 between T-gamma/A = 10.4 and 77.2 N/mm^2, then
+# 61.9 more for each N/mm^2.
 MASS = 7850e3  # ug/mm^3 times mm/m
 T_GAMMA = [10.4, 55.12 / MASS, 77.2, 55.12 / MASS, 87.2, (55.12 + 619) / MASS]
 

@@ -13,7 +13,7 @@
 
 #include "rollcon.h"
 
-/* A status below zero ends all processes with the library's own words. */
+/* Ends all processes with the library's own words if a status is below zero. */
 static int32_t must(int32_t status) {
   if (status >= 0) return status;
   fprintf(stderr, "%s: %s\n", rollcon_status_string(status), rollcon_last_error());
@@ -27,7 +27,7 @@ static void set_coarse(rollcon_table* table) {
   must(rollcon_table_set_frame(table, 6, 6));
 }
 
-/* The first process gathers the samples: not a number where a process has none. */
+/* Gathers the samples in the first process: they are not a number where a process has none. */
 static void gather(rollcon_table* table, int rank, int ranks) {
   int64_t count;
   double* samples;
