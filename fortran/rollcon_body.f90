@@ -1,5 +1,6 @@
-!> Bodies: what the generated type rc_body_plain does not have. Vectors are xyz by columns: x(3,n); node numbers count from
-!> 1. Every call takes `stat` (absent: a failure prints its message and stops) and `errmsg` (set on failure).
+!> Provides what the generated type rc_body_plain of bodies does not have. Vectors are xyz by columns: x(3,n); node
+!> numbers count from 1. Every call takes `stat` (absent: a failure prints its message and stops) and `errmsg` (set on
+!> failure).
 module rollcon_body
   use, intrinsic :: iso_c_binding, only: c_int32_t, c_int64_t, c_null_ptr, c_ptr
   use rollcon_c
@@ -39,8 +40,8 @@ module rollcon_body
 
 contains
 
-  !> Nodes, x(3,n), of the surface or, of finite elements, of the volume; forgets elements, tags, supports, loads and contact
-  !> faces.
+  !> Gives nodes, x(3,n), of the surface or, for finite elements, of the volume; forgets elements, tags, supports, loads
+  !> and contact faces.
   subroutine set_nodes(self, x, stat, errmsg)
     class(rc_body), intent(inout) :: self
     real(rc_real), intent(in), contiguous :: x(:, :)
@@ -54,7 +55,7 @@ contains
       'rc_body%set_nodes', stat, errmsg)
   end subroutine
 
-  !> The same, x(n,3).
+  !> Gives nodes in the order x(n,3).
   subroutine set_nodes_by_component(self, x, stat, errmsg)
     class(rc_body), intent(inout) :: self
     real(rc_real), intent(in), contiguous :: x(:, :)
@@ -71,9 +72,9 @@ contains
       'rc_body%set_nodes_by_component', stat, errmsg)
   end subroutine
 
-  !> Elements of one type: nodes(nodes per element, n), numbered from 1. Surface elements (ROLLCON_TRI3, ...), normals outwards:
-  !> tag 1 if absent. Finite elements take volume elements (ROLLCON_TET4, ...), whose tag (0 if absent) names their material, and
-  !> surface elements, which give their tag to the boundary faces with the same nodes.
+  !> Adds elements of one type: nodes(nodes per element, n), numbered from 1. Surface elements (ROLLCON_TRI3, ...),
+  !> normals outwards: tag 1 if absent. Finite elements take volume elements (ROLLCON_TET4, ...), whose tag (0 if
+  !> absent) names their material, and surface elements, which give their tag to the boundary faces with the same nodes.
   subroutine add_elements_int32(self, type, nodes, tag, stat, errmsg)
     class(rc_body), intent(inout) :: self
     integer(rc_int), intent(in) :: type
@@ -165,8 +166,8 @@ contains
     call self%tag_faces_of_nodes_int32(narrow_ids(nodes), tag, stat, errmsg)
   end subroutine
 
-  !> Holds displacement components of nodes, numbered from 1, at values(3,n) (zero if absent). dof_mask: sum of
-  !> ROLLCON_DOF_X, DOF_Y, DOF_Z (all if absent).
+  !> Holds displacement components of nodes, numbered from 1, at values(3,n) (zero if absent). The argument dof_mask is
+  !> a sum of ROLLCON_DOF_X, DOF_Y, DOF_Z (all if absent).
   subroutine set_support_int32(self, nodes, dof_mask, values, stat, errmsg)
     class(rc_body), intent(inout) :: self
     integer(c_int32_t), intent(in), contiguous :: nodes(:)
@@ -202,9 +203,9 @@ contains
     call self%set_support_int32(narrow_ids(nodes), dof_mask, values, stat, errmsg)
   end subroutine
 
-  !> Tractions(3,n) at nodes, numbered from 1, of the faces with a tag, linear or quadratic between as the faces are, added
-  !> to the tag's traction and pressure. With a direction, along(3): components along its part in the surface, across, and
-  !> along the outward normal; else x y z.
+  !> Gives tractions(3,n) at nodes, numbered from 1, of the faces with a tag, linear or quadratic between them like the
+  !> faces, added to the tag's traction and pressure. With a direction, along(3), they have components along its part in
+  !> the surface, across, and along the outward normal; else x y z.
   subroutine set_node_tractions_int32(self, tag, nodes, tractions, along, stat, errmsg)
     class(rc_body), intent(inout) :: self
     integer, intent(in) :: tag
@@ -236,8 +237,8 @@ contains
     call self%set_node_tractions_int32(tag, narrow_ids(nodes), tractions, along, stat, errmsg)
   end subroutine
 
-  !> Another body that was given the same, not prepared. With other loads alone it takes the equations of this one and
-  !> their factors when it is prepared: a load case.
+  !> Makes another body that was given the same, not prepared. With other loads alone it takes the equations of this one
+  !> and their factors when it is prepared: a load case.
   subroutine copy_body(self, other, stat, errmsg)
     class(rc_body), intent(in) :: self
     class(rc_body), intent(inout) :: other
@@ -256,7 +257,7 @@ contains
     call finish(status, self%handle(), 'rc_body%copy', stat, errmsg)
   end subroutine
 
-  !> The nodes of all that a group of the mesh's file has, ascending: after read_mesh.
+  !> Returns the nodes of all that a group of the mesh's file has, ascending; call it after read_mesh.
   subroutine get_group_nodes(self, group, nodes, stat, errmsg)
     class(rc_body), intent(in) :: self
     character(len=*), intent(in) :: group
@@ -274,7 +275,8 @@ contains
     call finish(status, self%handle(), 'rc_body%get_group_nodes', stat, errmsg)
   end subroutine
 
-  !> Displacements u(3,n) of a prepared body under its own loads and given displacements, no contact acting.
+  !> Returns displacements u(3,n) of a prepared body under its own loads and given displacements, with no contact
+  !> acting.
   subroutine get_displacements(self, u, stat, errmsg)
     class(rc_body), intent(in) :: self
     real(rc_real), allocatable, intent(out) :: u(:, :)
@@ -291,8 +293,8 @@ contains
     call finish(status, self%handle(), 'rc_body%get_displacements', stat, errmsg)
   end subroutine
 
-  !> Smoothed stresses stress(6,n) (s11, s22, s33, s12, s13, s23) of finite elements under displacements u(3,n) of their
-  !> nodes, or under the body's own loads.
+  !> Returns smoothed stresses stress(6,n) (s11, s22, s33, s12, s13, s23) of finite elements under displacements u(3,n)
+  !> of their nodes, or under the body's own loads.
   subroutine get_node_stresses(self, stress, u, stat, errmsg)
     class(rc_body), intent(in) :: self
     real(rc_real), allocatable, intent(out) :: stress(:, :)
@@ -310,7 +312,7 @@ contains
     call finish(status, self%handle(), 'rc_body%get_node_stresses', stat, errmsg)
   end subroutine
 
-  !> Stresses stress(6,n) at the integration points of all finite elements, and the points' places xyz(3,n).
+  !> Returns stresses stress(6,n) at the integration points of all finite elements, and the points' places xyz(3,n).
   subroutine get_point_stresses(self, stress, xyz, u, stat, errmsg)
     class(rc_body), intent(in) :: self
     real(rc_real), allocatable, intent(out) :: stress(:, :), xyz(:, :)
@@ -334,8 +336,8 @@ contains
     call finish(status, self%handle(), 'rc_body%get_point_stresses', stat, errmsg)
   end subroutine
 
-  !> Displacements displacement(3,n) and stresses stress(6,n) at points xyz(3,n) inside finite elements, or boundary
-  !> elements under their own loads.
+  !> Returns displacements displacement(3,n) and stresses stress(6,n) at points xyz(3,n) inside finite elements, or
+  !> boundary elements under their own loads.
   subroutine get_fields_at(self, xyz, displacement, stress, u, stat, errmsg)
     class(rc_body), intent(in) :: self
     real(rc_real), intent(in), contiguous :: xyz(:, :)
@@ -357,7 +359,7 @@ contains
     call finish(status, self%handle(), 'rc_body%get_fields_at', stat, errmsg)
   end subroutine
 
-  !> Elements with displacements, smoothed stresses and von Mises's stress, as a VTU file.
+  !> Writes elements with displacements, smoothed stresses and von Mises's stress, as a VTU file.
   subroutine write_body(self, path, u, stat, errmsg)
     class(rc_body), intent(in) :: self
     character(len=*), intent(in) :: path
@@ -372,7 +374,7 @@ contains
     call finish(status, self%handle(), 'rc_body%write_vtu', stat, errmsg)
   end subroutine
 
-  !> The displacements that are given, or the body's own.
+  !> Takes the displacements that are given, or the body's own.
   function nodal(self, u, moved) result(status)
     class(rc_body), intent(in) :: self
     real(rc_real), intent(in), optional :: u(:, :)

@@ -1,4 +1,4 @@
-!> A pair of bodies in rolling contact: what the generated type rc_contact_plain does not have.
+!> Provides what the generated type rc_contact_plain, a pair of bodies in rolling contact, does not have.
 !>
 !> Vectors are xyz by columns: t(3,n); node numbers count from 1. Every call takes `stat` (absent: a failure prints its
 !> message and stops; positive values are results with a caveat) and `errmsg` (set on failure, cut or padded).
@@ -39,7 +39,7 @@ module rollcon_contact
 
 contains
 
-  !> Nodes of the frame, x(3,n).
+  !> Gives the nodes of the frame, x(3,n).
   subroutine set_frame_nodes(self, x, stat, errmsg)
     class(rc_contact), intent(inout) :: self
     real(rc_real), intent(in), contiguous :: x(:, :)
@@ -54,7 +54,7 @@ contains
       'rc_contact%set_frame_nodes', stat, errmsg)
   end subroutine
 
-  !> Nodes of the frame, x(n,3).
+  !> Gives the nodes of the frame in the order x(n,3).
   subroutine set_frame_nodes_by_component(self, x, stat, errmsg)
     class(rc_contact), intent(inout) :: self
     real(rc_real), intent(in), contiguous :: x(:, :)
@@ -71,7 +71,7 @@ contains
       'rc_contact%set_frame_nodes_by_component', stat, errmsg)
   end subroutine
 
-  !> Elements of one type (ROLLCON_TRI3, ...): nodes(nodes per element, n), numbered from 1. Tag: 1 if
+  !> Adds elements of one type (ROLLCON_TRI3, ...): nodes(nodes per element, n), numbered from 1. The tag is 1 if
   !> absent.
   subroutine add_frame_elements_int32(self, type, nodes, tag, stat, errmsg)
     class(rc_contact), intent(inout) :: self
@@ -102,8 +102,8 @@ contains
     call self%add_frame_elements_int32(type, narrow_ids(nodes), tag, stat, errmsg)
   end subroutine
 
-  !> `progress`, a bind(C) module procedure, is called in every iteration; absent: no calls. It reads the event with
-  !> rc_event_int and rc_event_real; a result other than 0 cancels the solve.
+  !> Sets `progress`, a bind(C) module procedure that is called in every iteration; absent: no calls. It reads the event
+  !> with rc_event_int and rc_event_real; a result other than 0 cancels the solve.
   subroutine set_progress(self, progress, user, stat, errmsg)
     class(rc_contact), intent(inout) :: self
     procedure(rollcon_progress_fn), optional :: progress
@@ -119,11 +119,11 @@ contains
     call finish(rollcon_contact_set_progress(self%handle(), f, u), self%handle(), 'rc_contact%set_progress', stat, errmsg)
   end subroutine
 
-  !> Solves the scene for many load cases on the threads of the context. values(p,i) replaces in case i what is prescribed
-  !> in the direction parameters(p) (ROLLCON_LONGITUDINAL, ...), or is a factor on the friction coefficients
-  !> (ROLLCON_FRICTION). Only the results that are present are computed: status(n), force(3,n), moment(3,n), approach(n),
-  !> creep(3,n), derivatives(10,size(parameters),n) of force, moment, approach and creep, statistics(m,n) of the m `names`
-  !> (separated by blanks), tractions(3,nodes,n); NaN where a case has none.
+  !> Solves the scene for many load cases on the threads of the context. values(p,i) replaces in case i what is
+  !> prescribed in the direction parameters(p) (ROLLCON_LONGITUDINAL, ...), or is a factor on the friction coefficients
+  !> (ROLLCON_FRICTION). Only the results that are present are computed: status(n), force(3,n), moment(3,n),
+  !> approach(n), creep(3,n), derivatives(10,size(parameters),n) of force, moment, approach and creep, statistics(m,n)
+  !> of the m `names` (separated by blanks), tractions(3,nodes,n); NaN where a case has none.
   subroutine solve_many(self, parameters, values, status, force, moment, approach, creep, derivatives, names, statistics, &
       tractions, stat, errmsg)
     class(rc_contact), intent(inout) :: self
@@ -203,7 +203,7 @@ contains
 
   end subroutine
 
-  !> The names that the library knows parameters by.
+  !> Returns the names that the library knows parameters by.
   pure function parameter_names(parameters) result(text)
     integer(rc_int), intent(in) :: parameters(:)
     character(len=:), allocatable :: text
@@ -229,7 +229,7 @@ contains
     end do
   end function
 
-  !> Number of words, separated by blanks.
+  !> Returns the number of words, separated by blanks.
   pure integer(rc_long) function words(text)
     character(len=*), intent(in) :: text
     logical :: inside
@@ -242,7 +242,7 @@ contains
     end do
   end function
 
-  !> Tractions on body 1, t(3,n), in local axes if `axes` is absent.
+  !> Returns tractions on body 1, t(3,n), in local axes if `axes` is absent.
   subroutine get_tractions(self, t, axes, stat, errmsg)
     class(rc_contact), intent(in) :: self
     real(rc_real), allocatable, intent(out) :: t(:, :)
@@ -260,7 +260,7 @@ contains
     call finish(status, self%handle(), 'rc_contact%get_tractions', stat, errmsg)
   end subroutine
 
-  !> Values of a field (ROLLCON_FIELD_POINT, ...) at the nodes: v(components,n), or v(n) for scalar fields.
+  !> Returns values of a field (ROLLCON_FIELD_POINT, ...) at the nodes: v(components,n), or v(n) for scalar fields.
   subroutine get_field_vectors(self, field, v, axes, stat, errmsg)
     class(rc_contact), intent(in) :: self
     integer(rc_int), intent(in) :: field
@@ -289,8 +289,8 @@ contains
     call finish(status, self%handle(), 'rc_contact%get_field', stat, errmsg)
   end subroutine
 
-  !> What the next step in time starts from, for restore_past: of another run, or of another contact of such bodies on
-  !> the same frame.
+  !> Returns what the next step in time starts from, for restore_past: of another run, or of another contact of such
+  !> bodies on the same frame.
   subroutine save_past(self, past, stat, errmsg)
     class(rc_contact), intent(in) :: self
     real(rc_real), allocatable, intent(out) :: past(:)
@@ -308,7 +308,7 @@ contains
     call finish(status, self%handle(), 'rc_contact%save_past', stat, errmsg)
   end subroutine
 
-  !> ROLLCON_OPEN, ROLLCON_STICK, ROLLCON_SLIP or ROLLCON_EXCLUDED at each node.
+  !> Returns ROLLCON_OPEN, ROLLCON_STICK, ROLLCON_SLIP or ROLLCON_EXCLUDED at each node.
   subroutine get_status(self, status, stat, errmsg)
     class(rc_contact), intent(in) :: self
     integer(rc_int), allocatable, intent(out) :: status(:)
@@ -325,7 +325,7 @@ contains
     call finish(s, self%handle(), 'rc_contact%get_status', stat, errmsg)
   end subroutine
 
-  !> Displacements u(3,n) of body 1 or 2 at points xy(2,n) of the contact surface, in local axes.
+  !> Returns displacements u(3,n) of body 1 or 2 at points xy(2,n) of the contact surface, in local axes.
   subroutine get_displacements_at(self, body, xy, u, stat, errmsg)
     class(rc_contact), intent(in) :: self
     integer, intent(in) :: body
@@ -344,7 +344,7 @@ contains
       self%handle(), 'rc_contact%get_displacements_at', stat, errmsg)
   end subroutine
 
-  !> Temperatures temperature(2,n) of the surfaces of bodies 1 and 2 at points xy(2,n) of the plane of the axes.
+  !> Returns temperatures temperature(2,n) of the surfaces of bodies 1 and 2 at points xy(2,n) of the plane of the axes.
   subroutine get_temperatures_at(self, xy, temperature, stat, errmsg)
     class(rc_contact), intent(in) :: self
     real(rc_real), intent(in), contiguous :: xy(:, :)
@@ -362,8 +362,8 @@ contains
       self%handle(), 'rc_contact%get_temperatures_at', stat, errmsg)
   end subroutine
 
-  !> Stresses stress(6,n) (s11, s22, snn, s12, s1n, s2n) and displacements u(3,n) at points xyz(3,n) inside body 1 or 2, in
-  !> the contact's axes.
+  !> Returns stresses stress(6,n) (s11, s22, snn, s12, s1n, s2n) and displacements u(3,n) at points xyz(3,n) inside body
+  !> 1 or 2, in the contact's axes.
   subroutine get_stresses_at(self, body, xyz, stress, u, stat, errmsg)
     class(rc_contact), intent(in) :: self
     integer, intent(in) :: body
@@ -386,7 +386,7 @@ contains
     if (present(u)) call move_alloc(displacement, u)
   end subroutine
 
-  !> Displacements u(3,n) of all nodes of body 1 or 2, of finite or boundary elements, in its axes.
+  !> Returns displacements u(3,n) of all nodes of body 1 or 2, of finite or boundary elements, in its axes.
   subroutine get_body_displacements(self, body, u, stat, errmsg)
     class(rc_contact), intent(in) :: self
     integer, intent(in) :: body
@@ -405,8 +405,8 @@ contains
     call finish(status, self%handle(), 'rc_contact%get_body_displacements', stat, errmsg)
   end subroutine
 
-  !> Displacements displacement(3,n) and stresses stress(6,n) at points xyz(3,n) inside body 1 or 2, of finite or boundary
-  !> elements, in its axes.
+  !> Returns displacements displacement(3,n) and stresses stress(6,n) at points xyz(3,n) inside body 1 or 2, of finite
+  !> or boundary elements, in its axes.
   subroutine get_body_fields_at(self, body, xyz, displacement, stress, stat, errmsg)
     class(rc_contact), intent(in) :: self
     integer, intent(in) :: body
@@ -426,7 +426,7 @@ contains
       displacement, stress), self%handle(), 'rc_contact%get_body_fields_at', stat, errmsg)
   end subroutine
 
-  !> Elements of body 1 or 2 with displacements, smoothed stresses and von Mises's stress, as a VTU file.
+  !> Writes elements of body 1 or 2 with displacements, smoothed stresses and von Mises's stress, as a VTU file.
   subroutine write_body_vtu(self, body, path, stat, errmsg)
     class(rc_contact), intent(in) :: self
     integer, intent(in) :: body
@@ -437,8 +437,8 @@ contains
       'rc_contact%write_body_vtu', stat, errmsg)
   end subroutine
 
-  !> Depth depth(n) that a pass of the contact wears off at places y(n) along t2, and the volume per length rolled, by a law,
-  !> 'archard' ([i] or [i1, i2, angle]) or 't_gamma' (pairs of energy and rate).
+  !> Returns the depth depth(n) that a pass of the contact wears off at places y(n) along t2, and the volume per length
+  !> rolled, by a law, 'archard' ([i] or [i1, i2, angle]) or 't_gamma' (pairs of energy and rate).
   subroutine get_wear(self, law, parameters, y, depth, volume, stat, errmsg)
     class(rc_contact), intent(in) :: self
     character(len=*), intent(in) :: law
@@ -456,7 +456,8 @@ contains
     if (present(volume)) volume = whole
   end subroutine
 
-  !> rows(8,n): phase, iteration, normal residual, tangential residual, step length, nodes in contact, nodes in slip, seconds.
+  !> Returns rows(8,n): phase, iteration, normal residual, tangential residual, step length, nodes in contact, nodes in
+  !> slip, seconds.
   subroutine get_history(self, rows, stat, errmsg)
     class(rc_contact), intent(in) :: self
     real(rc_real), allocatable, intent(out) :: rows(:, :)
@@ -473,7 +474,7 @@ contains
     call finish(status, self%handle(), 'rc_contact%get_history', stat, errmsg)
   end subroutine
 
-  !> Error function of every row of get_history, and the seconds since the solve began.
+  !> Returns the error function of every row of get_history, and the seconds since the solve began.
   subroutine get_error_function(self, psi, seconds, stat, errmsg)
     class(rc_contact), intent(in) :: self
     real(rc_real), allocatable, intent(out) :: psi(:)
@@ -499,7 +500,7 @@ contains
     if (present(axes)) axes_or_local = axes
   end function
 
-  !> All values of a field one after the other, and the number of nodes n.
+  !> Reads all values of a field one after the other, and the number of nodes n.
   subroutine read_field(self, field, axes, flat, n, status)
     class(rc_contact), intent(in) :: self
     integer(rc_int), intent(in) :: field, axes

@@ -1,4 +1,4 @@
-!> Context: owner of log sink, thread budget and the text of the last failure.
+!> Provides the context, owner of log sink, thread budget and the text of the last failure.
 !>
 !> A variable of this type is one reference to the object: assignment adds a reference, `free` and the end of the
 !> variable's life give it back. Every call takes `stat` (absent: a failure prints its message and stops) and `errmsg`.
@@ -62,7 +62,7 @@ contains
     self%p = p
   end subroutine
 
-  !> Adds a reference to the context that `id` names (as the FORTRAN 77 layer counts them).
+  !> Adds a reference to the context that `id` names, in the count of the FORTRAN 77 layer.
   subroutine from_id(self, id, stat, errmsg)
     class(rc_context), intent(inout) :: self
     integer, intent(in) :: id
@@ -82,14 +82,14 @@ contains
     id = int(rollcon_id_of(self%p))
   end function
 
-  !> The C handle, for calls of module rollcon_c; the reference stays here.
+  !> Returns the C handle, for calls of module rollcon_c; the reference stays here.
   function handle(self) result(p)
     class(rc_context), intent(in) :: self
     type(c_ptr) :: p
     p = self%p
   end function
 
-  !> Messages up to `level` go to `sink`, a bind(C) module procedure; absent: to nobody.
+  !> Sends messages up to `level` to `sink`, a bind(C) module procedure; absent: to nobody.
   subroutine set_log(self, level, sink, user, stat, errmsg)
     class(rc_context), intent(inout) :: self
     integer(rc_int), intent(in) :: level
@@ -106,7 +106,7 @@ contains
     call finish(rollcon_context_set_log(self%p, level, f, u), self%p, 'rc_context%set_log', stat, errmsg)
   end subroutine
 
-  !> Threads per solve; 0 leaves the number to OpenMP.
+  !> Sets the threads per solve; 0 leaves the number to OpenMP.
   subroutine set_threads(self, n, stat, errmsg)
     class(rc_context), intent(inout) :: self
     integer, intent(in) :: n
@@ -115,8 +115,8 @@ contains
     call finish(rollcon_context_set_threads(self%p, int(n, rc_int)), self%p, 'rc_context%set_threads', stat, errmsg)
   end subroutine
 
-  !> 1: the first failure from here on is remembered, and later calls on this context, its bodies and contacts do nothing and
-  !> return it; 0: off. Either forgets what was remembered.
+  !> Sets the latch. 1: the first failure from here on is remembered, and later calls on this context, its bodies and
+  !> contacts do nothing and return it; 0: off. Either forgets what was remembered.
   subroutine set_latch(self, on, stat, errmsg)
     class(rc_context), intent(inout) :: self
     integer, intent(in) :: on
@@ -125,7 +125,7 @@ contains
     call finish(rollcon_context_set_latch(self%p, int(on, rc_int)), self%p, 'rc_context%set_latch', stat, errmsg)
   end subroutine
 
-  !> The first failure since the latch was set, or the first status > 0, or 0.
+  !> Returns the first failure since the latch was set, or the first status > 0, or 0.
   subroutine check(self, stat, errmsg)
     class(rc_context), intent(in) :: self
     integer, intent(out), optional :: stat

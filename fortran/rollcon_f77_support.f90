@@ -1,4 +1,4 @@
-!> What the FORTRAN 77 layer shares: integers to handles and back, blank-padded texts, and callbacks.
+!> Serves the FORTRAN 77 layer: integers to handles and back, blank-padded texts, and callbacks.
 module rollcon_f77_support
   use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_funloc, c_int32_t, c_int64_t, c_loc, &
     c_null_char, c_null_funptr, c_null_ptr, c_ptr
@@ -19,8 +19,8 @@ module rollcon_f77_support
     end subroutine
   end interface
 
-  !> A caller's subroutine, found again by C through the address of this box. Boxes live as long as the program: an
-  !> object keeps the address for as long as it lives itself. One box per handle.
+  !> Holds a caller's subroutine, which C finds again through the address of this box. Boxes live as long as the
+  !> program: an object has the address for as long as it lives itself. Each handle has one box.
   type :: box
     integer(c_int32_t) :: id = 0
     procedure(progress_77), pointer, nopass :: progress => null()
@@ -69,7 +69,7 @@ contains
     table_of = rollcon_table_from_id(narrow(id))
   end function
 
-  !> What the handle stands for, which is in the highest bits of its number.
+  !> Returns what the handle stands for, which is in the highest bits of its number.
   integer function kind_of(id)
     integer, intent(in) :: id
     kind_of = of_none
@@ -77,7 +77,7 @@ contains
     if (rollcon_id_of(context_of(id)) == id) kind_of = id/2**28
   end function
 
-  !> A name of the library: NUL-terminated, in lower case whatever the caller's is, without trailing blanks.
+  !> Returns a name of the library: NUL-terminated, in lower case whatever the caller's is, without trailing blanks.
   pure function c_name(text) result(copy)
     character(len=*), intent(in) :: text
     character(kind=c_char) :: copy(len_trim(text) + 1)
@@ -88,7 +88,7 @@ contains
     end do
   end function
 
-  !> "what number rule" is wrong: the last error, for log and latch of the handle's context too.
+  !> Makes "what number rule", which is wrong, the last error, for log and latch of the handle's context too.
   subroutine refuse(handle, what, number, rule, ierr)
     type(c_ptr), intent(in) :: handle
     character(len=*), intent(in) :: what, rule
@@ -115,14 +115,14 @@ contains
     ierr = rollcon_report(c_null_ptr, int(ierr, c_int32_t), c_text(name//': IH is no live handle'))
   end subroutine
 
-  !> As nodes_of, for INTEGERs of the caller's width.
+  !> Serves INTEGERs of the caller's width like nodes_of.
   pure integer function nodes_77(type)
     integer, intent(in) :: type
     nodes_77 = 0
     if (type > 0 .and. type < 1000) nodes_77 = int(nodes_of(int(type, c_int32_t)))
   end function
 
-  !> Node numbers of N elements without gaps between them.
+  !> Packs the node numbers of N elements without gaps between them.
   subroutine pack_77(handle, name, itype, n, ic, ldc, packed, ierr)
     type(c_ptr), intent(in) :: handle
     character(len=*), intent(in) :: name
@@ -150,7 +150,7 @@ contains
     end do
   end subroutine
 
-  !> The N numbers of a list.
+  !> Packs the N numbers of a list.
   subroutine pack_list_77(handle, name, n, list, packed, ierr)
     type(c_ptr), intent(in) :: handle
     character(len=*), intent(in) :: name
@@ -171,7 +171,7 @@ contains
     end do
   end subroutine
 
-  !> Room for N results, none of which is there yet.
+  !> Makes room for N results, none of which is there yet.
   subroutine room_77(handle, name, n, room, ierr)
     type(c_ptr), intent(in) :: handle
     character(len=*), intent(in) :: name
@@ -188,7 +188,7 @@ contains
     end if
   end subroutine
 
-  !> The results that are there.
+  !> Gives the results that are there.
   subroutine give_integers(from, to)
     integer(c_int32_t), intent(in) :: from(:)
     integer, intent(inout) :: to(*)
@@ -198,7 +198,7 @@ contains
     end do
   end subroutine
 
-  !> The buffer's text, padded with blanks; ROLLCON_ERR_CAPACITY (and the beginning of the text) if it is longer.
+  !> Gives the buffer's text, padded with blanks; ROLLCON_ERR_CAPACITY (and the beginning of the text) if it is longer.
   subroutine give_text(handle, name, buffer, text, status)
     type(c_ptr), intent(in) :: handle
     character(len=*), intent(in) :: name

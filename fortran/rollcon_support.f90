@@ -1,4 +1,4 @@
-!> What the types of rollcon's Fortran layers share: texts to and from C, and one rule for failures.
+!> Holds what the types of rollcon's Fortran layers have in common: texts to and from C, and one rule for failures.
 module rollcon_support
   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int32_t, c_int64_t, c_null_char, &
     c_null_ptr, c_ptr
@@ -9,7 +9,7 @@ module rollcon_support
 
   integer, parameter, public :: rc_int = c_int32_t, rc_long = c_int64_t, rc_real = c_double
 
-  !> Room that holds nearly every text of the library; longer ones are asked for a second time.
+  !> This room holds nearly every text of the library; longer ones are asked for a second time.
   integer(rc_long), parameter, public :: usual_text = 512_rc_long
 
   public :: c_text, f_text, f_text_at, finish, nodes_of, is_volume_type, narrow_ids
@@ -17,7 +17,7 @@ module rollcon_support
 
 contains
 
-  !> A NUL-terminated copy, without trailing blanks.
+  !> Returns a NUL-terminated copy, without trailing blanks.
   pure function c_text(text) result(copy)
     character(len=*), intent(in) :: text
     character(kind=c_char) :: copy(len_trim(text) + 1)
@@ -28,7 +28,7 @@ contains
     copy(len_trim(text) + 1) = c_null_char
   end function
 
-  !> The text in a buffer, up to its NUL.
+  !> Returns the text in a buffer, up to its NUL.
   pure function f_text(buffer) result(text)
     character(kind=c_char), intent(in) :: buffer(:)
     character(len=:), allocatable :: text
@@ -44,7 +44,7 @@ contains
     end do
   end function
 
-  !> A copy of a text that the library owns.
+  !> Returns a copy of a text that the library owns.
   function f_text_at(address) result(text)
     type(c_ptr), intent(in) :: address
     character(len=:), allocatable :: text
@@ -65,8 +65,9 @@ contains
     end do
   end function
 
-  !> The rule of every call: `stat`, if present, gets the status; if it is absent, a failure (status < 0) prints the
-  !> message and stops. `errmsg` gets the message of a failure, cut or padded to its length, and is left alone otherwise.
+  !> Applies the rule of every call: `stat`, if present, gets the status; if it is absent, a failure (status < 0) prints
+  !> the message and stops. `errmsg` gets the message of a failure, cut or padded to its length, and is left alone
+  !> otherwise.
   subroutine finish(status, context, what, stat, errmsg, message)
     integer(rc_int), intent(in) :: status
     type(c_ptr), intent(in) :: context
@@ -86,7 +87,7 @@ contains
     error stop 1
   end subroutine
 
-  !> Nodes of one element; 0 for types that the library does not know.
+  !> Returns the nodes of one element; 0 for types that the library does not know.
   pure integer function nodes_of(type)
     integer(rc_int), intent(in) :: type
     select case (type)
@@ -127,13 +128,13 @@ contains
     end select
   end function
 
-  !> Node ids that fit 32 bits; others become 0, which the library reports as out of range.
+  !> Returns node ids that fit 32 bits; others become 0, which the library reports as out of range.
   elemental integer(rc_int) function narrow_ids(id)
     integer(rc_long), intent(in) :: id
     narrow_ids = int(merge(id, 0_rc_long, abs(id) <= huge(narrow_ids)), rc_int)
   end function
 
-  !> major * 10000 + minor * 100 + patch of the library that runs.
+  !> Returns major * 10000 + minor * 100 + patch of the library that runs.
   integer function rc_version()
     rc_version = int(rollcon_version())
   end function
@@ -147,7 +148,7 @@ contains
     text = f_text_at(rollcon_version_string())
   end function
 
-  !> Licences and options of the library that runs.
+  !> Returns licences and options of the library that runs.
   function rc_build_info() result(text)
     character(len=:), allocatable :: text
     text = f_text_at(rollcon_build_info())
@@ -158,13 +159,13 @@ contains
     rc_has_feature = rollcon_has_feature(c_text(name)) /= 0
   end function
 
-  !> Text of the last failure in this thread.
+  !> Returns the text of the last failure in this thread.
   function rc_last_error() result(text)
     character(len=:), allocatable :: text
     text = f_text_at(rollcon_last_error())
   end function
 
-  !> Text of the last call in this thread that returned a status above zero.
+  !> Returns the text of the last call in this thread that returned a status above zero.
   function rc_last_caveat() result(text)
     character(len=:), allocatable :: text
     text = f_text_at(rollcon_last_caveat())

@@ -1,4 +1,4 @@
-!> A creep-force table: what the generated type rc_table_plain does not have.
+!> Provides what the generated type rc_table_plain, a creep-force table, does not have.
 module rollcon_table
   use, intrinsic :: iso_c_binding, only: c_funloc, c_funptr, c_null_funptr, c_null_ptr, c_ptr
   use rollcon_c
@@ -23,7 +23,7 @@ module rollcon_table
 
 contains
 
-  !> The table of a file that rc_table%save wrote.
+  !> Loads the table of a file that rc_table%save wrote.
   subroutine load(self, context, path, stat, errmsg)
     class(rc_table), intent(inout) :: self
     type(rc_context), intent(in) :: context
@@ -39,7 +39,7 @@ contains
     call finish(status, context%handle(), 'rc_table%load', stat, errmsg)
   end subroutine
 
-  !> The table that comes with the library.
+  !> Makes the table that comes with the library.
   subroutine standard(self, context, stat, errmsg)
     class(rc_table), intent(inout) :: self
     type(rc_context), intent(in) :: context
@@ -54,7 +54,7 @@ contains
     call finish(status, context%handle(), 'rc_table%standard', stat, errmsg)
   end subroutine
 
-  !> A reference that was the caller's.
+  !> Takes a reference that was the caller's.
   subroutine take(self, p)
     class(rc_table), intent(inout) :: self
     type(c_ptr), intent(in) :: p
@@ -63,8 +63,8 @@ contains
     call rollcon_table_release(p)
   end subroutine
 
-  !> `progress`, a bind(C) module procedure, is called about ten times a second; absent: no calls. A result other than 0
-  !> cancels.
+  !> Sets `progress`, a bind(C) module procedure that is called about ten times a second; absent: no calls. A result
+  !> other than 0 cancels.
   subroutine set_progress(self, progress, user, stat, errmsg)
     class(rc_table), intent(inout) :: self
     procedure(rollcon_progress_fn), optional :: progress
@@ -80,7 +80,7 @@ contains
     call finish(rollcon_table_set_progress(self%handle(), f, u), self%handle(), 'rc_table%set_progress', stat, errmsg)
   end subroutine
 
-  !> All samples; NaN where one is not solved yet.
+  !> Returns all samples; NaN where one is not solved yet.
   subroutine get_samples(self, samples, stat, errmsg)
     class(rc_table), intent(in) :: self
     real(rc_real), allocatable, intent(out) :: samples(:)
@@ -97,7 +97,8 @@ contains
     call finish(status, self%handle(), 'rc_table%get_samples', stat, errmsg)
   end subroutine
 
-  !> Forces and moments results(3, n) of inputs(9, n) and, if wanted, derivatives(9, 3, n) of each result by each input.
+  !> Returns forces and moments results(3, n) of inputs(9, n) and, if wanted, derivatives(9, 3, n) of each result by
+  !> each input.
   subroutine evaluate(self, inputs, results, derivatives, stat, errmsg)
     class(rc_table), intent(in) :: self
     real(rc_real), intent(in), contiguous :: inputs(:, :)
@@ -122,8 +123,8 @@ contains
     call finish(status, self%handle(), 'rc_table%evaluate', stat, errmsg)
   end subroutine
 
-  !> Forces along t1 and t2 and moment about n, results(3), of a solved contact, by the Hertzian contact that stands for it.
-  !> friction absent: the contact's own.
+  !> Returns forces along t1 and t2 and moment about n, results(3), of a solved contact, by the Hertzian contact that
+  !> stands for it. If friction is absent, it is the contact's own.
   subroutine evaluate_contact(self, contact, results, friction, stat, errmsg)
     class(rc_table), intent(in) :: self
     type(rc_contact), intent(in) :: contact

@@ -1,5 +1,5 @@
-!> Functions without an object: tables of settings and of counters, whose entries count from 1, what a progress callback
-!> may read, and invariants of stresses.
+!> Provides functions without an object: tables of settings and of counters, whose entries count from 1, what a progress
+!> callback may read, and invariants of stresses.
 module rollcon_tables
   use, intrinsic :: iso_c_binding, only: c_char, c_null_char, c_null_ptr, c_ptr
   use rollcon_c
@@ -13,7 +13,8 @@ module rollcon_tables
 
 contains
 
-  !> Principal stresses principal(3,n), the largest first, von Mises's stress and the largest shear stress of stress(6,n).
+  !> Returns principal stresses principal(3,n), the largest first, von Mises's stress and the largest shear stress of
+  !> stress(6,n).
   subroutine rc_stress_invariants(stress, principal, von_mises, shear, stat, errmsg)
     real(rc_real), intent(in), contiguous :: stress(:, :)
     real(rc_real), allocatable, intent(out) :: principal(:, :)
@@ -33,8 +34,9 @@ contains
       'rc_stress_invariants', stat, errmsg)
   end subroutine
 
-  !> Points yz(2,n) of a profile worn by rate(n), depth per distance, along the normal: worn(2,n), and how much of the distance
-  !> was taken so that none is worn deeper than most_depth. side 1: the body lies at greater z (a rail), -1: at lesser z.
+  !> Wears points yz(2,n) of a profile by rate(n), depth per distance, along the normal: returns worn(2,n), and how much
+  !> of the distance was taken so that none is worn deeper than most_depth. side 1: the body lies at greater z (a rail),
+  !> -1: at lesser z.
   subroutine rc_wear_profile(yz, rate, side, distance, most_depth, smoothing, worn, taken, stat, errmsg)
     real(rc_real), intent(in), contiguous :: yz(:, :), rate(:)
     integer, intent(in) :: side
@@ -59,7 +61,7 @@ contains
     rc_option_count = int(rollcon_option_count())
   end function
 
-  !> Name, type (ROLLCON_TYPE_INT, ...), range and standard value of option i.
+  !> Returns name, type (ROLLCON_TYPE_INT, ...), range and standard value of option i.
   subroutine rc_option_info(i, name, type, low, high, standard, stat, errmsg)
     integer, intent(in) :: i
     character(len=:), allocatable, intent(out) :: name
@@ -118,7 +120,7 @@ contains
     rc_body_option_count = int(rollcon_body_option_count())
   end function
 
-  !> Name, type (ROLLCON_TYPE_INT, ...), range and standard value of option i of a body.
+  !> Returns name, type (ROLLCON_TYPE_INT, ...), range and standard value of option i of a body.
   subroutine rc_body_option_info(i, name, type, low, high, standard, stat, errmsg)
     integer, intent(in) :: i
     character(len=:), allocatable, intent(out) :: name
@@ -179,7 +181,7 @@ contains
     rc_wheelrail_stat_count = int(rollcon_wheelrail_stat_count())
   end function
 
-  !> Of a wheel on its rail.
+  !> Returns the name of statistic i of a wheel on its rail.
   subroutine rc_wheelrail_stat_name(i, name, stat, errmsg)
     integer, intent(in) :: i
     character(len=:), allocatable, intent(out) :: name
@@ -198,7 +200,7 @@ contains
     rc_wheelrail_patch_stat_count = int(rollcon_wheelrail_patch_stat_count())
   end function
 
-  !> Of one of its patches.
+  !> Returns the name of statistic i of a patch of a wheel on its rail.
   subroutine rc_wheelrail_patch_stat_name(i, name, stat, errmsg)
     integer, intent(in) :: i
     character(len=:), allocatable, intent(out) :: name
@@ -213,8 +215,8 @@ contains
     name = f_text(buffer)
   end subroutine
 
-  !> Entry `key` (ROLLCON_EVENT_PHASE, ROLLCON_EVENT_ITERATION) of the event that a progress callback was given; -1 for other
-  !> keys.
+  !> Returns entry `key` (ROLLCON_EVENT_PHASE, ROLLCON_EVENT_ITERATION) of the event that a progress callback was given;
+  !> -1 for other keys.
   function rc_event_int(event, key) result(value)
     type(c_ptr), intent(in) :: event
     integer(rc_int), intent(in) :: key
@@ -223,8 +225,8 @@ contains
     if (rollcon_event_get_int(event, key, value) /= ROLLCON_OK) value = -1
   end function
 
-  !> Entry `key` (ROLLCON_EVENT_RESIDUAL, ROLLCON_EVENT_SECONDS) of the event that a progress callback was given; -1 for other
-  !> keys.
+  !> Returns entry `key` (ROLLCON_EVENT_RESIDUAL, ROLLCON_EVENT_SECONDS) of the event that a progress callback was
+  !> given; -1 for other keys.
   function rc_event_real(event, key) result(value)
     type(c_ptr), intent(in) :: event
     integer(rc_int), intent(in) :: key

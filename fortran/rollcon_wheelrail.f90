@@ -1,4 +1,4 @@
-!> A wheel on its rail: what the generated type rc_wheelrail_plain does not have.
+!> Provides what the generated type rc_wheelrail_plain, a wheel on its rail, does not have.
 module rollcon_wheelrail
   use, intrinsic :: iso_c_binding, only: c_null_ptr, c_ptr
   use rollcon_c
@@ -23,7 +23,7 @@ module rollcon_wheelrail
 
 contains
 
-  !> Forces along the surfaces come from a creep-force table from now on; forget_table ends it.
+  !> Takes forces along the surfaces from a creep-force table from now on; forget_table ends it.
   subroutine set_table(self, table, stat, errmsg)
     class(rc_wheelrail), intent(inout) :: self
     class(rc_table), intent(in) :: table
@@ -33,7 +33,7 @@ contains
       stat, errmsg)
   end subroutine
 
-  !> The contact of a patch, counted from 1: to be read; the next solve of the wheel on its rail changes it.
+  !> Returns the contact of a patch, counted from 1, to be read; the next solve of the wheel on its rail changes it.
   subroutine get_contact(self, patch, contact, stat, errmsg)
     class(rc_wheelrail), intent(in) :: self
     integer, intent(in) :: patch
@@ -53,7 +53,7 @@ contains
     call finish(status, self%handle(), 'rc_wheelrail%get_contact', stat, errmsg)
   end subroutine
 
-  !> Another wheel on its rail with the same bodies, inputs and last solution.
+  !> Makes another wheel on its rail with the same bodies, inputs and last solution.
   subroutine copy(self, other, stat, errmsg)
     class(rc_wheelrail), intent(in) :: self
     class(rc_wheelrail), intent(inout) :: other
@@ -72,8 +72,8 @@ contains
     call finish(status, self%handle(), 'rc_wheelrail%copy', stat, errmsg)
   end subroutine
 
-  !> Many positions(6,n) and velocities(6,n) over threads, each by itself from nothing. totals(9,n): force and moment on
-  !> the wheel in the track, z, vertical force, frictional power; status(n) as solve would return.
+  !> Solves many positions(6,n) and velocities(6,n) over threads, each by itself from nothing. totals(9,n): force and
+  !> moment on the wheel in the track, z, vertical force, frictional power; status(n) as solve would return.
   subroutine solve_many(self, positions, velocities, totals, status, stat, errmsg)
     class(rc_wheelrail), intent(inout) :: self
     real(rc_real), intent(in), contiguous :: positions(:, :), velocities(:, :)
@@ -96,8 +96,9 @@ contains
     call finish(rc, self%handle(), 'rc_wheelrail%solve_many', stat, errmsg)
   end subroutine
 
-  !> What a spectrum of positions(6,n) with velocities(6,n) and weights(n) wears off both profiles per pass, at `points` points
-  !> at equal arc lengths: wheel and rail, and the volumes(2) of both per length rolled. Laws: see rc_contact%get_wear.
+  !> Returns what a spectrum of positions(6,n) with velocities(6,n) and weights(n) wears off both profiles per pass, at
+  !> `points` points at equal arc lengths: wheel and rail, and the volumes(2) of both per length rolled.
+  !> rc_contact%get_wear describes the laws.
   subroutine find_wear(self, positions, velocities, weights, law, parameters, points, wheel, rail, volumes, status, stat, &
     errmsg)
     class(rc_wheelrail), intent(inout) :: self
@@ -129,9 +130,9 @@ contains
     call finish(rc, self%handle(), 'rc_wheelrail%find_wear', stat, errmsg)
   end subroutine
 
-  !> Where both wheels of a rigid wheelset touch rigid rails over its lateral shift; this is the left one. points(13,n): z
-  !> and roll of the wheelset, rolling-radius difference; then y and z of the contact in the track, its angle, y on the
-  !> wheel's profile and rolling radius, of the left wheel and of the right one.
+  !> Finds where both wheels of a rigid wheelset touch rigid rails over its lateral shift; this is the left one.
+  !> points(13,n): z and roll of the wheelset, rolling-radius difference; then y and z of the contact in the track, its
+  !> angle, y on the wheel's profile and rolling radius, of the left wheel and of the right one.
   subroutine find_contact_points(self, right, shift, points, stat, errmsg)
     class(rc_wheelrail), intent(inout) :: self
     class(rc_wheelrail), intent(inout) :: right
@@ -145,7 +146,8 @@ contains
       points), self%handle(), 'rc_wheelrail%find_contact_points', stat, errmsg)
   end subroutine
 
-  !> Equivalent conicity of EN 15302 for each amplitude, and the wavelength of the motion; this is the left wheel.
+  !> Returns the equivalent conicity of EN 15302 for each amplitude, and the wavelength of the motion; this is the left
+  !> wheel.
   subroutine find_conicity(self, right, amplitude, conicity, wavelength, stat, errmsg)
     class(rc_wheelrail), intent(inout) :: self
     class(rc_wheelrail), intent(inout) :: right

@@ -163,7 +163,7 @@ def argument_lines(args):
     return lines
 
 
-# What the header's opening says of every function.
+# The header's opening says of every function that it may return these.
 COMMON = ("ERR_ARGUMENT", "ERR_HANDLE", "ERR_BUSY")
 
 

@@ -47,7 +47,7 @@ def write(table, layer):
         names = [name.strip() for name in head[head.index("(") + 1:-1].split(",")]
         out.append(split(f"SUBROUTINE {re.sub(' +', ' ', head).upper()}"))
         said = [declaration(line, names) for line in body.splitlines() if " :: " in line]
-        # Extents come before the arrays that they are of.
+        # Extents come before the arrays that they belong to.
         out += [split(line) for line in sorted(filter(None, said), key=lambda line: not line.startswith("INTEGER"))]
         out.append("      END SUBROUTINE\n")
     out.append("      END INTERFACE\n")

@@ -33,7 +33,7 @@ def dummy(arg):
         kind, intent = KINDS[arg.base], "out" if arg.out else "in"
         if arg.array:
             return f"{kind}, intent({intent}) :: {arg.name}(*)"
-        # Failures leave it alone: of intent(out) it would be undefined then.
+        # Failures leave the result alone: with intent(out) it would be undefined then.
         return f"{kind}, intent(inout) :: {arg.name}" if arg.out else f"{kind}, value :: {arg.name}"
     return f"type(c_ptr), {'intent(out)' if arg.out else 'value'} :: {arg.name}"
 

@@ -234,7 +234,7 @@ class Call77:
     def write(self):
         for i, arg in enumerate(self.function.args):
             self.take(i, arg)
-        # A room for numbers is larger than what is there, or as large: the rest is not looked at.
+        # The room for numbers is larger than what is there, or as large: the rest is not looked at.
         verb = self.function.name.removeprefix("rollcon_")
         told = broken("call told", [f"'{verb}'", f"'{samples.record(self.function, self.given)}'", "stat"])
         if any(a.base == "int32" and a.out and a.array and a.shape == "[capacity]" for a in self.function.args):

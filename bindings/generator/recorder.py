@@ -17,7 +17,7 @@ OPENING = """\
 /* clang-format off */
 """
 
-# Results whose size other calls ask for before they make room.
+# Other calls ask for the size of these results before they make room.
 COUNTS = {"nodes": "RECORD_NODES", "elements": "RECORD_ELEMENTS", "n_rows": "RECORD_ROWS",
           "n_values": "RECORD_VALUES", "n_nodes": "RECORD_NODES", "n_results": "capacity"}
 

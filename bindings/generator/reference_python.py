@@ -48,7 +48,7 @@ def heading(node, prefix):
 
 def text_of(node):
     doc = ast.get_docstring(node) or ""
-    # Lists of arguments, indented as the docstrings have them.
+    # Lists of arguments are indented like in the docstrings.
     return re.sub(r"\n(\w+): ", r"\n- `\1`: ", doc).replace("<", "\\<")
 
 

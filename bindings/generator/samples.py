@@ -9,7 +9,7 @@ from generator.table import HANDLES
 N = 2  # entries of arrays of n
 CAPACITY = 6  # numbers that fit, where the caller of a layer says so
 ELEMENT_TYPE, ELEMENT_NODES = 203, 3
-SIZES = {"nodes": 3, "elements": 2, "n_rows": 2, "n_values": 6, "n_nodes": 3}  # as tests/bindings/record.h has them
+SIZES = {"nodes": 3, "elements": 2, "n_rows": 2, "n_values": 6, "n_nodes": 3}  # sizes of tests/bindings/record.h
 SECOND = {"body2", "rail"}  # handles that are the second of their kind; others are the first
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 SCALARS = {"int32", "int64", "real", "row"}
 TEXTS = {"text", "path", "char"}
-# Kinds of handles, and the numbers that they begin with (src/capi/handle_table.hpp).
+# Handles begin with these numbers by kind (src/capi/handle_table.hpp).
 HANDLES = {"context": 1, "body": 2, "contact": 3, "wheelrail": 4, "table": 5}
 OPAQUE = set(HANDLES) | {"event", "handle"}
 OTHERS = {"log_fn", "progress_fn", "user"}
@@ -46,7 +46,7 @@ class Function:
     threads: str
     source: str
     group: str  # "body", "contact", ...: the first word of the name
-    f77: list  # names in the FORTRAN 77 layer; the second is of a variant, see fortran_77.py
+    f77: list  # names in the FORTRAN 77 layer; the second is that of a variant, see fortran_77.py
     plain: set  # layers in which the function is generated: "capi", "fortran", "python"
     calls: str  # what the C layer calls on the object; standard: the method of this name
     defaults: dict  # arguments that Fortran and Python may leave out, at the end

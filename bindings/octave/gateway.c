@@ -1,5 +1,5 @@
-/* The one MEX function of rollcon: rollcon_mex('body_create', ...). The files of +rollcon call it. C89 and the classic
-   C interface of MEX, which Octave has as well. */
+/* Implements the one MEX function of rollcon: rollcon_mex('body_create', ...). The files of +rollcon call it. It uses
+   C89 and the classic C interface of MEX, which Octave has as well. */
 #include "gateway.h"
 
 #include <math.h>
@@ -48,7 +48,7 @@ static int is_real(const mxArray* a) {
   return (mxIsDouble(a) || mxIsLogical(a) || mxIsNumeric(a)) && !mxIsComplex(a) && !mxIsSparse(a);
 }
 
-/* Entry i of a real array of any class of numbers. */
+/* Returns entry i of a real array of any class of numbers. */
 static double entry_of(const mxArray* a, size_t i) {
   const void* p = mxGetData(a);
   switch (mxGetClassID(a)) {
@@ -143,7 +143,7 @@ void* room(int64_t entries, size_t size) {
   return mxCalloc(entries > 0 ? (size_t)entries : 1, size);
 }
 
-/* The size of the next array, checked against what it must be; 0 for an empty one. */
+/* Returns the size of the next array, checked against what it must be; 0 for an empty one. */
 static const mxArray* sized(call* c, const char* name, int64_t* n, int width) {
   const mxArray* a = next(c, name);
   char what[120];
@@ -273,7 +273,7 @@ void finish(call* c, int32_t status) {
 
 /* ------------------------------------------------------------------------------------------ by hand */
 
-/* [results, status] = (contact, parameters, values, columns): results has a row for each case. */
+/* Computes [results, status] from (contact, parameters, values, columns): results has a row for each case. */
 void call_contact_solve_many(call* c) {
   rollcon_contact* contact = rollcon_contact_from_id(take_handle(c, "contact"));
   const char *parameters = take_text(c, "parameters"), *columns, *p;

@@ -1,4 +1,4 @@
-/* What the calls of the gateway share: values of MATLAB and Octave to those of C, and back.
+/* Declares what the calls of the gateway have in common: values of MATLAB and Octave become those of C, and back.
    rollcon_calls.c has a function for each one of rollcon.h. */
 #ifndef ROLLCON_OCTAVE_GATEWAY_H
 #define ROLLCON_OCTAVE_GATEWAY_H
@@ -8,7 +8,7 @@
 
 #include "rollcon.h"
 
-/* One call: what is left of the arguments, and the results so far. */
+/* Holds one call: what is left of the arguments, and the results so far. */
 typedef struct call {
   const char* function; /* "rollcon.body_create" */
   int nlhs, nrhs, given;
@@ -30,38 +30,40 @@ typedef struct entry {
 extern const entry calls[];
 extern const int number_of_calls;
 
-/* Takers: the next argument. They end the call with an error that names it where it is no such thing. Memory is freed
-   when the call ends, however it ends. */
+/* Take the next argument. These functions end the call with an error that names it where it is no such thing. Memory
+   is freed when the call ends, however it ends. */
 int32_t take_handle(call* c, const char* name);
 double take_real(call* c, const char* name);
 int64_t take_integer(call* c, const char* name);
-/* A number, or a name of the enumerators; several, with blanks between them, are added where `sum` is set. */
+/* Takes a number, or a name of the enumerators; several, with blanks between them, are added where `sum` is set. */
 int32_t take_enumerator(call* c, const char* name, const enumerator* list, int sum);
 const char* take_text(call* c, const char* name);
-/* n rows of `width` numbers, for C; *n >= 0: so many; width 0: any array, entry after entry. [] is NULL if optional. */
+/* Takes n rows of `width` numbers, for C; *n >= 0: so many; width 0: any array, entry after entry. [] is NULL if
+   optional. */
 const double* take_reals(call* c, const char* name, int64_t* n, int width, int optional);
 const int32_t* take_integers(call* c, const char* name, int64_t* n, int width);
-/* The same, as they lie in memory: x(n, 3). */
+/* Takes rows of numbers in the order of memory: x(n, 3). */
 const double* take_columns(call* c, const char* name, int64_t* n);
-/* Whether there is one; [] is none. */
+/* Says whether there is a further argument; [] is none. */
 int has_more(const call* c);
 void no_more(call* c);
 
-/* Results, in their order; those that nobody asked for are let go. */
+/* Give results, in their order; those that nobody asked for are dropped. */
 void give_real(call* c, double value);
 void give_text(call* c, const char* text);
 void give_reals(call* c, const double* values, int64_t n, int64_t width);
 void give_integers(call* c, const int32_t* values, int64_t n, int offset);
-/* Room for a result in C. */
+/* Returns room for a result in C. */
 void* room(int64_t entries, size_t size);
 
-/* Below 0: ends the call with the error rollcon:ERR_...; above 0: the warning rollcon:NOT_CONVERGED, ... */
+/* Ends the call with the error rollcon:ERR_... for a status below 0; above 0 gives the warning rollcon:NOT_CONVERGED,
+   ... */
 void finish(call* c, int32_t status);
-/* A taker's error. */
+/* Ends the call with the error of a function that takes an argument. */
 void refuse(call* c, const char* name, const char* what);
 int nodes_of_type(int32_t type);
 
-/* By hand: its arguments depend on each other. */
+/* Is written by hand, because its arguments depend on each other. */
 void call_contact_solve_many(call* c);
 
 #endif

@@ -1,4 +1,4 @@
-"""numpy arrays to and from the library."""
+"""Turns numpy arrays into the library's arguments, and back."""
 
 from ctypes import POINTER, c_double, c_int32
 
@@ -14,7 +14,7 @@ VOLUME_TYPES = (_api.TET4, _api.TET10, _api.WEDGE6, _api.WEDGE15, _api.HEX8, _ap
 
 
 def reals(values, columns=None):
-    """A contiguous float64 array and its address; a copy only where the argument is not one."""
+    """Returns a contiguous float64 array and its address; makes a copy only where the argument is not one."""
     array = np.ascontiguousarray(values, dtype=np.float64)
     if columns is not None and (array.ndim != 2 or array.shape[1] != columns):
         raise ValueError(f"expected an array of shape (n, {columns}), got {array.shape}")
@@ -31,7 +31,7 @@ def vector(values, size=3):
 
 
 def integers(values, what):
-    """A contiguous int32 array of one dimension or two, and its address."""
+    """Returns a contiguous int32 array of one dimension or two, and its address."""
     array = np.asarray(values)
     if array.size == 0:
         array = array.astype(np.int32)
@@ -44,8 +44,8 @@ def integers(values, what):
 
 
 def nodes(x):
-    """Coordinates x[n, 3] (or x[n, 2]: z = 0) and what the library is told of them: number,
-    address and strides in doubles. Positive strides pass without a copy."""
+    """Returns coordinates x[n, 3] (or x[n, 2]: z = 0) and what the library is told of them: number, address and
+    strides in doubles. Positive strides pass without a copy."""
     x = np.require(x, np.float64, "A")
     if x.ndim == 2 and x.shape[1] == 2:
         x = np.column_stack([x, np.zeros(len(x))])
@@ -58,7 +58,7 @@ def nodes(x):
 
 
 def integer_list(values, what):
-    """As integers, of one dimension."""
+    """Returns integers() of one dimension."""
     array, address = integers(values, what)
     if array.ndim != 1:
         raise ValueError(f"expected {what} of one dimension, got shape {array.shape}")
@@ -66,7 +66,7 @@ def integer_list(values, what):
 
 
 def elements(element_type, connectivity):
-    """Number of the type, node ids connectivity[n, nodes per element] and their address."""
+    """Returns the number of the type, node ids connectivity[n, nodes per element] and their address."""
     element_type = enumerator(element_type, "element type", "element_type")
     array, address = integers(connectivity, "node ids")
     if array.ndim != 2 or array.shape[1] != _NODES.get(element_type, array.shape[1]):

@@ -1,4 +1,4 @@
-"""Where the library is."""
+"""Finds the library."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ def _files_of(folder):
 
 
 def candidates():
-    """Pairs of a path and words for it: next to the package, in the prefix that it is installed in or the build folder
-    of its source tree, where the system's loader looks."""
+    """Yields pairs of a path and words for it: next to the package, in the prefix that it is installed in or the
+    build folder of its source tree, where the system's loader looks."""
     here = pathlib.Path(__file__).resolve().parent
     found = [(path, "next to the package") for path in _files_of(here)]
-    # PREFIX/lib/python3/dist-packages/rollcon, PREFIX/lib/TRIPLET/...: the library is in one of the folders above.
+    # The library is in one of the folders above PREFIX/lib/python3/dist-packages/rollcon, PREFIX/lib/TRIPLET/...
     for folder in list(here.parents)[1:4]:
         found += [(path, "in the prefix of the package") for path in
                   _files_of(folder) + [p for sub in sorted(folder.glob("*-linux-gnu*")) for p in _files_of(sub)]]
@@ -40,7 +40,7 @@ def candidates():
 
 
 def _checked(path, where):
-    """The library with its functions' types; ImportError says what is wrong with it."""
+    """Returns the library with its functions' types; ImportError says what is wrong with it."""
     try:
         library = ctypes.CDLL(path)
     except OSError as error:
@@ -57,7 +57,7 @@ def _checked(path, where):
 
 
 def load():
-    """Path and library: that of ROLLCON_LIBRARY, which must serve, or the first that does."""
+    """Returns path and library: that of ROLLCON_LIBRARY, which must serve, or the first that does."""
     named = os.environ.get("ROLLCON_LIBRARY")
     if named:
         return named, _checked(named, "named by ROLLCON_LIBRARY")

@@ -1,4 +1,4 @@
-"""The loaded library, the rule for failures, and the life of a handle."""
+"""Provides the loaded library, the rule for failures, and the life of a handle."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ library_path, lib = load()
 
 
 def version() -> int:
-    """10000 major + 100 minor + patch of the library that runs."""
+    """Returns 10000 major + 100 minor + patch of the library that runs."""
     return lib.rollcon_version()
 
 
@@ -23,7 +23,7 @@ def version_string() -> str:
 
 
 def build_info() -> str:
-    """Licences and options of the library that runs."""
+    """Returns licences and options of the library that runs."""
     return lib.rollcon_build_info().decode()
 
 
@@ -36,7 +36,7 @@ def status_string(status: int | str) -> str:
 
 
 class RollconError(Exception):
-    """A call failed: `status` (one of ERR_...) and `message`."""
+    """Is raised when a call failed: `status` (one of ERR_...) and `message`."""
 
     def __init__(self, status, message):
         super().__init__(f"{_api.STATUS_NAMES.get(status, status)}: {message}")
@@ -45,7 +45,7 @@ class RollconError(Exception):
 
 
 def read_text(get):
-    """Text of a getter get(capacity, text, needed); (status, text)."""
+    """Reads the text of a getter get(capacity, text, needed); returns (status, text)."""
     needed = ctypes.c_int64(0)
     status = get(0, None, ctypes.byref(needed))
     if status < 0:
@@ -56,12 +56,12 @@ def read_text(get):
 
 
 def last_error() -> str:
-    """Text of the last call that failed in this thread; empty if there was none."""
+    """Returns the text of the last call that failed in this thread; empty if there was none."""
     return lib.rollcon_last_error().decode(errors="replace")
 
 
 def last_caveat() -> str:
-    """Text of the last call in this thread that returned a status above zero; empty if there was none."""
+    """Returns the text of the last call in this thread that returned a status above zero; empty if there was none."""
     return lib.rollcon_last_caveat().decode(errors="replace")
 
 
@@ -73,7 +73,7 @@ def check(status):
 
 
 def c_text(text, what):
-    """Bytes of a text for C, which ends it at its first NUL."""
+    """Returns the bytes of a text for C, which ends it at its first NUL."""
     if not isinstance(text, str):
         raise TypeError(f"{what} must be a text, not {text!r}")
     if "\0" in text:
@@ -82,7 +82,7 @@ def c_text(text, what):
 
 
 def c_path(path):
-    """Bytes of the name of a file: str, bytes or os.PathLike."""
+    """Returns the bytes of the name of a file: str, bytes or os.PathLike."""
     try:
         name = os.fsencode(path)
     except TypeError:
@@ -93,8 +93,8 @@ def c_path(path):
 
 
 def enumerator(value, enumeration, what):
-    """The number that a name of an enumeration stands for, "quad4" or "normal"; of "dof" a sum, "x z";
-    numbers as they are."""
+    """Returns the number that a name of an enumeration stands for, "quad4" or "normal"; for "dof" a sum, "x z";
+    numbers stay the same."""
     if not isinstance(value, str):
         return value
     words = value.replace("+", " ").replace("|", " ").split()
@@ -113,8 +113,7 @@ _RANGE = {ctypes.c_int32: 2**31, ctypes.c_int64: 2**63}
 
 
 def call(function, *arguments):
-    """Calls a C function: names of enumerators, integers of any kind, but none that ctypes would
-    cut silently."""
+    """Calls a C function: takes names of enumerators, integers of any kind, but none that ctypes would cut silently."""
     checked = []
     described = _api.ARGUMENTS[function.__name__]
     for argument, c_type, (name, enumeration) in zip(arguments, function.argtypes, described):
@@ -137,24 +136,24 @@ def call(function, *arguments):
 
 
 def shown(vector):
-    """Components for a repr; what is zero up to rounding is 0."""
+    """Returns components for a repr; what is zero up to rounding is 0."""
     largest = max(abs(v) for v in vector)
     return " ".join(f"{v if abs(v) > 1e-9 * largest else 0:.5g}" for v in vector)
 
 
 class Handle:
-    """One reference to an object of the library. A copy (copy.copy) is another one to the same
-    object; there are no deep copies."""
+    """Holds one reference to an object of the library. A copy (copy.copy) is another one to the same object; there
+    are no deep copies."""
 
     _kind = ""
 
     def __init__(self, value, context=None):
         self._handle = value
         self._context = context  # its log sink must live as long as what was made from it
-        self._callbacks = {}  # what C keeps addresses of; shared by copies
+        self._callbacks = {}  # objects whose addresses C has; copies use them too
 
     def _about(self):
-        """Words for repr, of what the object is now."""
+        """Returns words for repr, on what the object is now."""
         return ""
 
     def __repr__(self):
@@ -168,16 +167,16 @@ class Handle:
 
     @property
     def handle(self):
-        """The C handle as an integer; None after close()."""
+        """Returns the C handle as an integer; None after close()."""
         return self._handle
 
     @property
     def id(self):
-        """The number that the FORTRAN 77 layer uses."""
+        """Returns the number that the FORTRAN 77 layer uses."""
         return lib.rollcon_id_of(self._handle)
 
     def close(self):
-        """Gives the reference back; no harm if that was done before."""
+        """Gives the reference back; does nothing if that was done before."""
         handle, self._handle = getattr(self, "_handle", None), None
         if handle:
             getattr(lib, f"rollcon_{self._kind}_release")(handle)

@@ -1,4 +1,4 @@
-"""Settings by name, of contacts and of bodies."""
+"""Provides settings by name, of contacts and of bodies."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from . import _api
 from ._library import c_text, call, check, lib, read_text
 from .options import body_option_table, option_table
 
-_types = {}  # of the settings of each kind of object, by name
+_types = {}  # types of the settings of each kind of object, by name
 
 
 def _type_of(kind, name):
-    """TYPE_INT, ...; of an unknown setting TYPE_INT, for which the library finds the words."""
+    """Returns TYPE_INT, ...; for an unknown setting TYPE_INT, for which the library finds the words."""
     if kind not in _types:
         rows = option_table() if kind == "contact" else body_option_table()
         _types[kind] = {row.name: row.type for row in rows}
@@ -25,8 +25,7 @@ class Settings:
     """Gives a Handle the methods set and get."""
 
     def set(self, name: str, value: bool | float | str) -> None:
-        """A setting by name (option_table() and body_option_table() list them): int, float or str
-        by its type."""
+        """Sets a setting by name (option_table() and body_option_table() list them): int, float or str by its type."""
         text = c_text(name, "name")
         if isinstance(value, str):
             if not hasattr(lib, f"rollcon_{self._kind}_set_str"):
@@ -38,7 +37,7 @@ class Settings:
             self._call("set_real", text, value)
 
     def get(self, name: str) -> int | float | str:
-        """Value of a setting."""
+        """Returns the value of a setting."""
         text, kind = c_text(name, "name"), _type_of(self._kind, name)
         if kind == _api.TYPE_STR:
             get = getattr(lib, f"rollcon_{self._kind}_get_str")

@@ -1,4 +1,4 @@
-"""Bodies."""
+"""Provides bodies."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 class Body(Settings, BodyPlain, Handle):
-    """A body of a kind: BODY_FEM, BODY_BEM, BODY_HALFSPACE or BODY_RIGID ("fem", ...)."""
+    """Represents a body of a kind: BODY_FEM, BODY_BEM, BODY_HALFSPACE or BODY_RIGID ("fem", ...)."""
 
     _kind = "body"
 
@@ -33,7 +33,7 @@ class Body(Settings, BodyPlain, Handle):
 
     @classmethod
     def load(cls, context: Context, path: str | os.PathLike) -> Body:
-        """A prepared body from a file that save() wrote: nothing is assembled or factorised."""
+        """Loads a prepared body from a file that save() wrote: nothing is assembled or factorised."""
         made = ctypes.c_void_p()
         check(call(lib.rollcon_body_load, context.handle, c_path(path), byref(made)))
         body = cls.__new__(cls)
@@ -41,8 +41,8 @@ class Body(Settings, BodyPlain, Handle):
         return body
 
     def copy(self) -> Body:
-        """Another body that was given the same, not prepared. With other loads alone it takes the equations of
-        this one and their factors when it is prepared: a load case."""
+        """Returns another body that was given the same, not prepared. With other loads alone it takes the equations
+        of this one and their factors when it is prepared: a load case."""
         made = ctypes.c_void_p()
         self._call("copy", byref(made))
         body = type(self).__new__(type(self))
@@ -52,17 +52,16 @@ class Body(Settings, BodyPlain, Handle):
     # -------------------------------------------------------------- mesh, supports and loads
 
     def set_nodes(self, x: ArrayLike) -> None:
-        """Nodes x[n, 3] of the surface or, of finite elements, of the volume; forgets elements,
-        tags, supports, loads and contact faces."""
+        """Gives nodes x[n, 3] of the surface or, for finite elements, of the volume; forgets elements, tags,
+        supports, loads and contact faces."""
         x, layout = nodes(x)
         self._call("set_nodes", *layout)
 
     def add_elements(self, element_type: int | str, connectivity: ArrayLike, tag: int | None = None,
                      index_base: int = 0) -> None:
-        """Elements of one type, connectivity[n, nodes per element]. Surface elements (TRI3 or
-        "tri3", ...), normals outwards: tag 1 if None. Finite elements take volume elements (TET4,
-        ...), whose tag (0 if None) names their material, and surface elements, which give their
-        tag to the boundary faces with the same nodes."""
+        """Adds elements of one type, connectivity[n, nodes per element]. Surface elements (TRI3 or "tri3", ...),
+        normals outwards, have tag 1 if None. Finite elements take volume elements (TET4, ...), whose tag (0 if None)
+        names their material, and surface elements, which give their tag to the boundary faces with the same nodes."""
         element_type, ids, address = elements(element_type, connectivity)
         if tag is None:
             tag = 0 if element_type in VOLUME_TYPES else 1
@@ -98,8 +97,8 @@ class Body(Settings, BodyPlain, Handle):
 
     def set_node_tractions(self, tag: int, ids: ArrayLike, tractions: ArrayLike, along: ArrayLike | None = None,
                            index_base: int = 0) -> None:
-        """Tractions[n, 3] at nodes of the faces with a tag, linear or quadratic between as the faces are, added to
-        the tag's traction and pressure. With a direction, along: components along its part in the
+        """Gives tractions[n, 3] at nodes of the faces with a tag, linear or quadratic between them like the faces,
+        added to the tag's traction and pressure. With a direction, along, they have components along its part in the
         surface, across, and along the outward normal; else x y z."""
         ids, address = integer_list(ids, "node ids")
         tractions, at = reals(tractions, 3)
@@ -110,11 +109,11 @@ class Body(Settings, BodyPlain, Handle):
 
     @property
     def groups(self) -> list[str]:
-        """Names of what the mesh's file has names for, after read_mesh()."""
+        """Returns the names of what the mesh's file has names for, after read_mesh()."""
         return [self.group_name(i) for i in range(self.group_count())]
 
     def group_nodes(self, group: str, index_base: int = 0) -> np.ndarray:
-        """The nodes of all that a group of the mesh's file has, ascending, [n] of int32."""
+        """Returns the nodes of all that a group of the mesh's file has, ascending, [n] of int32."""
         name, need = c_text(group, "group"), c_int64()
         self._call("get_group_nodes", name, index_base, 0, None, byref(need))
         nodes, address = room(need.value, dtype="int32")
@@ -124,21 +123,21 @@ class Body(Settings, BodyPlain, Handle):
     # ------------------------------------------------------------------------------- results
 
     def displacements(self) -> np.ndarray:
-        """Displacements [n, 3] of a prepared body under its own loads, no contact acting."""
+        """Returns displacements [n, 3] of a prepared body under its own loads, with no contact acting."""
         u, address = room(self.size[0], 3)
         self._call("get_displacements", len(u), address)
         return u
 
     def _nodal(self, u):
-        """Displacements of all nodes as an argument: number, array to keep, address; None: the body's own."""
+        """Returns displacements of all nodes as an argument: number, array to hold, address; None: the body's own."""
         if u is None:
             return self.size[0], None, None
         u, address = reals(u, 3)
         return len(u), u, address
 
     def node_stresses(self, u: ArrayLike | None = None) -> np.ndarray:
-        """Smoothed stresses [nodes, 6] (s11, s22, s33, s12, s13, s23) of finite elements under
-        displacements u[nodes, 3], as Contact.body_displacements() has them; None: its own loads', of boundary
+        """Returns smoothed stresses [nodes, 6] (s11, s22, s33, s12, s13, s23) of finite elements under displacements
+        u[nodes, 3], which Contact.body_displacements() returns; None: under the body's own loads, for boundary
         elements too."""
         nodes, u, given = self._nodal(u)
         stress, address = room(nodes, 6)
@@ -146,7 +145,7 @@ class Body(Settings, BodyPlain, Handle):
         return stress
 
     def point_stresses(self, u: ArrayLike | None = None) -> tuple[np.ndarray, np.ndarray]:
-        """Stresses [n, 6] at the integration points of all finite elements, and their places [n, 3]."""
+        """Returns stresses [n, 6] at the integration points of all finite elements, and their places [n, 3]."""
         nodes, u, given = self._nodal(u)
         need = ctypes.c_int64()
         self._call("get_point_stresses", nodes, given, 0, None, None, byref(need))
@@ -156,8 +155,8 @@ class Body(Settings, BodyPlain, Handle):
         return stress, xyz
 
     def fields_at(self, xyz: ArrayLike, u: ArrayLike | None = None) -> tuple[np.ndarray, np.ndarray]:
-        """Displacements [n, 3] and stresses [n, 6] at points xyz[n, 3] inside finite elements, or boundary elements
-        under their own loads."""
+        """Returns displacements [n, 3] and stresses [n, 6] at points xyz[n, 3] inside finite elements, or boundary
+        elements under their own loads."""
         nodes, u, given = self._nodal(u)
         xyz, points = reals(xyz, 3)
         displacement, first = room(len(xyz), 3)
@@ -166,7 +165,7 @@ class Body(Settings, BodyPlain, Handle):
         return displacement, stress
 
     def write(self, path: str | os.PathLike, u: ArrayLike | None = None) -> None:
-        """Elements with displacements, smoothed stresses and von Mises's stress, as a VTU file."""
+        """Writes elements with displacements, smoothed stresses and von Mises's stress, as a VTU file."""
         nodes, u, given = self._nodal(u)
         self._call("write", c_path(path), nodes, given)
 
@@ -176,6 +175,6 @@ class Body(Settings, BodyPlain, Handle):
         return f"{kind}, {nodes} nodes, {elements} elements" if nodes else kind
 
     def plot_profile(self, ax=None, **options):
-        """Draws the body's profile; the axes of matplotlib. See rollcon.plots."""
+        """Draws the body's profile; returns the axes of matplotlib. See rollcon.plots."""
         from . import plots
         return plots.profile(self, ax, **options)

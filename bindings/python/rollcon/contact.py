@@ -1,4 +1,4 @@
-"""A pair of bodies in rolling contact."""
+"""Provides pairs of bodies in rolling contact."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 class Event:
-    """What a progress callback may read; valid during the callback only."""
+    """Holds what a progress callback may read; it is valid during the callback only."""
 
     def __init__(self, address):
         self._address = address
@@ -43,7 +43,7 @@ class Event:
 
 
 def progress_function(callback, raised):
-    """What the library calls; what the callback raises is kept in `raised` and cancels."""
+    """Returns the function that the library calls; what the callback raises is stored in `raised` and cancels."""
 
     def call(address, _):
         try:
@@ -55,11 +55,11 @@ def progress_function(callback, raised):
 
 
 class Cases:
-    """Results of Contact.solve_many, one row per case; NaN where a case has none.
+    """Holds results of Contact.solve_many, one row per case; NaN where a case has none.
 
-    worst: the call's status. status[n], force[n, 3], moment[n, 3], approach[n], creep[n, 3], and if
-    asked for derivatives[n, parameters, 10] (of force, moment, approach, creep), tractions[n,
-    nodes, 3]; cases["iterations"] is a statistic by name.
+    worst is the call's status. status[n], force[n, 3], moment[n, 3], approach[n], creep[n, 3], and, if asked for,
+    derivatives[n, parameters, 10] (of force, moment, approach, creep) and tractions[n, nodes, 3] are arrays;
+    cases["iterations"] is a statistic by name.
     """
 
     def __init__(self, worst, names, arrays):
@@ -72,7 +72,7 @@ class Cases:
 
 
 def _parameter_name(parameter):
-    """The name of a direction or of friction, given as that or as a number."""
+    """Returns the name of a direction or of friction, given as that or as a number."""
     number = enumerator(parameter, "direction or parameter", "parameters")
     for one in ("direction", "parameter"):
         for name, value in _api.ENUMERATORS[one].items():
@@ -82,7 +82,7 @@ def _parameter_name(parameter):
 
 
 class Contact(Settings, ContactPlain, Handle):
-    """Bodies, frame, motion, loads and friction in; tractions, slip and forces out."""
+    """Takes bodies, frame, motion, loads and friction; gives tractions, slip and forces."""
 
     _kind = "contact"
 
@@ -97,7 +97,7 @@ class Contact(Settings, ContactPlain, Handle):
 
     @classmethod
     def _of_handle(cls, handle, context):
-        """A contact that the library made; the reference becomes this object's."""
+        """Makes a contact of one that the library made; the reference becomes this object's."""
         contact = cls.__new__(cls)
         contact._take(handle, context)
         return contact
@@ -105,19 +105,19 @@ class Contact(Settings, ContactPlain, Handle):
     # ------------------------------------------------------------------ frame, gap and axes
 
     def set_frame_nodes(self, x: ArrayLike) -> None:
-        """Nodes x[n, 3] (or x[n, 2]: z = 0); any strides of float64 pass without a copy."""
+        """Gives nodes x[n, 3] (or x[n, 2]: z = 0); any strides of float64 pass without a copy."""
         x, layout = nodes(x)
         self._call("set_frame_nodes", *layout)
 
     def add_frame_elements(self, element_type: int | str, connectivity: ArrayLike, tag: int = 1,
                            index_base: int = 0) -> None:
-        """Elements of one type: connectivity[n, nodes per element]."""
+        """Adds elements of one type: connectivity[n, nodes per element]."""
         element_type, ids, address = elements(element_type, connectivity)
         self._call("add_frame_elements", element_type, len(ids), address, index_base, tag)
 
     def set_pose(self, which: int, rotation: ArrayLike = ((1, 0, 0), (0, 1, 0), (0, 0, 1)),
                  translation: ArrayLike = (0, 0, 0)) -> None:
-        """Where body 1 or 2 stands: x = rotation @ x_body + translation."""
+        """Says where body 1 or 2 stands: x = rotation @ x_body + translation."""
         (r, pr), (t, pt) = reals(rotation, 3), vector(translation)
         if len(r) != 3:
             raise ValueError(f"expected a rotation of shape (3, 3), got {r.shape}")
@@ -126,16 +126,16 @@ class Contact(Settings, ContactPlain, Handle):
     # ------------------------------------------------------------ motion, loads and friction
 
     def set_friction(self, mu: ArrayLike, law: str = "coulomb") -> None:
-        """Law of friction and its parameters; for Coulomb's, the coefficient."""
+        """Sets the law of friction and its parameters; for Coulomb's, the coefficient."""
         parameters, address = reals(np.atleast_1d(mu))
         self._call("set_friction", c_text(law, "law"), parameters.size, address)
 
     # ---------------------------------------------------------------------------------- solve
 
     def set_progress(self, callback: Callable | None) -> None:
-        """callback(event) is called in every iteration; a true result cancels. None removes it.
+        """Sets callback(event), which is called in every iteration; a true result cancels. None removes it.
 
-        What the callback raises cancels the solve, which then raises it.
+        An exception that the callback raises cancels the solve, which then raises it.
         """
         wrapped = progress_function(callback, self._raised)
         self._call("set_progress", wrapped, None)
@@ -143,7 +143,7 @@ class Contact(Settings, ContactPlain, Handle):
 
     def set_gap_grid(self, nx: int, x_least: float, x_greatest: float, y_least: float, y_greatest: float,
                      gap: ArrayLike) -> None:
-        """As in the library, and gap may be an array [ny, nx] instead of its lines one after the other."""
+        """Gives a gap on a grid; it may be an array [ny, nx] instead of its lines one after the other."""
         gap = np.asarray(gap, dtype=np.float64)
         if gap.ndim not in (1, 2) or gap.ndim == 2 and gap.shape[1] != nx:
             raise ValueError(f"set_gap_grid: expected gap of shape (ny, {nx}) or (ny * {nx},), got {gap.shape}")
@@ -160,12 +160,12 @@ class Contact(Settings, ContactPlain, Handle):
 
     def solve_many(self, parameters: str | Sequence[int | str], values: ArrayLike, names: str | Sequence[str] = (),
                    derivatives: bool = False, tractions: bool = False) -> Cases:
-        """Solves many load cases on the threads of the context; a Cases object.
+        """Solves many load cases on the threads of the context; returns a Cases object.
 
-        values[n, p] replaces what is prescribed in the direction parameters[p], LONGITUDINAL,
-        LATERAL, NORMAL or SPIN; FRICTION: a factor on the coefficients ("normal lateral", too).
-        names: statistics wanted, such as "iterations" or "friction_power", or one text with blanks
-        between them. What a progress callback raises is raised.
+        values[n, p] replaces what is prescribed in the direction parameters[p], LONGITUDINAL, LATERAL, NORMAL or
+        SPIN; FRICTION is a factor on the coefficients ("normal lateral", too). names are statistics wanted, such as
+        "iterations" or "friction_power", or one text with blanks between them. An exception that a progress callback
+        raises is raised.
         """
         if isinstance(parameters, str):
             parameters = parameters.split()
@@ -174,7 +174,7 @@ class Contact(Settings, ContactPlain, Handle):
         if values.ndim != 2 or values.shape[1] != len(parameters):
             raise ValueError(f"expected values of shape (n, {len(parameters)}), got {values.shape}")
         n, p = values.shape
-        # As the library counts them.
+        # Names are counted in the way of the library.
         names = tuple((names if isinstance(names, str) else " ".join(names)).split())
         shapes = {"force": (3,), "moment": (3,), "approach": (), "creep": (3,), "tilt": (2,)}
         if derivatives:
@@ -202,13 +202,13 @@ class Contact(Settings, ContactPlain, Handle):
     # -------------------------------------------------------------------------------- results
 
     def tractions(self, axes: int | str = _api.LOCAL) -> np.ndarray:
-        """Tractions on body 1, [n, 3]."""
+        """Returns tractions on body 1, [n, 3]."""
         t, address = room(self.size[0], 3)
         self._call("get_tractions", axes, len(t), address)
         return t
 
     def field(self, field: int | str, axes: int | str = _api.LOCAL) -> np.ndarray:
-        """A nodal field, FIELD_...: [n, 3], [n, 2] or [n]."""
+        """Returns a nodal field, FIELD_...: [n, 3], [n, 2] or [n]."""
         count = self.size[0]
         need = c_int64()
         self._call("get_field", field, axes, 0, None, byref(need))
@@ -217,7 +217,7 @@ class Contact(Settings, ContactPlain, Handle):
         return v if v.size == count else v.reshape(count, -1)
 
     def save_past(self) -> np.ndarray:
-        """What the next step in time starts from, [n], for restore_past of this or another contact."""
+        """Returns what the next step in time starts from, [n], for restore_past of this or another contact."""
         need = c_int64()
         self._call("save_past", 0, None, byref(need))
         past, address = room(need.value)
@@ -225,21 +225,21 @@ class Contact(Settings, ContactPlain, Handle):
         return past
 
     def node_status(self) -> np.ndarray:
-        """OPEN, STICK, SLIP or EXCLUDED at each node."""
+        """Returns OPEN, STICK, SLIP or EXCLUDED at each node."""
         status, address = room(self.size[0], dtype=np.int32)
         self._call("get_status", status.size, address)
         return status
 
     def displacements_at(self, body: int, xy: ArrayLike) -> np.ndarray:
-        """Displacements [n, 3] of body 1 or 2 at points xy[n, 2] of the contact surface."""
+        """Returns displacements [n, 3] of body 1 or 2 at points xy[n, 2] of the contact surface."""
         xy, points = reals(xy, 2)
         u, address = room(len(xy), 3)
         self._call("get_displacements_at", body, len(xy), points, address)
         return u
 
     def stresses_at(self, body: int, xyz: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-        """Stresses [n, 6] (s11, s22, snn, s12, s1n, s2n) and displacements [n, 3] at points xyz[n, 3]
-        inside body 1 (n <= 0) or body 2 (n >= 0), a half-space, in the contact's axes."""
+        """Returns stresses [n, 6] (s11, s22, snn, s12, s1n, s2n) and displacements [n, 3] at points xyz[n, 3] inside
+        body 1 (n <= 0) or body 2 (n >= 0), a half-space, in the contact's axes."""
         xyz, points = reals(xyz, 3)
         stress, first = room(len(xyz), 6)
         u, second = room(len(xyz), 3)
@@ -247,8 +247,8 @@ class Contact(Settings, ContactPlain, Handle):
         return stress, u
 
     def wear(self, law: str, parameters: ArrayLike, y: ArrayLike) -> tuple[np.ndarray, float]:
-        """Depth [points] that a pass of the contact wears off at places y along t2, and the volume
-        per length rolled, by a law, "archard" (i, or i1, i2, angle) or "t_gamma" (pairs)."""
+        """Returns the depth [points] that a pass of the contact wears off at places y along t2, and the volume per
+        length rolled, by a law, "archard" (i, or i1, i2, angle) or "t_gamma" (pairs)."""
         parameters, given = reals(np.atleast_1d(parameters))
         y, places = reals(y)
         depth, address = room(len(y))
@@ -257,7 +257,7 @@ class Contact(Settings, ContactPlain, Handle):
         return depth, volume.value
 
     def body_displacements(self, body: int) -> np.ndarray:
-        """Displacements [nodes, 3] of all nodes of body 1 or 2, of finite or boundary elements, in its axes."""
+        """Returns displacements [nodes, 3] of all nodes of body 1 or 2, of finite or boundary elements, in its axes."""
         need = c_int64()
         self._call("get_body_displacements", body, 0, None, byref(need))
         u, address = room(need.value // 3, 3)
@@ -265,8 +265,8 @@ class Contact(Settings, ContactPlain, Handle):
         return u
 
     def body_fields_at(self, body: int, xyz: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-        """Displacements [n, 3] and stresses [n, 6] (s11, s22, s33, s12, s13, s23) at points xyz[n, 3] inside body 1 or
-        2, of finite or boundary elements, in its axes."""
+        """Returns displacements [n, 3] and stresses [n, 6] (s11, s22, s33, s12, s13, s23) at points xyz[n, 3] inside
+        body 1 or 2, of finite or boundary elements, in its axes."""
         xyz, points = reals(xyz, 3)
         displacement, first = room(len(xyz), 3)
         stress, second = room(len(xyz), 6)
@@ -274,19 +274,20 @@ class Contact(Settings, ContactPlain, Handle):
         return displacement, stress
 
     def write_body(self, body: int, path: str | os.PathLike) -> None:
-        """Elements of body 1 or 2 with displacements, smoothed stresses and von Mises's stress, as a VTU file."""
+        """Writes elements of body 1 or 2 with displacements, smoothed stresses and von Mises's stress, as a VTU
+        file."""
         self._call("write_body", body, c_path(path))
 
     def temperatures_at(self, xy: ArrayLike) -> np.ndarray:
-        """Temperatures [n, 2] of the surfaces of bodies 1 and 2 at points xy[n, 2] of the plane of the axes."""
+        """Returns temperatures [n, 2] of the surfaces of bodies 1 and 2 at points xy[n, 2] of the plane of the axes."""
         xy, points = reals(xy, 2)
         temperature, address = room(len(xy), 2)
         self._call("get_temperatures_at", len(xy), points, address)
         return temperature
 
     def history(self) -> np.ndarray:
-        """One row per iteration: phase, iteration, normal residual, tangential residual, step
-        length, nodes in contact, nodes in slip, seconds."""
+        """Returns one row per iteration: phase, iteration, normal residual, tangential residual, step length, nodes
+        in contact, nodes in slip, seconds."""
         need = c_int64()
         self._call("get_history", 0, None, byref(need))
         rows, address = room(need.value, 8)
@@ -294,8 +295,8 @@ class Contact(Settings, ContactPlain, Handle):
         return rows
 
     def error_function(self) -> np.ndarray:
-        """Error function of every row of history(), and seconds since the solve began: one row
-        (psi, seconds) per iteration."""
+        """Returns the error function of every row of history(), and seconds since the solve began: one row (psi,
+        seconds) per iteration."""
         need = c_int64()
         self._call("get_error_function", 0, None, None, byref(need))
         columns, psi = room(2, need.value)
@@ -306,27 +307,27 @@ class Contact(Settings, ContactPlain, Handle):
 
     @property
     def force(self) -> np.ndarray:
-        """Force [3] on body 1 in the contact's axes: resultant()[0]."""
+        """Returns the force [3] on body 1 in the contact's axes: resultant()[0]."""
         return self.resultant()[0]
 
     @property
     def moment(self) -> np.ndarray:
-        """Moment [3] on body 1 about the origin of the contact's axes: resultant()[1]."""
+        """Returns the moment [3] on body 1 about the origin of the contact's axes: resultant()[1]."""
         return self.resultant()[1]
 
     @property
     def approach(self) -> float:
-        """How far the bodies are moved together, given or found: motion()[0]."""
+        """Returns how far the bodies are moved together, given or found: motion()[0]."""
         return self.motion()[0]
 
     @property
     def creepages(self) -> np.ndarray:
-        """Longitudinal and lateral creepage and spin [3], given or found: motion()[1]."""
+        """Returns longitudinal and lateral creepage and spin [3], given or found: motion()[1]."""
         return self.motion()[1]
 
     @property
     def pressure(self) -> np.ndarray:
-        """Pressure at the nodes [n]: field("pressure")."""
+        """Returns the pressure at the nodes [n]: field("pressure")."""
         return self.field("pressure")
 
     # -------------------------------------------------------------------------------- pictures
@@ -343,7 +344,7 @@ class Contact(Settings, ContactPlain, Handle):
             return f"{words}; not solved"
 
     def plot_pressure(self, ax=None, **options):
-        """Draws the pressure over the contact; the axes of matplotlib. See rollcon.plots."""
+        """Draws the pressure over the contact; returns the axes of matplotlib. See rollcon.plots."""
         from . import plots
         return plots.pressure(self, ax, **options)
 

@@ -1,4 +1,4 @@
-"""Context: log, thread budget, latch."""
+"""Provides the context: log, thread budget, latch."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class Context(ContextPlain, Handle):
-    """Owner of log sink, thread budget and the latch."""
+    """Owns log sink, thread budget and the latch."""
 
     _kind = "context"
 
@@ -26,9 +26,9 @@ class Context(ContextPlain, Handle):
             self.set_threads(threads)
 
     def set_log(self, level: int | str, sink: Callable[[int, str], None] | None = None) -> None:
-        """Messages up to `level` go to sink(level, text); no sink: to nobody.
+        """Sends messages up to `level` to sink(level, text); without a sink, to nobody.
 
-        What the sink raises is printed by ctypes and otherwise ignored.
+        An exception that the sink raises is printed by ctypes and otherwise ignored.
         """
         if sink is None:
             wrapped = _api.log_fn()

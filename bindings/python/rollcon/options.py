@@ -1,4 +1,4 @@
-"""The tables of settings and of statistics."""
+"""Provides the tables of settings and of statistics."""
 
 from __future__ import annotations
 
@@ -35,31 +35,31 @@ def _names(count, name_of):
 
 
 def option_table() -> list[Option]:
-    """Every solver setting: name, type (TYPE_INT, TYPE_REAL, TYPE_STR), range, standard, doc."""
+    """Returns every solver setting: name, type (TYPE_INT, TYPE_REAL, TYPE_STR), range, standard, doc."""
     return _options(lib.rollcon_option_count, lib.rollcon_option_info, lib.rollcon_option_doc)
 
 
 def body_option_table() -> list[Option]:
-    """Every setting of a body, in the manner of option_table()."""
+    """Returns every setting of a body, in the manner of option_table()."""
     return _options(lib.rollcon_body_option_count, lib.rollcon_body_option_info,
                     lib.rollcon_body_option_doc)
 
 
 def stat_names() -> list[str]:
-    """Names that Contact.stat knows."""
+    """Returns the names that Contact.stat knows."""
     return _names(lib.rollcon_stat_count, lib.rollcon_stat_name)
 
 
 def body_stat_names() -> list[str]:
-    """Names that Body.stat knows."""
+    """Returns the names that Body.stat knows."""
     return _names(lib.rollcon_body_stat_count, lib.rollcon_body_stat_name)
 
 
 def wheelrail_stat_names() -> list[str]:
-    """Names that WheelRail.stat knows."""
+    """Returns the names that WheelRail.stat knows."""
     return _names(lib.rollcon_wheelrail_stat_count, lib.rollcon_wheelrail_stat_name)
 
 
 def wheelrail_patch_stat_names() -> list[str]:
-    """Names that WheelRail.patch_stat knows."""
+    """Returns the names that WheelRail.patch_stat knows."""
     return _names(lib.rollcon_wheelrail_patch_stat_count, lib.rollcon_wheelrail_patch_stat_name)

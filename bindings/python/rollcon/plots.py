@@ -1,6 +1,6 @@
-"""Pictures by matplotlib, one call each. They draw into the axes given, or into new ones, and return them; nothing is
-shown or saved before matplotlib.pyplot's show() or the figure's savefig() is called. The methods plot_... of Contact,
-Body and WheelRail call these; matplotlib is imported by the first of them."""
+"""Draws pictures by matplotlib, one call each. They draw into the axes given, or into new ones, and return them;
+nothing is shown or saved before matplotlib.pyplot's show() or the figure's savefig() is called. The methods plot_...
+of Contact, Body and WheelRail call these; matplotlib is imported by the first of them."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def _axes(ax, **options):
 
 
 def _nodes(contact):
-    """x, y of the nodes in the contact's axes, and what is in contact."""
+    """Returns x, y of the nodes in the contact's axes, and what is in contact."""
     point = contact.field("point")
     state = contact.node_status()
     if not len(state):
@@ -33,7 +33,7 @@ def _nodes(contact):
 
 
 def _triangles(x, y, touching):
-    """Triangles between nodes, without those that bridge patches; None for nodes on one line."""
+    """Returns triangles between nodes, without those that bridge patches; None for nodes on one line."""
     from matplotlib.tri import Triangulation
     try:
         mesh = Triangulation(x, y)
@@ -47,7 +47,7 @@ def _triangles(x, y, touching):
 
 
 def _label(ax, x, y):
-    """Both axes in one scale, unless the contact is so slender that nothing would be seen."""
+    """Puts both axes in one scale, unless the contact is so slender that nothing would be seen."""
     if 0.1 < np.ptp(x) / max(np.ptp(y), 1e-300) < 10:
         ax.set_aspect("equal")
     ax.set_xlabel("x, rolling direction")
@@ -66,13 +66,14 @@ def _over_plane(contact, values, touching, x, y, ax, label, cmap):
 
 
 def pressure(contact, ax=None, cmap="viridis"):
-    """Pressure over the contact."""
+    """Draws the pressure over the contact."""
     x, y, touching, _ = _nodes(contact)
     return _over_plane(contact, np.where(touching, contact.field("pressure"), 0), touching, x, y, ax, "pressure", cmap)
 
 
 def tractions(contact, ax=None, arrows=400):
-    """Tangential tractions on body 1 as arrows over where the nodes stick and slip; about so many arrows at most."""
+    """Draws tangential tractions on body 1 as arrows over where the nodes stick and slip; about so many arrows at
+    most."""
     x, y, touching, state = _nodes(contact)
     t = contact.tractions()
     ax = _axes(ax)
@@ -87,8 +88,8 @@ def tractions(contact, ax=None, arrows=400):
 
 
 def section(contact, y=None, ax=None):
-    """Pressure, longitudinal and lateral traction, and the limit of friction, along the rolling direction through the
-    nodes nearest to y; None: through the largest pressure."""
+    """Draws pressure, longitudinal and lateral traction, and the limit of friction, along the rolling direction
+    through the nodes nearest to y; None: through the largest pressure."""
     px, py, touching, _ = _nodes(contact)
     p, t, mu = contact.field("pressure"), contact.tractions(), contact.field("friction")
     wanted = py[np.argmax(np.where(touching, p, -np.inf))] if y is None else y
@@ -112,8 +113,9 @@ def section(contact, y=None, ax=None):
 
 
 def creep_curve(contact, creepages, direction="longitudinal", ax=None):
-    """Forces over a list of creepages (or spins) in a direction that is prescribed by motion, as is the standard. Each is
-    solved; at the end the contact is solved again as it was. Forces are over the normal force."""
+    """Draws forces over a list of creepages (or spins) in a direction that is prescribed by motion, which is the
+    standard. Each is solved; at the end the contact is solved again in its first state. Forces are over the normal
+    force."""
     names = ("longitudinal", "lateral", "normal", "spin")
     direction = names[enumerator(direction, "direction", "direction") - 1]
     if direction == "normal":
@@ -142,7 +144,7 @@ def creep_curve(contact, creepages, direction="longitudinal", ax=None):
 
 
 def profile(body, ax=None, points=400, **line):
-    """The profile of a body: y to the right, z down as the field draws it."""
+    """Draws the profile of a body: y to the right, z down, which is the field's convention."""
     at = np.array([body.profile_point(s)[0] for s in np.linspace(0, body.profile_length(), points)])
     ax = _axes(ax)
     first = not ax.lines
@@ -156,9 +158,9 @@ def profile(body, ax=None, points=400, **line):
 
 
 def patches(wheelrail, ax=None, points=2000):
-    """Wheel and rail in the track where they touch, y to the right and z down. Along the rail the largest pressure of
-    each line of nodes of a patch, as a height over its tangent; a patch without nodes (Hertzian) is a line along its
-    normal. The legend has the numbers."""
+    """Draws wheel and rail in the track where they touch, y to the right and z down. The largest pressure of each
+    line of nodes of a patch is drawn along the rail, as a height over its tangent; a patch without nodes (Hertzian)
+    is a line along its normal. The legend has the numbers."""
     ax = _axes(ax)
     count = wheelrail.patch_count
     if not count:
@@ -167,7 +169,7 @@ def patches(wheelrail, ax=None, points=2000):
             for k in range(count)]
     across = [_pressure_across(wheelrail, k) for k in range(count)]
     y = np.concatenate([[s["y"] for s in stat], *[a[0][:, 0] for a in across]])
-    half = max(1.25 * np.ptp(y), 5e-3 * np.abs(y).max())  # of what is drawn
+    half = max(1.25 * np.ptp(y), 5e-3 * np.abs(y).max())  # half size of what is drawn
     middle = (y.min() + y.max()) / 2
     low, high = middle - half, middle + half
     outlines = []
@@ -197,8 +199,8 @@ def patches(wheelrail, ax=None, points=2000):
 
 
 def _pressure_across(wheelrail, patch):
-    """Places in the track of the lines of nodes across a patch, the largest pressure of each, and the directions out of
-    the rail: the lines of a conformal patch lie along the profiles."""
+    """Returns places in the track of the lines of nodes across a patch, the largest pressure of each, and the
+    directions out of the rail: the lines of a conformal patch lie along the profiles."""
     origin, axes = wheelrail.patch_axes(patch)
     t2, n = np.reshape(axes, (3, 3))[1:, 1:]
     contact = wheelrail.contact(patch)
@@ -217,7 +219,7 @@ def _pressure_across(wheelrail, patch):
 
 
 def contact_points(left, right, shift, ax=None):
-    """Where both wheels of a wheelset touch, y on their profiles, over its lateral shift[n]."""
+    """Draws where both wheels of a wheelset touch, y on their profiles, over its lateral shift[n]."""
     ax = _axes(ax)
     found = wheelrail_module.contact_points(left, right, shift)
     for touch, marker, name in ((found.left, "<", "left"), (found.right, ">", "right")):
@@ -227,7 +229,7 @@ def contact_points(left, right, shift, ax=None):
 
 
 def rolling_radius_difference(left, right, shift, ax=None):
-    """Rolling radius on the right less that on the left, over the wheelset's lateral shift[n]."""
+    """Draws the rolling radius on the right less that on the left, over the wheelset's lateral shift[n]."""
     ax = _axes(ax)
     found = wheelrail_module.contact_points(left, right, shift)
     ax.plot(found.shift, found.difference, "k-", label="right less left")
@@ -243,7 +245,7 @@ def _over_shift(ax):
 
 
 def conicity(left, right, amplitude, ax=None):
-    """Equivalent conicity (EN 15302) over the amplitude[n] of the wheelset's motion."""
+    """Draws the equivalent conicity (EN 15302) over the amplitude[n] of the wheelset's motion."""
     ax = _axes(ax)
     ax.plot(np.asarray(amplitude), wheelrail_module.conicity(left, right, amplitude)[0], "k.-")
     ax.set_xlabel("amplitude of the lateral motion")

@@ -1,4 +1,4 @@
-"""Statuses as numbers with names."""
+"""Provides statuses as numbers with names."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from . import _api
 
 
 class Status(int):
-    """A status that a call returned, an integer that shows its name: OK, RIM_CONTACT, ..."""
+    """Is a status that a call returned, an integer that shows its name: OK, RIM_CONTACT, ..."""
 
     @property
     def name(self) -> str:

@@ -1,4 +1,4 @@
-"""What yield criteria want of stresses."""
+"""Computes what yield criteria need of stresses."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ if TYPE_CHECKING:
 
 
 def stress_invariants(stress: ArrayLike) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Principal stresses [n, 3], the largest first, von Mises's stress [n] and the largest shear
-    stress [n] of stresses [n, 6]: s11, s22, s33, s12, s13, s23."""
+    """Returns the principal stresses [n, 3], the largest first, von Mises's stress [n] and the largest shear stress
+    [n] of stresses [n, 6]: s11, s22, s33, s12, s13, s23."""
     stress, given = reals(stress, 6)
     principal, first = room(len(stress), 3)
     von_mises, second = room(len(stress))

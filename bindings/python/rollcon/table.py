@@ -1,4 +1,4 @@
-"""Creep-force tables."""
+"""Provides creep-force tables."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ if TYPE_CHECKING:
 
 
 class Table(TablePlain, Handle):
-    """Forces and spin moment of Hertzian steady rolling in about a microsecond, from solved cases.
+    """Gives forces and spin moment of Hertzian steady rolling in about a microsecond, from solved cases.
 
-    Table(context) has no samples: set it, then make() it. Table.standard(context) is the one that comes
-    with the library, Table.load(context, path) one that was saved.
+    Table(context) has no samples: set it, then make() it. Table.standard(context) is the one that comes with the
+    library, Table.load(context, path) one that was saved.
     """
 
     _kind = "table"
@@ -42,27 +42,27 @@ class Table(TablePlain, Handle):
 
     @classmethod
     def standard(cls, context: Context) -> Table:
-        """Steel on steel, Poisson's ratios 0.28 to 0.3, ratios of semi-axes 1/25 to 25."""
+        """Returns the table of steel on steel, Poisson's ratios 0.28 to 0.3, ratios of semi-axes 1/25 to 25."""
         made = ctypes.c_void_p()
         check(lib.rollcon_table_standard(context.handle, byref(made)))
         return cls(context, made)
 
     @classmethod
     def load(cls, context: Context, path: str | os.PathLike) -> Table:
-        """A table that save() wrote."""
+        """Loads a table that save() wrote."""
         made = ctypes.c_void_p()
         check(lib.rollcon_table_load(context.handle, c_path(path), byref(made)))
         return cls(context, made)
 
     def set_progress(self, callback: Callable | None) -> None:
-        """callback(event) is called about ten times a second while make() works; a true result cancels, and so does
-        what it raises, which make() then raises. None removes it."""
+        """Sets callback(event), which is called about ten times a second while make() works; a true result cancels,
+        and so does an exception that it raises, which make() then raises. None removes it."""
         wrapped = progress_function(callback, self._raised)
         self._call("set_progress", wrapped, None)
         self._callbacks["progress"] = wrapped
 
     def make(self, part: int = 0, parts: int = 1) -> Status:
-        """Solves a part of the samples; the status: OK or CANCELLED."""
+        """Solves a part of the samples; returns the status: OK or CANCELLED."""
         self._raised.clear()
         status = call(lib.rollcon_table_make, self._handle, part, parts)
         if self._raised:
@@ -71,7 +71,7 @@ class Table(TablePlain, Handle):
 
     @property
     def samples(self) -> np.ndarray:
-        """All samples; NaN where one is not solved yet."""
+        """Returns all samples; NaN where one is not solved yet."""
         count = c_int64()
         self._call("get_samples", 0, None, byref(count))
         samples, at = room(count.value)
@@ -80,8 +80,9 @@ class Table(TablePlain, Handle):
         return samples
 
     def evaluate(self, inputs: ArrayLike, derivatives: bool = False) -> np.ndarray | tuple[np.ndarray, np.ndarray]:
-        """Forces and moment [3], or [n, 3], of inputs [9] or [n, 9]: shear, poisson, friction, a, b, load,
-        longitudinal and lateral creepage, spin. With derivatives also those [3, 9] or [n, 3, 9] by the inputs."""
+        """Returns forces and moment [3], or [n, 3], of inputs [9] or [n, 9]: shear, poisson, friction, a, b, load,
+        longitudinal and lateral creepage, spin. With derivatives it also returns those [3, 9] or [n, 3, 9] by the
+        inputs."""
         given = np.asarray(inputs, dtype=float)
         one = given.ndim == 1
         given, given_at = reals(given.reshape(-1, 9), 9)
@@ -95,8 +96,8 @@ class Table(TablePlain, Handle):
         return (results[0], by[0]) if one else (results, by)
 
     def evaluate_contact(self, contact: Contact, friction: float | None = None) -> np.ndarray:
-        """Forces along t1 and t2 and moment about n [3] of a solved contact, by the Hertzian contact that stands for
-        it; friction None: the contact's own."""
+        """Returns forces along t1 and t2 and moment about n [3] of a solved contact, by the Hertzian contact that
+        stands for it; friction None: the contact's own."""
         results, results_at = room(3)
         self._call("evaluate_contact", contact.handle, -1.0 if friction is None else float(friction), results_at)
         return results

@@ -1,4 +1,4 @@
-"""Profiles that wear."""
+"""Wears profiles."""
 
 from __future__ import annotations
 
@@ -15,10 +15,9 @@ if TYPE_CHECKING:
 
 def wear_profile(yz: ArrayLike, rate: ArrayLike, side: int, distance: float, most_depth: float,
                  smoothing: float = 0) -> tuple[np.ndarray, float]:
-    """Points yz[n, 2] of a profile worn by rate[n], depth per distance, along the normal: the worn
-    points, and how much of the distance was taken so that none is worn deeper than most_depth. side 1:
-    the body lies at greater z (a rail), -1: at lesser z (a wheel). smoothing: waves of that length
-    keep one half."""
+    """Wears points yz[n, 2] of a profile by rate[n], depth per distance, along the normal: returns the worn points,
+    and how much of the distance was taken so that none is worn deeper than most_depth. side 1: the body lies at
+    greater z (a rail), -1: at lesser z (a wheel). smoothing: waves of that length keep one half."""
     yz, given = reals(yz, 2)
     rate, rates = reals(rate)
     if len(rate) != len(yz):

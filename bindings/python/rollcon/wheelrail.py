@@ -1,4 +1,4 @@
-"""A wheel of a wheelset on its rail."""
+"""Provides wheels of a wheelset on their rails."""
 
 from __future__ import annotations
 
@@ -20,17 +20,16 @@ if TYPE_CHECKING:
 
 
 class Touch:
-    """Where a wheel touches, over the shifts: y, z and angle in the track, wheel_y on the wheel's
-    profile, rolling_radius; [n] each."""
+    """Says where a wheel touches, over the shifts: y, z and angle in the track, wheel_y on the wheel's profile,
+    rolling_radius; [n] each."""
 
     def __init__(self, table):
         self.y, self.z, self.angle, self.wheel_y, self.rolling_radius = table.T.copy()
 
 
 class Positions:
-    """Results of WheelRail.solve_many: worst, the call's status; status[n]; force[n, 3] and
-    moment[n, 3] on the wheel in the track, z, vertical_force, friction_power, [n] each; NaN where
-    there are none."""
+    """Holds results of WheelRail.solve_many: worst, the call's status; status[n]; force[n, 3] and moment[n, 3] on
+    the wheel in the track, z, vertical_force, friction_power, [n] each; NaN where there are none."""
 
     def __init__(self, worst, status, totals):
         self.worst, self.status = worst, status
@@ -39,16 +38,16 @@ class Positions:
 
 
 class Wear:
-    """Results of WheelRail.find_wear: worst, the call's status; status[n]; wheel and rail, depths
-    [points] per pass; volumes [2] of wheel and rail per length rolled."""
+    """Holds results of WheelRail.find_wear: worst, the call's status; status[n]; wheel and rail, depths [points] per
+    pass; volumes [2] of wheel and rail per length rolled."""
 
     def __init__(self, worst, status, wheel, rail, volumes):
         self.worst, self.status, self.wheel, self.rail, self.volumes = worst, status, wheel, rail, volumes
 
 
 class ContactPoints:
-    """Results of contact_points: shift, z and roll of the wheelset, its rolling-radius difference
-    (right less left), [n] each; left and right, a Touch each."""
+    """Holds results of contact_points: shift, z and roll of the wheelset, its rolling-radius difference (right less
+    left), [n] each; left and right, a Touch each."""
 
     def __init__(self, shift, table):
         self.shift = shift
@@ -70,7 +69,7 @@ def contact_points(left: WheelRail, right: WheelRail, shift: ArrayLike) -> Conta
 
 
 def conicity(left: WheelRail, right: WheelRail, amplitude: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-    """Equivalent conicity of EN 15302 for each amplitude[n], and the wavelength of the motion.
+    """Returns the equivalent conicity of EN 15302 for each amplitude[n], and the wavelength of the motion.
 
     left: the WheelRail on the left, with track and wheelset set.
     right: the WheelRail on the right.
@@ -83,7 +82,7 @@ def conicity(left: WheelRail, right: WheelRail, amplitude: ArrayLike) -> tuple[n
 
 
 def nonlinearity_parameter(left: WheelRail, right: WheelRail, millimetre: float = 1.0) -> float:
-    """Nonlinearity parameter of EN 15302:2021, in 1/length: how much equivalent conicity grows from an
+    """Returns the nonlinearity parameter of EN 15302:2021, in 1/length: how much equivalent conicity grows from an
     amplitude of 2 mm to one of 4 mm, over 2 mm.
 
     left: the WheelRail on the left, with track and wheelset set.
@@ -94,7 +93,7 @@ def nonlinearity_parameter(left: WheelRail, right: WheelRail, millimetre: float 
 
 
 def rolling_radii_coefficient(left: WheelRail, right: WheelRail, shift: float, curve: float) -> float:
-    """Rolling radii coefficient of EN 15302:2021: the difference of rolling radii that a wheelset has,
+    """Returns the rolling radii coefficient of EN 15302:2021: the difference of rolling radii that a wheelset has,
     divided by the one with which it rolls round a curve without slip. At 1 and above the wheelset can steer.
 
     left: the WheelRail on the left, with track and wheelset set.
@@ -110,7 +109,7 @@ def rolling_radii_coefficient(left: WheelRail, right: WheelRail, shift: float, c
 
 
 class WheelRail(WheelrailPlain, Handle):
-    """Two profiles, dimensions, position and velocity in; patches and forces out.
+    """Takes two profiles, dimensions, position and velocity; gives patches and forces.
 
     side: LEFT or RIGHT ("left", "right"). Patches count from 0.
     """
@@ -130,19 +129,19 @@ class WheelRail(WheelrailPlain, Handle):
         return wheelrail
 
     def set_table(self, table: Table) -> None:
-        """Looks forces along the surfaces up in a Table from now on; forget_table() ends it. Contacts
-        of patches then have pressures alone."""
+        """Takes forces along the surfaces from a Table from now on; forget_table() ends it. Contacts of patches then
+        have pressures alone."""
         self._call("set_table", table.handle)
 
     def copy(self) -> WheelRail:
-        """Another WheelRail with the same bodies, inputs and last solution: both go on alike."""
+        """Returns another WheelRail with the same bodies, inputs and last solution: both go on alike."""
         made = ctypes.c_void_p()
         self._call("copy", byref(made))
         return WheelRail._of_handle(made.value, self._context)
 
     def solve_many(self, positions: ArrayLike, velocities: ArrayLike) -> Positions:
-        """Solves positions[n, 6] with velocities[n, 6] on the threads of the context, each by
-        itself from nothing; a Positions."""
+        """Solves positions[n, 6] with velocities[n, 6] on the threads of the context, each by itself from nothing;
+        returns a Positions."""
         positions, positions_at = reals(positions, 6)
         velocities, velocities_at = reals(velocities, 6)
         if len(positions) != len(velocities):
@@ -154,8 +153,8 @@ class WheelRail(WheelrailPlain, Handle):
 
     def find_wear(self, positions: ArrayLike, velocities: ArrayLike, law: str, parameters: ArrayLike,
                   points: int, weights: ArrayLike | None = None) -> Wear:
-        """What a spectrum of positions[n, 6] with velocities[n, 6] and weights[n] (None: alike) wears
-        off both profiles per pass, at points at equal arc lengths; a Wear. See Contact.wear()."""
+        """Returns what a spectrum of positions[n, 6] with velocities[n, 6] and weights[n] (None: alike) wears off
+        both profiles per pass, at points at equal arc lengths, as a Wear. See Contact.wear()."""
         positions, positions_at = reals(positions, 6)
         velocities, velocities_at = reals(velocities, 6)
         if len(positions) != len(velocities):
@@ -174,14 +173,14 @@ class WheelRail(WheelrailPlain, Handle):
         return Wear(worst, status, wheel, rail, volumes)
 
     def contact(self, patch: int) -> Contact:
-        """The Contact of a patch, to be read: body 1 is the wheel, and the next solve changes it."""
+        """Returns the Contact of a patch, to be read: body 1 is the wheel, and the next solve changes it."""
         made = ctypes.c_void_p()
         self._call("get_contact", patch, byref(made))
         return Contact._of_handle(made.value, self._context)
 
     @property
     def contacts(self) -> list[Contact]:
-        """Those of all patches of the last solve."""
+        """Returns the contacts of all patches of the last solve."""
         return [self.contact(patch) for patch in range(self.patch_count)]
 
     def _about(self):
@@ -193,6 +192,7 @@ class WheelRail(WheelrailPlain, Handle):
         return f"{count} patch{'es' if count != 1 else ''}, force on the wheel {shown(force)}"
 
     def plot_patches(self, ax=None):
-        """Draws wheel and rail where they touch, and the pressures; the axes of matplotlib. See rollcon.plots."""
+        """Draws wheel and rail where they touch, and the pressures; returns the axes of matplotlib. See
+        rollcon.plots."""
         from . import plots
         return plots.patches(self, ax)
