@@ -1,4 +1,4 @@
-# How rollcon's own code is compiled. Nothing here reaches a user of the library.
+# Says how rollcon's own code is compiled. Nothing here reaches a user of the library.
 
 # Instruction sets are chosen at run time: there is no -march here. RollconKernels.cmake
 # compiles what differs once for each of them.
@@ -28,9 +28,9 @@ if(ROLLCON_SANITIZE)
   if(ROLLCON_SANITIZE_TESTS)
     add_compile_options(${_options} -g)
   else()
-    # As debugging wants it, whatever the tests' build type is; GCC warns of what it has instrumented.
-    # Checks of every pointer for null and alignment take half of the compiler's time; the first kind
-    # the address sanitizer sees as well.
+    # The options are those of debugging, whatever the tests' build type is; GCC warns of what it has instrumented.
+    # Checks of every pointer for null and alignment take half of the compiler's time; the address sanitizer sees the
+    # first kind as well.
     set(ROLLCON_SANITIZE_OPTIONS ${_options} -fno-sanitize=null,alignment -g1 -O1 -UNDEBUG -Wno-error)
   endif()
   add_link_options(-fsanitize=${_sanitizers})
@@ -42,7 +42,7 @@ if(ROLLCON_COVERAGE)
   set(ROLLCON_COVERAGE_OPTIONS --coverage -fprofile-update=single)
   add_link_options(--coverage)
 endif()
-# The library's branches and comparisons are told to libFuzzer.
+# libFuzzer is told of the library's branches and comparisons.
 set(ROLLCON_FUZZ_OPTIONS "")
 if(ROLLCON_FUZZ)
   if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang" OR NOT ROLLCON_SANITIZE)

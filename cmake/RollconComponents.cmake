@@ -1,8 +1,8 @@
-# Components: parts that a build may go without, one option ROLLCON_WITH_<NAME> each. What is built
-# stands in ROLLCON_BUILD_<NAME>. An absent component is not compiled, and nothing of its own is looked
-# for or linked; src/**/<component>_absent.cpp then says so to its callers.
+# Defines components: parts that a build may go without, one option ROLLCON_WITH_<NAME> each. What is built stands in
+# ROLLCON_BUILD_<NAME>. An absent component is not compiled, and nothing of its own is looked for or linked;
+# src/**/<component>_absent.cpp then says so to its callers.
 
-# Up to 0.1 some options had no WITH. An entry that an old build folder still holds is dropped.
+# Some options had no WITH up to 0.1. An entry that an old build folder still holds is dropped.
 foreach(_name IN ITEMS CHOLMOD UMFPACK OPENMP)
   if(DEFINED CACHE{ROLLCON_${_name}})
     get_property(_help CACHE ROLLCON_${_name} PROPERTY HELPSTRING)
@@ -18,7 +18,7 @@ foreach(_name IN ITEMS CHOLMOD UMFPACK OPENMP)
   endif()
 endforeach()
 
-# Those of rollcon's own sources are on.
+# Components of rollcon's own sources are on.
 option(ROLLCON_WITH_BEM "Boundary-element bodies" ON)
 option(ROLLCON_WITH_PROCEDURES "The published solution procedures" ON)
 option(ROLLCON_WITH_VTU "rollcon_contact_write: VTU files" ON)
@@ -27,7 +27,7 @@ foreach(_name IN ITEMS BEM PROCEDURES VTU OPENMP)
   set(ROLLCON_BUILD_${_name} ${ROLLCON_WITH_${_name}})
 endforeach()
 
-# Those that need a library from outside are taken where it is found (AUTO) and required where ON.
+# Components that need a library from outside are taken where it is found (AUTO) and required where ON.
 # rollcon_wish(<NAME> <doc>) makes the option and sets _wish_<NAME> to AUTO, ON or OFF.
 macro(rollcon_wish _name _doc)
   set(ROLLCON_WITH_${_name} AUTO CACHE STRING "${_doc}: ON, OFF, or AUTO, where found")
@@ -45,8 +45,8 @@ rollcon_wish(CHOLMOD "CHOLMOD (GPL-2.0-or-later), for finite-element bodies")
 rollcon_wish(UMFPACK "UMFPACK (GPL-2.0-or-later), for the published procedures")
 rollcon_wish(FFTW "FFTW (GPL-2.0-or-later), for regular frames on half-spaces")
 
-# rollcon_external_component(<NAME> <Debian package>): sets ROLLCON_BUILD_<NAME>, and lists what is
-# linked in ROLLCON_EXTERNALS.
+# Sets ROLLCON_BUILD_<NAME>, and lists what is linked in ROLLCON_EXTERNALS: rollcon_external_component(<NAME> <Debian
+# package>)
 set(ROLLCON_EXTERNALS "")
 include(rollconExternal)
 macro(rollcon_external_component _name _package)

@@ -1,5 +1,5 @@
-# Libraries that rollcon links: LAPACK, OpenMP and those of components. ROLLCON_LICENCES collects what
-# the build carries.
+# Finds the libraries that rollcon links: LAPACK, OpenMP and those of components. ROLLCON_LICENCES collects what the
+# build carries.
 
 set(ROLLCON_LICENCES "BSD-3-Clause (rollcon)")
 
@@ -30,7 +30,7 @@ if(ROLLCON_BUILD_OPENMP)
 endif()
 find_package(Threads REQUIRED)
 
-# Libraries a program needs beside a static rollcon, by name: a C or Fortran linker adds no C++
+# These are the libraries that a program needs beside a static rollcon, by name: a C or Fortran linker adds no C++
 # runtime, and no OpenMP runtime, by itself.
 set(ROLLCON_RUNTIME ${CMAKE_CXX_IMPLICIT_LINK_LIBRARIES})
 list(REMOVE_ITEM ROLLCON_RUNTIME gcc gcc_s c ${CMAKE_C_IMPLICIT_LINK_LIBRARIES})

@@ -1,4 +1,4 @@
-# The Fortran interface in rollcon's own build.
+# Adds the Fortran interface in rollcon's own build.
 enable_language(Fortran)
 include(rollconFortranTarget)
 

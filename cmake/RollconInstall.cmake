@@ -1,5 +1,5 @@
-# Installation: libraries, header, Fortran source, CMake package, pkg-config file. Shared and static
-# have an export set each, so that separate builds may be installed side by side.
+# Installs libraries, header, Fortran source, CMake package, pkg-config file. Shared and static have an export set each,
+# so that separate builds may be installed side by side.
 
 include(CMakePackageConfigHelpers)
 include(rollconFortranTarget)
@@ -36,7 +36,7 @@ if(ROLLCON_DOCS)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs/" DESTINATION "${CMAKE_INSTALL_DOCDIR}/docs" COMPONENT documents)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT documents
     PATTERN CMakeLists.txt EXCLUDE PATTERN __pycache__ EXCLUDE)
-  # In their places, so that links between them lead there.
+  # The pages go to their places, so that links between them lead there.
   foreach(_page IN ITEMS README.md CHANGELOG.md CONTRIBUTING.md RELEASING.md SECURITY.md AUTHORS.md CITATION.cff
       fortran/README.md bindings/python/README.md)
     get_filename_component(_folder "${_page}" DIRECTORY)
@@ -74,7 +74,7 @@ install(FILES "${PROJECT_BINARY_DIR}/rollconConfig.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/rollconExternal.cmake"
   DESTINATION "${_package_dir}" COMPONENT development)
 
-# pkg-config: libraries by name, their folder only where the linker would not look by itself.
+# The pkg-config file lists libraries by name, and their folder only where the linker would not look by itself.
 set(_private "")
 foreach(_library IN LISTS _external_libraries LAPACK_LIBRARIES ROLLCON_RUNTIME)
   if(IS_ABSOLUTE "${_library}")

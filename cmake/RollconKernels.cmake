@@ -1,9 +1,9 @@
-# Inner loops that are compiled once for each instruction set and chosen at run time
-# (src/support/instruction_set.hpp): src/**/X_each_set.hpp defines ROLLCON_COMPILED(name), which this
-# build folder's sources X_baseline.cpp, X_avx2.cpp and X_avx512.cpp make name_baseline and so on.
+# Compiles inner loops once for each instruction set, chosen at run time (src/support/instruction_set.hpp):
+# src/**/X_each_set.hpp defines ROLLCON_COMPILED(name), which this build folder's sources X_baseline.cpp, X_avx2.cpp and
+# X_avx512.cpp make name_baseline and so on.
 
-# rollcon_kernels(<list of sources> <list of kernels>): takes the *_each_set.hpp out of the first list and
-# puts the sources made of them into the second one.
+# Takes the *_each_set.hpp out of the first list and puts the sources made of them into the second one:
+# rollcon_kernels(<list of sources> <list of kernels>)
 function(rollcon_kernels sources kernels)
   set(headers ${${sources}})
   list(FILTER headers INCLUDE REGEX "_each_set\\.hpp$")
@@ -12,7 +12,7 @@ function(rollcon_kernels sources kernels)
     set(flags_avx2 -mavx2 -mfma)
     set(flags_avx512 -mavx512f -mavx512dq -mavx512vl -mavx512bw -mfma -mprefer-vector-width=512)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-      # GCC's own AVX-512 header, inlined, draws this warning.
+      # GCC's own AVX-512 header, when inlined, draws this warning.
       list(APPEND flags_avx512 -Wno-maybe-uninitialized -Wno-uninitialized)
     endif()
   endif()

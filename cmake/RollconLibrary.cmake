@@ -1,7 +1,7 @@
-# The library: one set of objects, from which the shared and the static library are made. The static
-# one also serves the unit tests, which reach inside.
+# Builds the library: one set of objects, from which the shared and the static library are made. The static one also
+# serves the unit tests, which reach inside.
 
-# Rooms in the order of docs: each may use only those before it.
+# Rooms come in the order of docs: each may use only those before it.
 set(ROLLCON_ROOMS support linalg mesh io quadrature geometry bodies contact procedures framing tables wheelrail capi)
 
 add_library(rollcon_objects OBJECT)
@@ -29,7 +29,7 @@ target_compile_options(rollcon_objects PRIVATE
 if(ROLLCON_BUILD_OPENMP)
   target_link_libraries(rollcon_objects PRIVATE OpenMP::OpenMP_CXX)
 else()
-  # Its pragmas then mean nothing, nor do counts of threads.
+  # OpenMP's pragmas then mean nothing, and neither do counts of threads.
   target_compile_options(rollcon_objects PRIVATE -Wno-unknown-pragmas -Wno-unused-parameter)
 endif()
 if(ROLLCON_PRECOMPILE STREQUAL "ALL")
@@ -94,12 +94,12 @@ if(ROLLCON_STATIC OR ROLLCON_TESTS)
   if(ROLLCON_BUILD_OPENMP)
     target_link_libraries(rollcon_static INTERFACE "$<BUILD_INTERFACE:${OpenMP_CXX_LIBRARIES}>")
   endif()
-  # By name, as neither FindThreads nor FindOpenMP serves a project in Fortran alone.
+  # The libraries go by name, because neither FindThreads nor FindOpenMP serves a project in Fortran alone.
   target_link_libraries(rollcon_static INTERFACE "$<INSTALL_INTERFACE:${ROLLCON_RUNTIME}>"
     "$<BUILD_INTERFACE:${CMAKE_CXX_IMPLICIT_LINK_LIBRARIES};${CMAKE_THREAD_LIBS_INIT}>")
 endif()
 
-# rollcon::rollcon: the shared library where there is one.
+# The target rollcon::rollcon is the shared library where there is one.
 if(ROLLCON_SHARED)
   add_library(rollcon ALIAS rollcon_shared)
   add_library(rollcon::rollcon ALIAS rollcon_shared)
@@ -108,7 +108,7 @@ else()
   add_library(rollcon::rollcon ALIAS rollcon_static)
 endif()
 
-# Inside view for unit tests and benchmarks.
+# Unit tests and benchmarks see the inside by this target.
 if(TARGET rollcon_static)
   add_library(rollcon_inside INTERFACE)
   target_include_directories(rollcon_inside INTERFACE "${PROJECT_SOURCE_DIR}/src"

@@ -1,4 +1,5 @@
-# Options; docs/build.md lists them all. What only rollcon's own developers want is off unless asked for.
+# Defines options; docs/build.md lists them all. Options that only rollcon's own developers want are off unless asked
+# for.
 
 include(CheckLanguage)
 

@@ -1,12 +1,13 @@
-# Debian packages by CPack, one for each component of the installation: scripts/package.sh calls it, and checks them.
+# Makes Debian packages by CPack, one for each component of the installation: scripts/package.sh calls it, and checks
+# them.
 find_program(ROLLCON_GZIP gzip)
 mark_as_advanced(ROLLCON_GZIP)
 if(NOT ROLLCON_GZIP OR NOT PROJECT_IS_TOP_LEVEL OR NOT ROLLCON_SHARED OR NOT ROLLCON_STATIC OR NOT ROLLCON_PYTHON OR NOT ROLLCON_DOCS)
   return()
 endif()
 
-# Who makes a package maintains it, by the variables that Debian's own tools take. Without them the address says that
-# there is none: no mail reaches the domain "invalid".
+# The maintainer is whoever makes a package, by the variables that Debian's own tools take. Without them the address
+# says that there is none: no mail reaches the domain "invalid".
 set(_maintainer "The rollcon authors <nobody@rollcon.invalid>")
 if(DEFINED ENV{DEBFULLNAME} AND DEFINED ENV{DEBEMAIL})
   set(_maintainer "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
@@ -33,13 +34,13 @@ steady rolling: wheel and rail, roller and raceway. Bodies are half-spaces,\n\
 rigid, or of finite or boundary elements.\n\n")
 set(_shared librollcon${ROLLCON_ABI})
 
-# rollcon_package(<component> <name> <section> <summary> <last paragraph>)
+# Adds a package: rollcon_package(<component> <name> <section> <summary> <last paragraph>)
 macro(rollcon_package component name section summary text)
   string(TOUPPER ${component} _upper)
   set(CPACK_DEBIAN_${_upper}_PACKAGE_NAME ${name})
   set(CPACK_DEBIAN_${_upper}_PACKAGE_SECTION ${section})
   set(CPACK_COMPONENT_${_upper}_DESCRIPTION "${summary}\n${_what}${text}")
-  # What every package of Debian has in its folder of documents.
+  # Every package of Debian has these files in its folder of documents.
   set(_folder "${PROJECT_BINARY_DIR}/packages/${name}")
   configure_file("${PROJECT_SOURCE_DIR}/packaging/debian/copyright" "${_folder}/copyright" COPYONLY)
   set(ROLLCON_PACKAGE ${name})

@@ -1,10 +1,10 @@
-# Headers of others that are read once instead of by every source: for builds that begin with nothing,
-# as in CI. Off elsewhere, so that a missing include shows and caches of compilers work.
+# Reads headers of others once instead of by every source, for builds that begin with nothing, such as CI's. It is off
+# elsewhere, so that a missing include shows and caches of compilers work.
 
 set(ROLLCON_PRECOMPILED <algorithm> <array> <atomic> <cmath> <complex> <cstdint> <cstring> <limits>
   <map> <memory> <mutex> <numbers> <numeric> <optional> <span> <string> <tuple> <utility> <vector>)
 
-# rollcon_precompile(<target> <headers besides>...)
+# Precompiles for a target: rollcon_precompile(<target> <headers besides>...)
 function(rollcon_precompile target)
   set(headers "")
   foreach(header IN LISTS ROLLCON_PRECOMPILED ARGN)

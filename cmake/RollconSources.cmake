@@ -1,4 +1,4 @@
-# Which sources belong to which component: those of absent ones are not compiled.
+# Says which sources belong to which component: those of absent ones are not compiled.
 
 function(rollcon_any_built result)
   set(${result} OFF PARENT_SCOPE)
@@ -9,7 +9,8 @@ function(rollcon_any_built result)
   endforeach()
 endfunction()
 
-# rollcon_belongs(<regular expression under src/> <components>...): compiled where any of these is built.
+# Compiles sources where any of these components is built: rollcon_belongs(<regular expression under src/>
+# <components>...)
 macro(rollcon_belongs _pattern)
   rollcon_any_built(_built ${ARGN})
   if(NOT _built)
@@ -17,8 +18,8 @@ macro(rollcon_belongs _pattern)
   endif()
 endmacro()
 
-# rollcon_stands_for(<file under src/> <components>... [FOR <components>...]): compiled where none of
-# the components is built, and any of those after FOR, which call them; without FOR everybody does.
+# Compiles a file where none of the components is built, and any of those after FOR, which call them; without FOR
+# everybody does: rollcon_stands_for(<file under src/> <components>... [FOR <components>...])
 macro(rollcon_stands_for _file)
   cmake_parse_arguments(_stand "" "" "FOR" ${ARGN})
   rollcon_any_built(_built ${_stand_UNPARSED_ARGUMENTS})
@@ -43,7 +44,7 @@ rollcon_stands_for(mesh/volume_shape_absent.cpp FEM)
 rollcon_belongs("bodies/bem/" BEM)
 rollcon_stands_for(bodies/bem_absent.cpp BEM)
 
-# What both kinds of elastic bodies with a mesh share; rigid ones need none of it.
+# Both kinds of elastic bodies with a mesh use these; rigid ones need none of it.
 rollcon_belongs("bodies/(meshed_|remainder_|frame_on_body|model/(response_cache|saved_responses|supports))" FEM BEM)
 rollcon_stands_for(bodies/meshed_absent.cpp FEM BEM)
 
@@ -61,8 +62,8 @@ rollcon_belongs("linalg/factored_matrix" FEM BEM PROCEDURES)
 rollcon_belongs("io/vtu" VTU)
 rollcon_stands_for(io/vtu_absent.cpp VTU)
 
-# Headers from outside are seen by those files alone that use them: a build that is configured anew with
-# other components compiles little again.
+# Only files that use headers from outside see them: a build that is configured anew with other components compiles
+# little again.
 macro(rollcon_sees _pattern _external)
   if(TARGET rollcon::${_external})
     get_target_property(_folder rollcon::${_external} INTERFACE_INCLUDE_DIRECTORIES)

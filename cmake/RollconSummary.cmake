@@ -1,4 +1,4 @@
-# What was configured, and under which licences the result stands.
+# Prints what was configured, and under which licences the result stands.
 if(PROJECT_IS_TOP_LEVEL)
   set(_kinds "")
   if(ROLLCON_SHARED)

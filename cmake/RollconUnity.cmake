@@ -1,8 +1,8 @@
-# Sources that are compiled together, for builds that begin with nothing, as in CI. Off elsewhere: what
-# is edited should compile alone, and a missing include show.
+# Compiles sources together, for builds that begin with nothing, such as CI's. It is off elsewhere: an edited source
+# should compile alone, and a missing include show.
 
-# rollcon_unity(<list of sources> <number> [<option of unity.py>]): replaces in the list sources without
-# options of their own by a few joined ones in this build folder.
+# Replaces in the list sources without options of their own by a few joined ones in this build folder:
+# rollcon_unity(<list of sources> <number> [<option of unity.py>])
 function(rollcon_unity list number)
   find_package(Python3 REQUIRED COMPONENTS Interpreter)
   set(joined "")
@@ -24,7 +24,7 @@ function(rollcon_unity list number)
     OUTPUT_VARIABLE groups COMMAND_ERROR_IS_FATAL ANY OUTPUT_STRIP_TRAILING_WHITESPACE)
   string(REPLACE "\n" ";" groups "${groups}")
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # It takes what stands behind a `#line` for a header.
+    # GCC takes what stands behind a `#line` for a header.
     set_source_files_properties(${groups} PROPERTIES COMPILE_OPTIONS -Wno-subobject-linkage)
   endif()
   set(${list} ${alone} ${groups} PARENT_SCOPE)

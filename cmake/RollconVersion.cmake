@@ -15,7 +15,7 @@ if(NOT _line MATCHES "\"([0-9a-z]*)\"")
 endif()
 set(ROLLCON_PRERELEASE "${CMAKE_MATCH_1}")
 set(ROLLCON_VERSION ${ROLLCON_VERSION_MAJOR}.${ROLLCON_VERSION_MINOR}.${ROLLCON_VERSION_PATCH})
-# As semantic versions have it, and as Debian sorts it.
+# The texts are those of semantic versions, and of Debian, which sorts them.
 set(ROLLCON_VERSION_TEXT ${ROLLCON_VERSION})
 set(ROLLCON_VERSION_DEBIAN ${ROLLCON_VERSION})
 if(ROLLCON_PRERELEASE)

@@ -1,9 +1,8 @@
-# Libraries found by hand, as imported targets: SuiteSparse 5 and Debian's FFTW bring no CMake package.
-# Used by rollcon's own build and, for a static rollcon, by its CMake package.
+# Finds libraries by hand, as imported targets, because SuiteSparse 5 and Debian's FFTW bring no CMake package. It is
+# used by rollcon's own build and, for a static rollcon, by its CMake package.
 
-# rollcon_find_external(<cholmod|umfpack|fftw> [<folder to look in first>...]) defines the target
-# rollcon::<name>, or nothing where a library or the header is missing. The header is needed to build
-# rollcon only.
+# Defines the target rollcon::<name>, or nothing where a library or the header is missing. The header is needed to build
+# rollcon only: rollcon_find_external(<cholmod|umfpack|fftw> [<folder to look in first>...])
 function(rollcon_find_external name)
   if(TARGET rollcon::${name})
     return()

@@ -1,5 +1,5 @@
-# rollcon::fortran, compiled here and now: name mangling, integer widths and module files are those
-# of this build's compiler and flags. Used by rollcon's own build and by its CMake package.
+# Defines rollcon::fortran, compiled here and now: name mangling, integer widths and module files are those of this
+# build's compiler and flags. It is used by rollcon's own build and by its CMake package.
 
 # A module comes after those it uses, for users who compile by hand.
 set(ROLLCON_FORTRAN_SOURCES rollcon_c.f90 rollcon_support.f90 rollcon_tables.f90

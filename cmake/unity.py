@@ -305,7 +305,7 @@ def write_joined(folder, stem, number, paths, folders, alike=False):
     for k, group in enumerate(grouped([Source(path, headers) for path in paths], number, headers, alike)):
         files.append(str(folder / f"{stem}_{k}.cpp"))
         file = pathlib.Path(files[-1])
-        # One that stays the same keeps its time.
+        # A file that stays the same keeps its time.
         text = joined(group, headers)
         if not file.exists() or file.read_text() != text:
             file.write_text(text)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Stores the binary interface of a library built with tests (GCC, x86-64) as tests/abi/rollcon.abi.
-# To be run when functions were added, or with a new ABI number. abi_dump.sh [build folder]
+# Stores the binary interface of a library built with tests (GCC, x86-64) as tests/abi/rollcon.abi. Run it when
+# functions were added, or with a new ABI number: abi_dump.sh [build folder]
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 build=${1:-$root/build/release}

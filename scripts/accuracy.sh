@@ -48,7 +48,7 @@ cmake --build "$build" --target rollcon-bench -j "$(nproc)"
 bench=$(find "$build" -name rollcon-bench -type f -perm -u+x | head -n 1)
 
 declare -A ran
-# run_cases THREADS CASE...: leaves the names of their record files in the array `files`.
+# Runs cases and leaves the names of their record files in the array `files`: run_cases THREADS CASE...
 run_cases() {
   local threads=$1 name
   shift

@@ -7,7 +7,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 cd "$root"
 
 all=(FEM BEM PROCEDURES VTU OPENMP CHOLMOD UMFPACK FFTW)
-# Name and components of each build.
+# Each entry has the name and the components of a build.
 builds=(
   "everything: FEM BEM PROCEDURES VTU OPENMP CHOLMOD UMFPACK FFTW"
   "without the GPL: BEM PROCEDURES VTU OPENMP"
@@ -26,7 +26,7 @@ if [ $# -gt 0 ]; then
   done
   builds=("${named[@]}")
 fi
-# What a library that has the component shows: symbols, or for files the text that they begin with.
+# Symbols, or for files the text that they begin with, show that a library has the component.
 declare -A symbols=(
   [FEM]='rollcon::fem::(System|Assembly|element_stiffness)|rollcon::volume_rule'
   [BEM]='rollcon::bem::(System|BoundaryIntegrals|kelvin)'
@@ -66,7 +66,7 @@ check_library() {  # check_library <folder> <components...>
 print(ctypes.CDLL(sys.argv[1]).rollcon_has_feature(sys.argv[2].encode()))" "$library" "${name,,}")
     [[ " $* " == *" $name "* ]] && wanted=1
     [ "$feature" = $wanted ] || fail "rollcon_has_feature(\"${name,,}\") is $feature, not $wanted"
-    # That everything shows where it is proves that nothing is overlooked where it must not be.
+    # Symbols that show up where the component is prove that none is overlooked where it must not be.
     if [ $wanted = 1 ]; then
       shows "$name" "$library" || fail "nothing of $name is in a library that has it"
       [ -z "${needed[$name]:-}" ] || grep -qE "${needed[$name]}" "$work/needed" ||
@@ -93,7 +93,8 @@ for build in "${builds[@]}"; do
   folder=$root/build/components/${name// /-}
   mapfile -t flags < <(options "${components[@]}")
   start=$SECONDS
-  # Sources one by one: tests take single objects of the helpers, and leave those whose component is absent.
+  # Sources are compiled one by one: tests take single objects of the helpers, and leave those whose component is
+  # absent.
   cmake --preset quick -DROLLCON_UNITY=TESTS -B "$folder" "${flags[@]}" >"$work/log" 2>&1 || {
     cat "$work/log"
     fail "$name: configure"

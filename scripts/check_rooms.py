@@ -9,7 +9,7 @@ import pathlib
 import re
 import sys
 
-# From the bottom up. Rooms in one line may not use each other.
+# Rooms from the bottom up; rooms in one line may not use each other.
 ROOMS = [
     ["support"],
     ["linalg", "mesh"],
@@ -22,7 +22,7 @@ ROOMS = [
     ["wheelrail"],
     ["capi"],
 ]
-# The same inside a room; "" is what lies flat in it, "*" each folder that is not named.
+# The folders inside a room have an order, too; "" is what lies flat in it, "*" each folder that is not named.
 INSIDE = {
     "bodies": [["model"], ["*"], [""]],
     "contact": [

@@ -19,7 +19,7 @@ def count(case):
     """Counts passed, failed, skipped for one program."""
     status = case.get("status")
     if status in ("notrun", "disabled"):
-        skipped = case.find("skipped")  # by its return code; otherwise the program was not found, or the like
+        skipped = case.find("skipped")  # by its return code; otherwise the program was not found
         asked = skipped is not None and skipped.get("message", "").startswith("SKIP_")
         return collections.Counter({"skipped" if asked else "failed": 1})
     output = case.findtext("system-out") or ""

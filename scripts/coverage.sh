@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Which lines of src/ the tests reach: builds the preset coverage (everything, no sanitizers), runs
-# every test and prints the report of scripts/coverage.py with the lines that were not reached. CI
-# takes its report from the sanitizers' build, which counts as well.
+# Reports which lines of src/ the tests reach: builds the preset coverage (everything, no sanitizers), runs every test
+# and prints the report of scripts/coverage.py with the lines that were not reached. CI takes its report from the
+# sanitizers' build, which counts as well.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 

@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
-# From nothing to a result: installs what is missing, builds the library, rolls a wheel meshed by
-# boundary elements over a rigid rail head through the public C API, prints the numbers and draws
-# tractions and slip; the same for a sphere on a plane and a ring of finite elements on a half-space, and a wheelset on
-# its track from two profiles.
+# Goes from nothing to a result: installs what is missing, builds the library, rolls a wheel meshed by boundary elements
+# over a rigid rail head through the public C API, prints the numbers and draws tractions and slip; then a sphere on a
+# plane, a ring of finite elements on a half-space, and a wheelset on its track from two profiles.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 build=$root/build/demo
@@ -17,7 +16,7 @@ mkdir -p "$out"
 cd "$out"
 rm -f ./*.png
 
-# run PROGRAM PICTURE SCRIPT...
+# Runs a program and draws its picture: run PROGRAM PICTURE SCRIPT...
 run() {
   local program=$1 picture=$out/$2 script
   shift 2

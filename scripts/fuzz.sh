@@ -34,7 +34,7 @@ if [ "$seconds" = merge ]; then
     least=$(mktemp -d)
     "$folder/tests/fuzz/fuzz_$target" "${limits[@]}" -set_cover_merge=1 "$least" \
       "tests/fuzz/corpus/$target" "$folder/corpus/$target" 2>&1 | tail -1
-    # Inputs with names are kept: they once failed.
+    # Inputs with names stay, because they once failed.
     find "tests/fuzz/corpus/$target" -type f -regextype sed -regex '.*/[0-9a-f]\{40\}' -delete
     cp "$least"/* "tests/fuzz/corpus/$target"
     rm -rf "$least"
@@ -42,8 +42,8 @@ if [ "$seconds" = merge ]; then
   exit
 fi
 
-# search <target> <folder for new inputs> <options...>: one line of what was tried and reached, and what
-# was found; fails with it.
+# Searches, and prints one line of what was tried and reached, and what was found; fails with it: search <target>
+# <folder for new inputs> <options...>
 search() {
   local target=$1 new=$2 status=0 log=$folder/$1.log
   shift 2
@@ -57,7 +57,7 @@ search() {
   [ "$status" -eq 0 ] && return
   say "$target: status $status"
   grep -E "broken promise|ERROR:|runtime error|SUMMARY" "$log" || tail -20 "$log"
-  # As text besides, for machines that leave nothing but their output.
+  # Inputs are printed as text, too, for machines that leave nothing but their output.
   sed -n 's/.*Test unit written to //p' "$log" | while read -r file; do
     say "$file, base64: $(base64 -w 0 "$file")"
   done
@@ -67,7 +67,7 @@ search() {
 found=0
 for target in "$@"; do
   end=$(($(date +%s) + seconds / $#))
-  # It ends at the first failure: so again, until the time is over.
+  # A search ends at the first failure, so it is repeated until the time is over.
   while left=$((end - $(date +%s))) && [ "$left" -gt 0 ]; do
     search "$target" "$folder/corpus/$target" -max_total_time="$left" && break
     found=$((found + 1))

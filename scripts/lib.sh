@@ -1,9 +1,9 @@
-# Shared by the scripts of this folder; to be sourced.
+# Holds what the scripts of this folder have in common; to be sourced.
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 jobs=$(nproc)
 # The system's interpreter is the one with the system's numpy; another may come first on the path.
 python=/usr/bin/python3
-# One record of CTest for each stage that ran tests.
+# CTest leaves one record for each stage that ran tests.
 results=$root/build/results
 
 say() { printf '== %s\n' "$*"; }
@@ -36,6 +36,6 @@ run_tests() {  # run_tests NAME PRESET [OPTION OF CTEST...]: the last line says 
 
 if command -v ccache >/dev/null; then
   export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
-  # Otherwise it keeps nothing that was compiled with a precompiled header.
+  # The cache would not store anything that was compiled with a precompiled header, without this.
   export CCACHE_SLOPPINESS=pch_defines,time_macros
 fi

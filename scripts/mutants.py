@@ -2,8 +2,8 @@
 import random
 import re
 
-# What is mutated: name, share of the sample, files under src/. Headers that half the library and its
-# tests include are not, as each of their mutants would cost half a build.
+# Each entry has a name, the weight in the sample, and files under src/. Headers that half the library and its tests
+# include are left out, because each of their mutants would cost half a build.
 GROUPS = [
     ("friction and Newton", 50, [
         "contact/laws/*", "contact/linear/free_system.cpp", "contact/linear/reduced_system.cpp",
@@ -34,7 +34,7 @@ GROUPS = [
         "mesh/shape.cpp", "mesh/volume_shape.cpp", "mesh/quadrature.cpp", "mesh/volume_quadrature.cpp",
         "mesh/surface_geometry.cpp", "mesh/dual_cells.cpp"]),
 ]
-# No code of their own, or a choice of starts that the solution does not depend on.
+# These have no code of their own, or a choice of starts that the solution does not depend on.
 LEFT_OUT = re.compile(r"_absent\.cpp$|nested_start\.cpp$")
 
 TOKEN = re.compile(r"""
@@ -54,7 +54,7 @@ NO_STATEMENT = {"return", "if", "for", "while", "do", "else", "switch", "case", 
                 "delete", "static_assert", "friend", "virtual", "operator", "reserve"}
 
 
-# A member's default in a header.
+# The pattern finds a member's default in a header.
 MEMBER = re.compile(r" +(?:std::)?\w+ [\w, =]+ = \d[\d.]*;")
 
 
@@ -65,7 +65,7 @@ class Mutant:
         column = begin - (text.rfind("\n", 0, begin) + 1) + 1
         self.id = f"{file}:{line}:{column}:{operator}"
         self.old = text[begin:end]
-        self.place = ""  # in the words of the source: see name_places
+        self.place = ""  # place in the words of the source: see name_places
 
     def words(self, text):
         """Returns the line with its place marked, and what comes there: it holds while lines move."""
@@ -235,7 +235,7 @@ def sample(mutants, seed, size):
         for file, candidates in sorted(mutants[name].items()):
             candidates = list(candidates)
             rng.shuffle(candidates)
-            # More from large files, yet some from each.
+            # Large files give more mutants, and each gives some.
             queues += [(n / (len(candidates) ** 0.5 or 1), rng.random(), m)
                        for n, m in enumerate(candidates)]
         wanted = max(1, round(share * size / total))

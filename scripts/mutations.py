@@ -46,7 +46,7 @@ from mutants import GROUPS, all_mutants, sample, self_test
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
-# Which test programs a room's mutants are shown to, nearest first.
+# A room's mutants are shown to these test programs, nearest first.
 PROGRAMS = {
     "contact": ["contact", "capi", "capi_inside", "stability", "bodies", "validation"],
     "bodies": ["bodies", "contact", "capi", "capi_inside", "stability", "validation"],
@@ -54,7 +54,7 @@ PROGRAMS = {
 }
 PROGRAMS["quadrature"] = PROGRAMS["bodies"]
 PROGRAMS["geometry"] = PROGRAMS["mesh"]
-# Seconds that a test of each stage takes at most; longer tests than the last stage's are left out.
+# A test of each stage takes so many seconds at most; longer tests than the last stage's are left out.
 STAGES = [0.03, 0.15, 1.0, 4.0, 20.0]
 
 
@@ -239,7 +239,7 @@ def try_mutant(work, mutant, stages, options):
 
 
 def run(options):
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # and the tree is put right again
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # the tree is put right again
     work = options.work.resolve()
     work.mkdir(parents=True, exist_ok=True)
     copy_tree(work / "tree", options.also)
@@ -260,7 +260,7 @@ def run(options):
         chosen = [known[i] for i in options.only]
     else:
         chosen = sample(mutants, options.seed, options.sample)
-        chosen.sort(key=lambda one: one[1].file.endswith(".hpp"))  # a header costs half a build: last
+        chosen.sort(key=lambda one: one[1].file.endswith(".hpp"))  # a header costs half a build, so it comes last
     part, parts = map(int, options.part.split("/"))
     chosen = chosen[part - 1::parts]
     log = options.log or work / "log.jsonl"

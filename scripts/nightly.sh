@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What is too long to run for every change. Goes on where a stage fails, and ends with a table of all.
+# Runs what is too long for every change. Goes on where a stage fails, and ends with a table of all.
 #   nightly.sh [stage...]        default: all of them, in this order
 #     tests        everything compiled source by source as users do, with rollcon-bench; all tests
 #     sanitizers   all tests in all rooms under the address and undefined-behaviour sanitizers
@@ -10,7 +10,7 @@
 #     valgrind     memcheck
 #     mutants      ROLLCON_MUTANTS mutants (300, seed 1) against the tests that run for every change
 #     accuracy     the tables of the documents anew; `git diff docs` then says what changed
-# Logs go to build/nightly; docs/testing.md keeps a summary.
+# Logs go to build/nightly; docs/testing.md has a summary.
 set -uo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 cd "$root"
@@ -37,7 +37,7 @@ stage_components() { bash scripts/check_components.sh; }
 stage_random() {
   configure release -DROLLCON_WERROR=ON -DROLLCON_BENCH=ON
   cmake --build --preset release -j "$jobs" --target test_stability
-  # Named here, so that what fails can be drawn again.
+  # The seed is named here, so that what fails can be drawn again.
   export ROLLCON_FIRST_SEED=${ROLLCON_FIRST_SEED:-$(($(date +%s) / 1000 * 1000 % 2000000000))}
   say "seeds from $ROLLCON_FIRST_SEED on"
   OMP_WAIT_POLICY=passive "$python" tests/watch.py --processor 3600 -- \

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Debian packages and a Python wheel, in out/packages, looked at by lintian.
-#   package.sh [--try]      --try, as root: installs the packages, uses them from C, Fortran 2008, FORTRAN 77, Python and
-#                           (where it is installed) Octave, removes them, and uses the wheel in an environment of its own
+# Makes Debian packages and a Python wheel, in out/packages, checked by lintian.
+# package.sh [--try]      --try, as root: installs the packages, uses them from C, Fortran 2008, FORTRAN 77, Python and
+# (where it is installed) Octave, removes them, and uses the wheel in an environment of its own
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 cd "$root"
@@ -12,7 +12,7 @@ bash scripts/setup.sh build package
 rm -rf "$out"
 mkdir -p "$out"
 say "configure and build"
-# As Debian compiles libraries.
+# These are the flags with which Debian compiles libraries.
 CXXFLAGS=$(dpkg-buildflags --get CXXFLAGS | sed 's/-g //; s/-ffile-prefix-map=[^ ]*//; s/-O2//')
 CPPFLAGS=$(dpkg-buildflags --get CPPFLAGS)
 LDFLAGS=$(dpkg-buildflags --get LDFLAGS)
@@ -68,7 +68,7 @@ for text in six_steps_77.txt six_steps_py.txt; do
 done
 languages="C, Fortran 2008, FORTRAN 77 and Python"
 if command -v mkoctfile >/dev/null; then
-  # Users may not write where the package is: they build in a copy.
+  # Users may not write where the package is, so they build in a copy.
   cp -r /usr/share/rollcon/octave octave
   octave-cli -q --no-history --eval "addpath('octave'); rollcon_build(); context = rollcon.context_create();
     table = rollcon.table_standard(context); disp(rollcon.version_string())"

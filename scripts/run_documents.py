@@ -61,7 +61,7 @@ def run(page, env, folder):
                 file.write(text)
     for language, title, text in blocks:
         if language == "sh":
-            # What installs is done already.
+            # The installation itself is done already.
             lines = [line for line in text.splitlines() if not re.match(r"#|PREFIX=|cmake |export PKG_CONFIG", line)]
             done = subprocess.run(["bash", "-euc", "\n".join(lines)], cwd=folder, env=env, text=True, capture_output=True)
             if done.returncode:

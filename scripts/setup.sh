@@ -15,8 +15,8 @@ declare -A sets=(
   [build]="g++ gcc gfortran make cmake ninja-build pkg-config
     libopenblas-dev libsuitesparse-dev libfftw3-dev python3 python3-numpy"
   [demo]="gnuplot-nox"
-  # Test libraries; a second compiler with its OpenMP and sanitizer runtimes, format, lint, ABI, memory; an example that
-  # runs on several processes; pictures of the Python package, readers of the output files.
+  # The list has test libraries; a second compiler with its OpenMP and sanitizer runtimes, format, lint, ABI, memory; an
+  # example that runs on several processes; pictures of the Python package, readers of the output files.
   [test]="git libgtest-dev libbenchmark-dev clang clang-format clang-tidy libomp-dev libclang-rt-dev binutils
     abigail-tools valgrind mpich libmpich-dev python3-matplotlib python3-meshio"
   [docs]="mkdocs mkdocs-material codespell python3-matplotlib"

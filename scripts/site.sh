@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# The documents as a site, in build/site/html: checks the plain files, stages them, calls MkDocs, checks every link of the
-# result.
+# Makes the documents a site, in build/site/html: checks the plain files, stages them, calls MkDocs, checks every link
+# of the result.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
 bash "$root/scripts/setup.sh" docs
 cd "$root"
 "$python" scripts/documents.py check
-# Words of the field, of Fortran and of journals.
+# The list has words of the field, of Fortran and of journals.
 codespell --quiet-level 3 --ignore-words-list tread,cant,statics,fro,numer,mater,stat,inout --skip '*.png,*.svg,*.pyc,.*_cache' \
   ./*.md CITATION.cff docs fortran bindings packaging scripts include
 "$python" scripts/documents.py stage build/site/pages

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# tarball.sh [FOLDER]: packs the sources, out/rollcon-VERSION.tar.xz by default, which build without git: what git tracks
-# here, or all of an unpacked tarball.
+# Packs the sources, which build without git: what git tracks here, or all of an unpacked tarball. tarball.sh [FOLDER];
+# it writes out/rollcon-VERSION.tar.xz by default.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 folder=${1:-$root/out}

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Builds the library with its tests, in the way that takes a compiler least, and runs the quick tests; ends
-# with their number. test.sh [preset], default quick. What else there is: .ci/run, scripts/nightly.sh.
+# Builds the library with its tests, in the way that takes a compiler least, and runs the quick tests; ends with their
+# number: test.sh [preset], default quick. .ci/run and scripts/nightly.sh run the others.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 preset=${1:-quick}

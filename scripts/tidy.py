@@ -20,9 +20,10 @@ import shlex
 import subprocess
 import sys
 
-# The analyzer leaves a function after so many states; its own limit is 225000. Calls are followed as ever.
+# The analyzer leaves a function after so many states; its own limit is 225000. Calls are followed without a limit of
+# this script.
 STATES = 40000
-# Sources in a group, about.
+# A group has about so many sources.
 GROUP = 36
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -55,7 +56,7 @@ def affected(sources, changed):
 def commands_for(commands, sources, folder, jobs):
     """Returns a command for each of the sources that the build compiles alone, and for groups of the others."""
     alone = {command["file"]: command for command in commands}
-    # What stands for an absent component defines the same functions as the component.
+    # A source that stands for an absent component defines the same functions as the component.
     loose = [source for source in sources if source not in alone and not source.endswith("_absent.cpp")]
     first = next(command for command in commands if parts_of(pathlib.Path(command["file"])))
     number = min(len(loose), max(jobs, -(-len(loose) // GROUP)))

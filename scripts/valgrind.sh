@@ -23,7 +23,7 @@ command -v valgrind >/dev/null || fail "valgrind is not installed (scripts/setup
 
 if [ -z "$build" ]; then
   build=${ROLLCON_VALGRIND_BUILD:-$root/build/valgrind}
-  # Line numbers in the reports, otherwise the code that users run.
+  # The build has line numbers for the reports, and otherwise the code that users run.
   cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS=-g1 \
     -DROLLCON_TESTS=ON -DROLLCON_FORTRAN=OFF >/dev/null
   targets=()
@@ -31,8 +31,8 @@ if [ -z "$build" ]; then
   cmake --build "$build" -j "$jobs" --target "${targets[@]}"
 fi
 
-# Per room: a filter of GoogleTest without what takes minutes there and runs the same code as its
-# neighbours: long tests (tests/CMakeLists.txt), and these.
+# Each room has a filter of GoogleTest without what takes minutes there and runs the same code as its neighbours: long
+# tests (tests/CMakeLists.txt), and these.
 filter() {
   local more=
   case $1 in
@@ -59,9 +59,8 @@ filter() {
   echo "-*_long.*:*_long/*:*_nightly.*:*_nightly/*:$more"
 }
 
-# Valgrind knows no AVX-512: its processor says so, and OpenBLAS and rollcon take AVX2. OpenBLAS is
-# told besides, for its own detection reads more than that. Waiting threads must not spin, for one
-# runs at a time.
+# Valgrind knows no AVX-512: its processor says so, and OpenBLAS and rollcon take AVX2. OpenBLAS is told besides,
+# because its own detection reads more than that. Waiting threads must not spin, because one runs at a time.
 export OPENBLAS_CORETYPE=Haswell OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=2 OMP_WAIT_POLICY=passive
 logs=$build/memcheck
 mkdir -p "$logs"

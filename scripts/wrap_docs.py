@@ -23,7 +23,7 @@ def wrap(lines):
     first = item.group(0) if item else re.match(r"\s*", lines[0]).group(0)
     hanging = " " * len(first)
     text = " ".join(line.strip() for line in lines)[len(first.strip()):].strip()
-    # Code is not broken, nor is the text of a link.
+    # Code is not broken, and neither is the text of a link.
     words = re.findall(r"(?:`[^`]*`|\[[^]]*\]\([^)]*\)|\S)+", text)
     out, line = [], first.rstrip() if not words else first + words[0]
     for word in words[1:]:
