@@ -229,13 +229,13 @@ contains
   end subroutine
 
   !> Checks that the body is complete and its mesh and supports sound, assembles and factorises its equations, and
-  !> freezes it. Optional: the first solve does it. Calling it again does nothing. (Finite elements with many contact
-  !> faces and no loads of their own are factorised when a frame tells which part of the faces takes part.)
+  !> freezes it. The call is optional: the first solve does it. Calling it again does nothing. (Finite elements with
+  !> many contact faces and no loads of their own are factorised when a frame tells which part of the faces takes part.)
   !> ROLLCON_ERR_MESH names the offending elements or nodes: double nodes, degenerate or repeated elements, neighbours
   !> of opposite orientation, and for elastic bodies open edges, normals that point inwards, more than one outer shell;
   !> for finite elements turned elements, faces that meet without matching, parts that share no face, tagged faces that
   !> are not on the boundary. A body equal to one that is prepared in the same context (mesh, tags, material, supports,
-  !> loads, contact faces, options) shares its equations: nothing is assembled again. ROLLCON_ERR_SINGULAR: the supports
+  !> loads, contact faces, options) uses its equations: nothing is assembled again. ROLLCON_ERR_SINGULAR: the supports
   !> leave the body free to move, and the text says how; hold it (three nodes not on a line, or a hub), since what is
   !> held is also what approach and creepage move.
   subroutine body_prepare(self, stat, errmsg)
@@ -245,7 +245,7 @@ contains
     call finish(rollcon_body_prepare(self%p), self%p, 'rc_body%prepare', stat, errmsg)
   end subroutine
 
-  !> The model given to rollcon_body_create.
+  !> Returns the model given to rollcon_body_create.
   subroutine body_get_kind(self, kind, stat, errmsg)
     class(rc_body_plain), intent(in) :: self
     integer(rc_int), intent(out) :: kind
@@ -256,9 +256,9 @@ contains
   end subroutine
 
   !> Writes the body, prepared if it was not, to a file: all that was given, the factors, and the responses to frames
-  !> that it keeps (option cache_bytes). The file appears whole or not at all; an older one is replaced. Poses are the
-  !> contacts'. Every library of the same ABI number and format reads it, on any machine of the same byte order with
-  !> IEEE numbers.
+  !> that it has cached (option cache_bytes). The file appears whole or not at all; an older one is replaced. Poses
+  !> belong to contacts and are not written. Every library of the same ABI number and format reads it, on any machine of
+  !> the same byte order with IEEE numbers.
   subroutine body_save(self, path, stat, errmsg)
     class(rc_body_plain), intent(inout) :: self
     character(len=*), intent(in) :: path
@@ -292,7 +292,7 @@ contains
   end subroutine
 
   !> Prescribes the centrifugal forces of a steady rotation on the finite elements with a tag, added to
-  !> rollcon_body_set_body_force; replaces an earlier one. Stiffness is that of the body at rest.
+  !> rollcon_body_set_body_force; replaces an earlier one. The stiffness is that of the body at rest.
   subroutine body_set_rotation(self, tag, density, origin, rate, stat, errmsg)
     class(rc_body_plain), intent(inout) :: self
     integer, intent(in) :: tag
@@ -317,8 +317,8 @@ contains
       errmsg)
   end subroutine
 
-  !> Says which faces may come into contact: on them gaps are computed and frames laid. Standard: all faces that are
-  !> neither held nor loaded.
+  !> Says which faces may come into contact: gaps are computed and frames laid on them. The standard is all faces that
+  !> are neither held nor loaded.
   subroutine body_set_contact_faces(self, tags, stat, errmsg)
     class(rc_body_plain), intent(inout) :: self
     integer, intent(in) :: tags(:)
@@ -328,15 +328,15 @@ contains
       'rc_body%set_contact_faces', stat, errmsg)
   end subroutine
 
-  !> Takes nodes, elements and names from a file, in place of all that the mesh was: of Gmsh, where the name ends in
-  !> .msh (versions 2 to 2.2 and 4.1, text or binary), of Abaqus or CalculiX, where it ends in .inp. Linear and
-  !> quadratic tetrahedra, wedges and hexahedra for finite-element bodies, with the surface elements that have a name;
-  !> triangles and quadrilaterals for all others. Orders of nodes are changed to those of rollcon; hexahedra of 27 nodes
-  !> and wedges of 18 give up those inside their faces. Nodes that no element has are left out, the others keep the
-  !> order of the file. Groups are Gmsh's physical groups (nameless ones: "surface 2", ...), Abaqus's sets and surfaces.
-  !> An element's tag is its (first) physical group in Gmsh, else 0: rollcon_body_tag_group. ROLLCON_ERR_IO names the
-  !> file, the line (in binary files the byte) and what is wrong there; ROLLCON_ERR_MESH: no element that the body could
-  !> take. Shapes are checked by rollcon_body_prepare.
+  !> Takes nodes, elements and names from a file, in place of the whole former mesh: a file of Gmsh if the name ends in
+  !> .msh (versions 2 to 2.2 and 4.1, text or binary), of Abaqus or CalculiX if it ends in .inp. Linear and quadratic
+  !> tetrahedra, wedges and hexahedra for finite-element bodies, with the surface elements that have a name; triangles
+  !> and quadrilaterals for all others. Orders of nodes are changed to those of rollcon; hexahedra of 27 nodes and
+  !> wedges of 18 lose those inside their faces. Nodes that no element has are left out, the others keep the order of
+  !> the file. Groups are Gmsh's physical groups (nameless ones: "surface 2", ...), Abaqus's sets and surfaces. An
+  !> element's tag is its (first) physical group in Gmsh, else 0: rollcon_body_tag_group. ROLLCON_ERR_IO names the file,
+  !> the line (in binary files the byte) and what is wrong there; ROLLCON_ERR_MESH: no element that the body could take.
+  !> Shapes are checked by rollcon_body_prepare.
   subroutine body_read_mesh(self, path, part, stat, errmsg)
     class(rc_body_plain), intent(inout) :: self
     character(len=*), intent(in) :: path
@@ -358,8 +358,8 @@ contains
       errmsg)
   end subroutine
 
-  !> How many groups the mesh's file has that name something of the body. 0 for a mesh that was not read, and for a body
-  !> that was saved and loaded.
+  !> Returns how many groups of the mesh's file name something of the body; 0 for a mesh that was not read, and for a
+  !> body that was saved and loaded.
   subroutine body_get_group_count(self, n, stat, errmsg)
     class(rc_body_plain), intent(in) :: self
     integer, intent(out) :: n
@@ -371,7 +371,7 @@ contains
     n = int(n_c)
   end subroutine
 
-  !> The name of a group as the file has it.
+  !> Returns the name of a group in the file's spelling.
   subroutine body_get_group_name(self, i, text, stat, errmsg)
     class(rc_body_plain), intent(in) :: self
     integer, intent(in) :: i
@@ -395,8 +395,8 @@ contains
   !> Sets a profile through points, in either order: a cubic spline in arc length with two derivatives continuous,
   !> broken at kinks (turns of 30 degrees and more, three times as much as beside them). Points nearer to each other
   !> than a thousandth of the usual distance are dropped, and where the path goes back and forth again the two points
-  !> are replaced by their mean. Forgets the profile before and its place. ROLLCON_ERR_ARGUMENT names the point at which
-  !> the path turns back.
+  !> are replaced by their mean. The former profile and its place are forgotten. ROLLCON_ERR_ARGUMENT names the point at
+  !> which the path turns back.
   subroutine body_set_profile(self, points, filter_length, stat, errmsg)
     class(rc_body_plain), intent(inout) :: self
     real(rc_real), intent(in), contiguous :: points(:, :)
@@ -419,7 +419,7 @@ contains
   !> z = -radius, up to half of it; "arcs" y, z and angle of the start, then length and curvature (0: a line; positive:
   !> from y to z) of each arc, each going on in the direction in which the one before ends; "s1002" unit: the wheel, in
   !> lengths of which `unit` is a millimetre, the middle of the tread at (0, 0), z down, the flange at y < 0; "60e1"
-  !> unit: the head of the rail, upright, its top at (0, 0), z down. Forgets the profile before and its place.
+  !> unit: the head of the rail, upright, its top at (0, 0), z down. The former profile and its place are forgotten.
   subroutine body_set_profile_shape(self, shape, parameters, stat, errmsg)
     class(rc_body_plain), intent(inout) :: self
     character(len=*), intent(in) :: shape
@@ -430,11 +430,11 @@ contains
       self%p, 'rc_body%set_profile_shape', stat, errmsg)
   end subroutine
 
-  !> Sets a profile through the points of a file, as rollcon_body_set_profile does: of Simpack, where the name ends in
-  !> .prr or .prw (its keys are obeyed but for smoothing), of Miniprof, where it ends in .ban, .whl or .mpt, else
-  !> columns, y and z (docs/profiles.md). Simpack's and Miniprof's are millimetres. ROLLCON_ERR_IO names the line of a
-  !> file that cannot be read, ROLLCON_ERR_ARGUMENT that of a point at which the path turns back. z goes where the file
-  !> says: mirror it where the file counts upwards.
+  !> Sets a profile through the points of a file, in the way of rollcon_body_set_profile: a file of Simpack if the name
+  !> ends in .prr or .prw (its keys are obeyed except for smoothing), of Miniprof if it ends in .ban, .whl or .mpt, else
+  !> columns, y and z (docs/profiles.md). Simpack's and Miniprof's numbers are millimetres. ROLLCON_ERR_IO names the
+  !> line of a file that cannot be read, ROLLCON_ERR_ARGUMENT that of a point at which the path turns back. z goes where
+  !> the file says: mirror it where the file counts upwards.
   subroutine body_read_profile(self, path, unit, mirror, filter_length, stat, errmsg)
     class(rc_body_plain), intent(inout) :: self
     character(len=*), intent(in) :: path
@@ -454,8 +454,8 @@ contains
       self%p, 'rc_body%read_profile', stat, errmsg)
   end subroutine
 
-  !> Writes points of the profile to a file: of Simpack, where the name ends in .prr or .prw, else two columns. Read
-  !> again, a profile through points is the same, one in closed form within 1e-9 of its size where its curvature is
+  !> Writes points of the profile to a file: of Simpack if the name ends in .prr or .prw, else two columns. A profile
+  !> through points is the same when read again, one in closed form within 1e-9 of its size where its curvature is
   !> continuous. The file appears whole or not at all.
   subroutine body_write_profile(self, path, unit, stat, errmsg)
     class(rc_body_plain), intent(in) :: self
@@ -466,8 +466,8 @@ contains
     call finish(rollcon_body_write_profile(self%p, c_text(path), unit), self%p, 'rc_body%write_profile', stat, errmsg)
   end subroutine
 
-  !> The profile, moved along a straight line without end, is the surface of the body: x of the profile points along, z
-  !> along z_axis, y along z_axis x along.
+  !> Makes the profile, moved along a straight line without end, the surface of the body: x of the profile points along
+  !> `along`, z along z_axis, y along z_axis x along.
   subroutine body_extrude_profile(self, origin, along, z_axis, stat, errmsg)
     class(rc_body_plain), intent(inout) :: self
     real(rc_real), intent(in) :: origin(3)
@@ -479,8 +479,8 @@ contains
       errmsg)
   end subroutine
 
-  !> The profile, turned about an axis, is the surface of the body: its points lie at y along the axis and at radius + z
-  !> away from it. An axis of the opposite direction mirrors it in y.
+  !> Makes the profile, turned about an axis, the surface of the body: its points lie at y along the axis and at radius
+  !> + z away from it. An axis of the opposite direction mirrors it in y.
   subroutine body_revolve_profile(self, origin, axis, radius, stat, errmsg)
     class(rc_body_plain), intent(inout) :: self
     real(rc_real), intent(in) :: origin(3)
@@ -492,7 +492,7 @@ contains
       errmsg)
   end subroutine
 
-  !> Arc length of the profile. Works before rollcon_body_prepare.
+  !> Returns the arc length of the profile. It works before rollcon_body_prepare.
   subroutine body_get_profile_length(self, length, stat, errmsg)
     class(rc_body_plain), intent(in) :: self
     real(rc_real), intent(out) :: length
@@ -502,8 +502,8 @@ contains
     call finish(rollcon_body_get_profile_length(self%p, length), self%p, 'rc_body%get_profile_length', stat, errmsg)
   end subroutine
 
-  !> Point, tangent and curvature of the profile at an arc length, counted from the end where y is less. Works before
-  !> rollcon_body_prepare.
+  !> Returns point, tangent and curvature of the profile at an arc length, counted from the end where y is less. It
+  !> works before rollcon_body_prepare.
   subroutine body_get_profile_point(self, s, point, tangent, curvature, stat, errmsg)
     class(rc_body_plain), intent(in) :: self
     real(rc_real), intent(in) :: s
@@ -519,7 +519,7 @@ contains
       'rc_body%get_profile_point', stat, errmsg)
   end subroutine
 
-  !> Nodes and elements given so far; 0 for bodies without a mesh. Works before rollcon_body_prepare.
+  !> Returns the nodes and elements given so far; 0 for bodies without a mesh. It works before rollcon_body_prepare.
   subroutine body_get_size(self, nodes, elements, stat, errmsg)
     class(rc_body_plain), intent(in) :: self
     integer, intent(out) :: nodes
@@ -535,9 +535,9 @@ contains
     if (present(elements)) elements = int(elements_c)
   end subroutine
 
-  !> Resultant of the forces that the supports exert on the body under its own loads and given displacements, and its
-  !> moment about the origin of the body's axes. It balances the loads up to the error of the discretisation: a measure
-  !> of it.
+  !> Returns the resultant of the forces that the supports exert on the body under its own loads and given
+  !> displacements, and its moment about the origin of the body's axes. It balances the loads up to the error of the
+  !> discretisation: a measure of it.
   subroutine body_get_reaction(self, force, moment, stat, errmsg)
     class(rc_body_plain), intent(in) :: self
     real(rc_real), intent(out) :: force(3)
@@ -549,10 +549,10 @@ contains
     call finish(rollcon_body_get_reaction(self%p, force, moment), self%p, 'rc_body%get_reaction', stat, errmsg)
   end subroutine
 
-  !> One number about a prepared body: unknowns, assemblies, factorisations, condition, seconds, bytes; 0 for bodies
-  !> without equations. Names: rollcon_body_stat_name. Counts are those of the equations, which equal bodies of a
-  !> context share: "shared" is 1 for a body for which nothing was assembled because an equal one was prepared before,
-  !> "loaded" for one from a file.
+  !> Returns one number about a prepared body: unknowns, assemblies, factorisations, condition, seconds, bytes; 0 for
+  !> bodies without equations. Names: rollcon_body_stat_name. Counts are those of the equations, which equal bodies of a
+  !> context have in common: "shared" is 1 for a body for which nothing was assembled because an equal one was prepared
+  !> before, "loaded" for one from a file.
   subroutine body_get_stat(self, name, value, stat, errmsg)
     class(rc_body_plain), intent(in) :: self
     character(len=*), intent(in) :: name

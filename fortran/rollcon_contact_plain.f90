@@ -251,8 +251,8 @@ contains
       'rc_contact%get', stat, errmsg)
   end subroutine
 
-  !> Makes the surface elements of a mesh file the frame; replaces frame and all that was given for its nodes. Files as
-  !> of rollcon_body_read_mesh. Tags of elements are Gmsh's physical groups, else 0.
+  !> Makes the surface elements of a mesh file the frame; replaces frame and all that was given for its nodes. The files
+  !> are those of rollcon_body_read_mesh. Tags of elements are Gmsh's physical groups, else 0.
   subroutine contact_read_frame(self, path, part, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     character(len=*), intent(in) :: path
@@ -265,7 +265,7 @@ contains
 
   !> Makes the faces of a body that carry a tag the frame: replaces nodes and elements of the frame and forgets the gap
   !> array and the creep and friction fields. Its nodes are those of the faces, in the order of their ids in the body,
-  !> and follow the body's pose. Of finite-element bodies with tri6 among these faces (tet10, the ends of wedge15) they
+  !> and follow the body's pose. For finite-element bodies with tri6 among these faces (tet10, the ends of wedge15) they
   !> are the corners alone, and the frame's elements linear: rollcon_contact_get_size tells how many. Faces of body 2
   !> are turned over, so that the frame's normals point out of body 1.
   subroutine contact_frame_from_body(self, which, tag, stat, errmsg)
@@ -278,10 +278,10 @@ contains
       'rc_contact%frame_from_body', stat, errmsg)
   end subroutine
 
-  !> Makes a rectangle in the plane of the axes, as they are now, the frame: nx by ny elements of one size. Replaces
-  !> nodes and elements of the frame and forgets the gap array and the creep and friction fields. Nodes come line by
-  !> line along t1, from the least y. Linear quadrilaterals make a regular frame, which half-spaces solve by fast
-  !> Fourier transforms.
+  !> Makes a rectangle in the present plane of the axes the frame: nx by ny elements of one size. Replaces nodes and
+  !> elements of the frame and forgets the gap array and the creep and friction fields. Nodes come line by line along
+  !> t1, from the least y. Linear quadrilaterals make a regular frame, which half-spaces solve by fast Fourier
+  !> transforms.
   subroutine contact_frame_rectangle(self, type, nx, ny, x_least, x_greatest, y_least, y_greatest, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     integer(rc_int), intent(in) :: type
@@ -298,9 +298,8 @@ contains
       self%p, 'rc_contact%frame_rectangle', stat, errmsg)
   end subroutine
 
-  !> Makes an ellipse in the plane of the axes, as they are now, the frame: strips along the rolling direction, as
-  !> rollcon_contact_frame_strips makes them, on lines that lie closer towards the sides. It is meant to be the contact
-  !> itself.
+  !> Makes an ellipse in the present plane of the axes the frame: strips along the rolling direction, like those of
+  !> rollcon_contact_frame_strips, on lines that lie closer towards the sides. It is meant to be the contact itself.
   subroutine contact_frame_ellipse(self, along, across, a, b, angle, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     integer, intent(in) :: along
@@ -320,8 +319,8 @@ contains
 
   !> Makes strips along the rolling direction the frame: what the contact covers of lines at ascending y. Each has along
   !> + 1 nodes from end to end, close together near the ends, where tractions grow like the square root of the distance.
-  !> Nodes come line by line. Replaces the frame as rollcon_contact_frame_rectangle does. Nodes on the outline carry no
-  !> traction (ROLLCON_EXCLUDED): bodies that overlap there are told as ROLLCON_RIM_CONTACT.
+  !> Nodes come line by line. Replaces the frame in the way of rollcon_contact_frame_rectangle. Nodes on the outline
+  !> carry no traction (ROLLCON_EXCLUDED): bodies that overlap there are reported as ROLLCON_RIM_CONTACT.
   subroutine contact_frame_strips(self, along, lines, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     integer, intent(in) :: along
@@ -337,13 +336,13 @@ contains
       'rc_contact%frame_strips', stat, errmsg)
   end subroutine
 
-  !> Leaves the frame to the library, as in a new contact: solves then find the contact from the gap (of the bodies'
-  !> meshes and profiles, rollcon_contact_set_gap_quadratic, rollcon_contact_set_gap_grid) and from load or approach,
-  !> fit two frames of strips to the edge of each patch, one twice as fine as the other, extrapolate their results, and
-  !> take finer pairs until the option frame_accuracy is met or ROLLCON_INACCURATE says that it was not. Forces, moment,
-  !> approach, creepages, their sensitivities and the statistics contact_area and error_estimate are the extrapolated
-  !> ones; nodes and fields those of the finer frame, which the next solve may replace. The error is that of the frame:
-  !> what a body's own mesh adds is not counted.
+  !> Leaves the frame to the library, which is the state of a new contact: solves then find the contact from the gap (of
+  !> the bodies' meshes and profiles, rollcon_contact_set_gap_quadratic, rollcon_contact_set_gap_grid) and from load or
+  !> approach, fit two frames of strips to the edge of each patch, one twice as fine as the other, extrapolate their
+  !> results, and take finer pairs until the option frame_accuracy is met or ROLLCON_INACCURATE says that it was not.
+  !> Forces, moment, approach, creepages, their sensitivities and the statistics contact_area and error_estimate are the
+  !> extrapolated ones; nodes and fields those of the finer frame, which the next solve may replace. The error is that
+  !> of the frame: what a body's own mesh adds is not counted.
   subroutine contact_frame_automatic(self, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     integer, intent(out), optional :: stat
@@ -432,7 +431,7 @@ contains
   end subroutine
 
   !> Prescribes creepages and spin by motion: rigid slip c = V (longitudinal - spin y, lateral + spin x) of body 1
-  !> relative to body 2. The same as three calls of rollcon_contact_prescribe, and forgets the velocities of
+  !> relative to body 2. The call stands for three calls of rollcon_contact_prescribe, and forgets the velocities of
   !> rollcon_contact_set_velocity.
   subroutine contact_set_creep(self, longitudinal, lateral, spin, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
@@ -446,12 +445,12 @@ contains
   end subroutine
 
   !> Makes every solve from now on a step in time of length dt; ROLLCON_STEADY makes it a steady state again.
-  !> ROLLCON_ROLLING_STEP: the contact rolls on by V dt, creepages and spin are as in steady rolling.
+  !> ROLLCON_ROLLING_STEP: the contact rolls on by V dt, creepages and spin mean what they mean in steady rolling.
   !> ROLLCON_SHIFT_STEP: no rolling; what is prescribed as creepages is the shift of body 1 against body 2 in this step
   !> (longitudinal and lateral, length) and its turn (spin, radians), and so it is in what rollcon_contact_get_motion
   !> returns; velocities and creep fields count by dt. Loads, motions, approach, friction and gap may change from step
   !> to step. The first step starts from the steady state solved last, or from rest where there is none
-  !> (rollcon_contact_reset); a step that fails leaves the one before as it was. A frame that follows its contact takes
+  !> (rollcon_contact_reset); a step that fails does not change the one before. A frame that follows its contact takes
   !> the past along (half-spaces and rigid bodies; meshed bodies: ROLLCON_ERR_STATE from the solve).
   subroutine contact_set_step(self, kind, dt, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
@@ -466,8 +465,8 @@ contains
   !> spin then follow from the velocities of both bodies; rollcon_contact_get_motion returns them after a solve. Where
   !> bodies have profiles or meshes the relative velocity is taken between their surfaces, node by node: rolling radius
   !> and spin vary over the contact. The speed V follows from the velocity of the contact, less the mean of both
-  !> bodies'; where that is not given it is as set by rollcon_contact_set_rolling, one of the two is needed. A body that
-  !> is not told of is at rest. What was set last counts: rollcon_contact_set_creep forgets all velocities,
+  !> bodies'; where that is not given it is the one set by rollcon_contact_set_rolling; one of the two is needed. A body
+  !> whose velocity is not given is at rest. What was set last counts: rollcon_contact_set_creep forgets all velocities,
   !> rollcon_contact_prescribe replaces one creepage or the spin and leaves the rest of the slip.
   subroutine contact_set_velocity(self, which, velocity, angular_velocity, point, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
@@ -500,7 +499,7 @@ contains
   !> Prescribes one direction by motion or by force; the other quantity is found by the solve. Forces act on body 1. A
   !> tilt turns body 1 against body 2 about t1 or t2 through the origin: at (x, y) of a flat frame it takes (tilt 1) y -
   !> (tilt 2) x from the gap. Its moment is that of the contact's tractions on body 1 about the same axis: a load F that
-  !> presses body 1 at (x, y) asks for the moments -F y (tilt 1) and F x (tilt 2). Standard: all by motion, 0.
+  !> presses body 1 at (x, y) asks for the moments -F y (tilt 1) and F x (tilt 2). The standard is all by motion, 0.
   subroutine contact_prescribe(self, direction, how, value, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     integer(rc_int), intent(in) :: direction
@@ -518,7 +517,7 @@ contains
   !> each half as great or less at its speed: f(x) = max(0, 1 - x/2), 1/(1 + x) (of the second term 1/(1 + x^2)), or
   !> 2^-x. "temperature": linear in the surface temperature between points T1, mu1, T2, mu2, ... with ascending
   !> temperatures, constant beyond them (needs rollcon_contact_set_heat; steady rolling, no sensitivities). Where
-  !> friction falls several solutions may exist then: a solve from nothing begins with friction as at rest, a warm one
+  !> friction falls several solutions may exist then: a solve from nothing begins with the friction of rest, a warm one
   !> continues the last solution, the plan says which; ROLLCON_FIELD_FRICTION gives the coefficient at the node's slip.
   !> Where rollcon_contact_set_friction_field gives coefficients, each is the greatest of its node (at rest) and the law
   !> keeps its ratios. The published procedures (options "system" and "jacobian") take "coulomb" alone
@@ -536,8 +535,9 @@ contains
   !> Gives friction that falls with the slip speed a memory: for a particle of the surface d mu/dt = -max(s, s0)/dc (mu
   !> - mu_s(s)), where mu_s is what the law without memory says; where surfaces come into contact mu is that at rest.
   !> Coefficients then follow the whole solution and are found by solves with given ones (statistics friction_rounds and
-  !> friction_change). Holds for whatever law is set, if it falls, else the solve ends with ROLLCON_ERR_STATE. Steady
-  !> rolling only (steps in time: ROLLCON_ERR_UNSUPPORTED from the solve); no sensitivities (ROLLCON_ERR_UNSUPPORTED).
+  !> friction_change). The memory holds for whatever law is set, if it falls, else the solve ends with
+  !> ROLLCON_ERR_STATE. It is for steady rolling only (steps in time: ROLLCON_ERR_UNSUPPORTED from the solve), and there
+  !> are no sensitivities (ROLLCON_ERR_UNSUPPORTED).
   subroutine contact_set_friction_memory(self, length, least_speed, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     real(rc_real), intent(in) :: length
@@ -562,9 +562,10 @@ contains
 
   !> Lets the layer between the bodies (rollcon_contact_set_layer, which may be stiff: flexibility 0) flow along the
   !> surface under a traction of stress + hardening times the flow since the surfaces came into contact. Where that is
-  !> less than friction it bounds the traction, and what friction would call slip is flow. For laws "coulomb",
-  !> "temperature", and those that fall with a memory, others end with ROLLCON_ERR_UNSUPPORTED at the solve. Found by
-  !> solves with given coefficients as under rollcon_contact_set_friction_memory: steady rolling only, no sensitivities.
+  !> less than friction it bounds the traction, and what friction would call slip is flow. It works with the laws
+  !> "coulomb", "temperature", and those that fall with a memory; others end with ROLLCON_ERR_UNSUPPORTED at the solve.
+  !> The flow is found by solves with given coefficients in the way of rollcon_contact_set_friction_memory: for steady
+  !> rolling only, without sensitivities.
   subroutine contact_set_layer_yield(self, stress, hardening, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     real(rc_real), intent(in) :: stress
@@ -575,9 +576,9 @@ contains
       errmsg)
   end subroutine
 
-  !> Sets friction coefficients along t2, linear between points and constant beyond them, for frames of any maker: in
-  !> place of the coefficient (the greatest) of rollcon_contact_set_friction, where rollcon_contact_set_friction_field
-  !> gives none.
+  !> Sets friction coefficients along t2, linear between points and constant beyond them, for frames of any maker: they
+  !> replace the (greatest) coefficient of rollcon_contact_set_friction, where rollcon_contact_set_friction_field gives
+  !> none.
   subroutine contact_set_friction_across(self, points, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     real(rc_real), intent(in), contiguous :: points(:, :)
@@ -593,8 +594,8 @@ contains
   end subroutine
 
   !> Says what a body does with heat, for the surface temperatures of a solution (rollcon_contact_get_temperatures_at,
-  !> ROLLCON_FIELD_TEMPERATURE) and for friction that depends on them. Both bodies are to be told of; one of them may
-  !> take up none.
+  !> ROLLCON_FIELD_TEMPERATURE) and for friction that depends on them. The call is needed for both bodies; one of them
+  !> may take up no heat.
   subroutine contact_set_heat(self, which, conductivity, heat_capacity, temperature, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     integer, intent(in) :: which
@@ -631,11 +632,11 @@ contains
   !> last solution unless the option "warm_start" is 0. After ROLLCON_NOT_CONVERGED and ROLLCON_CANCELLED the best
   !> iterate can be read. ROLLCON_COARSE says that no node in contact has all its neighbours in contact (with friction:
   !> fewer than 5 have); the solution is that of the frame, not of the bodies. Log and plan tell more. A failed solve
-  !> leaves the scene as it was but discards the last solution. Bodies that are not prepared are prepared first and may
-  !> fail as rollcon_body_prepare does (ROLLCON_ERR_MESH, ROLLCON_ERR_SINGULAR); the text names the body. Creepages
-  !> (whose slip, times speed or stiffness, would come to 1e305) and approaches (to pressures of 1e150) that double
-  !> precision cannot calculate with are ROLLCON_ERR_ARGUMENT; the text names a node and what is allowed. Nodes that are
-  !> never to touch may have any gap, with the option "system" = monolithic up to that limit.
+  !> does not change the scene but discards the last solution. Bodies that are not prepared are prepared first and may
+  !> fail like rollcon_body_prepare (ROLLCON_ERR_MESH, ROLLCON_ERR_SINGULAR); the text names the body. Creepages (whose
+  !> slip, times speed or stiffness, would come to 1e305) and approaches (to pressures of 1e150) that double precision
+  !> cannot calculate with are ROLLCON_ERR_ARGUMENT; the text names a node and what is allowed. Nodes that are never to
+  !> touch may have any gap, with the option "system" = monolithic up to that limit.
   subroutine contact_solve(self, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     integer, intent(out), optional :: stat
@@ -643,8 +644,8 @@ contains
     call finish(rollcon_contact_solve(self%p), self%p, 'rc_contact%solve', stat, errmsg)
   end subroutine
 
-  !> The next solve starts from where the last step did, as if that had not been: for a host that tries loads or motions
-  !> again before it goes on. Once after each step.
+  !> Lets the next solve start from where the last step did, as if that had not been, for a host that tries loads or
+  !> motions again before it goes on. It works once after each step.
   subroutine contact_repeat_step(self, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     integer, intent(out), optional :: stat
@@ -652,9 +653,9 @@ contains
     call finish(rollcon_contact_repeat_step(self%p), self%p, 'rc_contact%repeat_step', stat, errmsg)
   end subroutine
 
-  !> The next step starts from what rollcon_contact_save_past gave. Prepares bodies and frame where nothing was solved
-  !> yet. Numbers of another frame, or that were changed, are refused, and the past stays as it was; results of the last
-  !> solve are gone.
+  !> Lets the next step start from what rollcon_contact_save_past gave. Prepares bodies and frame where nothing was
+  !> solved yet. Numbers of another frame, or that were changed, are refused and do not change the past; results of the
+  !> last solve are gone.
   subroutine contact_restore_past(self, past, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     real(rc_real), intent(in), contiguous :: past(:)
@@ -664,8 +665,8 @@ contains
       stat, errmsg)
   end subroutine
 
-  !> Forgets the solution, the warm start, the history and what was before a time step (bodies are at rest); keeps the
-  !> scene and all that was computed for the frame.
+  !> Forgets the solution, the warm start, the iteration log and what was before a time step (bodies are at rest); keeps
+  !> the scene and all that was computed for the frame.
   subroutine contact_reset(self, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     integer, intent(out), optional :: stat
@@ -673,7 +674,7 @@ contains
     call finish(rollcon_contact_reset(self%p), self%p, 'rc_contact%reset', stat, errmsg)
   end subroutine
 
-  !> Nodes and elements of the frame. Works before a solve.
+  !> Returns the nodes and elements of the frame. It works before a solve.
   subroutine contact_get_size(self, nodes, elements, stat, errmsg)
     class(rc_contact_plain), intent(in) :: self
     integer, intent(out) :: nodes
@@ -689,7 +690,7 @@ contains
     if (present(elements)) elements = int(elements_c)
   end subroutine
 
-  !> Resultant force on body 1 and its moment about the origin of the axes.
+  !> Returns the resultant force on body 1 and its moment about the origin of the axes.
   subroutine contact_get_resultant(self, force, moment, axes, stat, errmsg)
     class(rc_contact_plain), intent(in) :: self
     real(rc_real), intent(out) :: force(3)
@@ -706,7 +707,7 @@ contains
       'rc_contact%get_resultant', stat, errmsg)
   end subroutine
 
-  !> Approach, creepages and spin, as given or as found for prescribed forces.
+  !> Returns approach, creepages and spin, given or found for prescribed forces.
   subroutine contact_get_motion(self, approach, creep, stat, errmsg)
     class(rc_contact_plain), intent(in) :: self
     real(rc_real), intent(out) :: approach
@@ -718,7 +719,7 @@ contains
     call finish(rollcon_contact_get_motion(self%p, approach, creep), self%p, 'rc_contact%get_motion', stat, errmsg)
   end subroutine
 
-  !> Rotations of body 1 against body 2 about t1 and t2, as given or as found for prescribed moments
+  !> Returns rotations of body 1 against body 2 about t1 and t2, given or found for prescribed moments
   !> (rollcon_contact_prescribe).
   subroutine contact_get_tilt(self, tilt, stat, errmsg)
     class(rc_contact_plain), intent(in) :: self
@@ -729,14 +730,14 @@ contains
     call finish(rollcon_contact_get_tilt(self%p, tilt), self%p, 'rc_contact%get_tilt', stat, errmsg)
   end subroutine
 
-  !> Derivatives of what rollcon_contact_get_resultant (local axes) and rollcon_contact_get_motion give, by one
-  !> parameter. A direction stands for the value last solved with there: creepage, spin or approach where the motion was
-  !> prescribed; force, spin moment or compressive load where the force was; motions that were found then change with
-  !> it. FRICTION stands for a factor, now 1, on every friction coefficient: for d/dmu of a uniform mu divide by mu.
-  !> They are those of Newton's system at the solution, the state of every node held: at most one factorisation for all
-  !> parameters (one more for NORMAL where pressures stand alone) and one right side each; kept until the next solve.
-  !> After ROLLCON_NO_CONTACT only a prescribed motion's derivative by itself is not 0. ROLLCON_ERR_STATE: no solution,
-  !> one that did not converge, or the parameter is a tangential force or spin moment without friction.
+  !> Returns the derivatives of what rollcon_contact_get_resultant (local axes) and rollcon_contact_get_motion give, by
+  !> one parameter. A direction stands for the value last solved with there: creepage, spin or approach where the motion
+  !> was prescribed; force, spin moment or compressive load where the force was; motions that were found then change
+  !> with it. FRICTION stands for a factor, now 1, on every friction coefficient: for d/dmu of a uniform mu divide by
+  !> mu. They are those of Newton's system at the solution, the state of every node held: at most one factorisation for
+  !> all parameters (one more for NORMAL where pressures stand alone) and one right side each; kept until the next
+  !> solve. After ROLLCON_NO_CONTACT only a prescribed motion's derivative by itself is not 0. ROLLCON_ERR_STATE: no
+  !> solution, one that did not converge, or the parameter is a tangential force or spin moment without friction.
   !> ROLLCON_ERR_SINGULAR: a load at the limit of friction. ROLLCON_ERR_UNSUPPORTED: friction follows the whole solution
   !> (of temperature, with a memory, of a layer that flows).
   subroutine contact_get_sensitivity(self, parameter, force, moment, approach, creep, stat, errmsg)
@@ -756,10 +757,10 @@ contains
       'rc_contact%get_sensitivity', stat, errmsg)
   end subroutine
 
-  !> Index of surface-initiated rolling contact fatigue, FI = sqrt(F1^2 + F2^2)/Fn - 2 A k/(3 Fn), with the area A in
-  !> contact (statistic contact_area; pi a b of an ellipse) and the yield stress k in shear; positive where fatigue is
-  !> to be expected. ROLLCON_ERR_STATE: no solution, or no normal force. The wear number T-gamma, force times creepage,
-  !> is the statistic t_gamma.
+  !> Returns the index of surface-initiated rolling contact fatigue, FI = sqrt(F1^2 + F2^2)/Fn - 2 A k/(3 Fn), with the
+  !> area A in contact (statistic contact_area; pi a b for an ellipse) and the yield stress k in shear; positive where
+  !> fatigue is to be expected. ROLLCON_ERR_STATE: no solution, or no normal force. The wear number T-gamma, force times
+  !> creepage, is the statistic t_gamma.
   subroutine contact_get_fatigue_index(self, shear_yield, index, stat, errmsg)
     class(rc_contact_plain), intent(in) :: self
     real(rc_real), intent(in) :: shear_yield
@@ -771,12 +772,12 @@ contains
       stat, errmsg)
   end subroutine
 
-  !> The Hertzian contact that stands for this one, as rollcon_table_evaluate takes it. The ellipse has the area in
-  !> contact (statistic contact_area) and, along over across, the second moments of the pressures. Load, creepages and
-  !> spin are those of the solution, the latter by least squares weighted with pressure about its centre; the solution
-  !> needs no friction. Friction is the mean over the pressure, of falling laws at the speed of the rigid slip;
-  !> inputs[2] may be replaced. Elastic constants: mean values of 1/G and nu/G; where pressure strains one body more
-  !> than the other, the longitudinal creepage has the mean difference of these strains on top. A moment about the
+  !> Returns the Hertzian contact that stands for this one, in the form of inputs of rollcon_table_evaluate. The ellipse
+  !> has the area in contact (statistic contact_area) and, along over across, the second moments of the pressures. Load,
+  !> creepages and spin are those of the solution, the latter by least squares weighted with pressure about its centre;
+  !> the solution needs no friction. Friction is the mean over the pressure, for falling laws at the speed of the rigid
+  !> slip; inputs[2] may be replaced. Elastic constants: mean values of 1/G and nu/G; where pressure strains one body
+  !> more than the other, the longitudinal creepage has the mean difference of these strains on top. A moment about the
   !> contact's origin has center[0] F2 - center[1] F1 more than one about the centre. ROLLCON_ERR_STATE: no solution, no
   !> load, several patches far apart, or a shift; ROLLCON_ERR_UNSUPPORTED: a body has a mesh, a layer is between the
   !> bodies, or friction depends on the direction.
@@ -792,9 +793,9 @@ contains
       'rc_contact%get_equivalent_ellipse', stat, errmsg)
   end subroutine
 
-  !> One number about the last solve: residuals, error estimates, iterations, areas, power, seconds, bytes. Names:
-  !> rollcon_stat_name; meanings: docs/theory.md, section 8. An error estimate is computed when one of its numbers is
-  !> asked for, at about the price of a solve.
+  !> Returns one number about the last solve: residuals, error estimates, iterations, areas, power, seconds, bytes.
+  !> Names: rollcon_stat_name; meanings: docs/theory.md, section 8. An error estimate is computed when one of its
+  !> numbers is asked for, at about the price of a solve.
   subroutine contact_get_stat(self, name, value, stat, errmsg)
     class(rc_contact_plain), intent(in) :: self
     character(len=*), intent(in) :: name
@@ -805,7 +806,7 @@ contains
     call finish(rollcon_contact_get_stat(self%p, c_text(name), value), self%p, 'rc_contact%get_stat', stat, errmsg)
   end subroutine
 
-  !> How the last solve was done (sizes, schemes, linear solver and why), as text for people.
+  !> Returns how the last solve was done (sizes, schemes, linear solver and why), as text for people.
   subroutine contact_get_plan(self, text, stat, errmsg)
     class(rc_contact_plain), intent(in) :: self
     character(len=:), allocatable, intent(out) :: text

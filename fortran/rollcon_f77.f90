@@ -5,7 +5,7 @@
 ! lengths are those of the compiler and the options that build this file, which must be the caller's. Handles are
 ! INTEGERs > 0, the last argument is always IERR, the status. README.md lists the names beside those of rollcon.h.
 
-!> Version of the library.
+!> Returns the version of the library.
 subroutine rcvers(iversion, iabi, text)
   use rollcon_f77_support
   implicit none
@@ -16,7 +16,7 @@ subroutine rcvers(iversion, iabi, text)
   text = f_text_at(rollcon_version_string())
 end subroutine
 
-!> Licences that this build carries and how it was built, as one line of text.
+!> Returns the licences that this build carries and how it was built, as one line of text.
 subroutine rcinfo(text)
   use rollcon_f77_support
   implicit none
@@ -24,7 +24,7 @@ subroutine rcinfo(text)
   text = f_text_at(rollcon_build_info())
 end subroutine
 
-!> 1 if this build has the feature, 0 if not or if the name is unknown or NULL.
+!> Returns 1 if this build has the feature, 0 if not or if the name is unknown or NULL.
 subroutine rchas(name, ihas)
   use rollcon_f77_support
   implicit none
@@ -33,7 +33,7 @@ subroutine rchas(name, ihas)
   ihas = rollcon_has_feature(c_name(name))
 end subroutine
 
-!> One line of text for a status.
+!> Returns one line of text for a status.
 subroutine rcstex(istatus, text)
   use rollcon_f77_support
   implicit none
@@ -42,7 +42,7 @@ subroutine rcstex(istatus, text)
   text = f_text_at(rollcon_status_string(narrow(istatus)))
 end subroutine
 
-!> The text of the last call that failed in this thread.
+!> Returns the text of the last call that failed in this thread.
 subroutine rclerr(text)
   use rollcon_f77_support
   implicit none
@@ -50,7 +50,7 @@ subroutine rclerr(text)
   text = names_77(f_text_at(rollcon_last_error()))
 end subroutine
 
-!> The text of the last call in this thread that returned a status above zero.
+!> Returns the text of the last call in this thread that returned a status above zero.
 subroutine rclcav(text)
   use rollcon_f77_support
   implicit none
@@ -138,7 +138,7 @@ subroutine rcthrd(ictx, n, ierr)
   ierr = rollcon_context_set_threads(context_of(ictx), narrow(n))
 end subroutine
 
-!> For programs that check once, at the end.
+!> Turns the latch on or off, for programs that check once, at the end.
 subroutine rcltch(ictx, ion, ierr)
   use rollcon_f77_support
   implicit none
@@ -146,7 +146,7 @@ subroutine rcltch(ictx, ion, ierr)
   ierr = rollcon_context_set_latch(context_of(ictx), narrow(ion))
 end subroutine
 
-!> The first failure since the latch was set, whose text becomes the last error.
+!> Returns the first failure since the latch was set, whose text becomes the last error.
 subroutine rcchek(ictx, ierr)
   use rollcon_f77_support
   implicit none
@@ -182,7 +182,7 @@ subroutine rcprep(ibody, ierr)
   ierr = rollcon_body_prepare(body_of(ibody))
 end subroutine
 
-!> The model given to rollcon_body_create.
+!> Returns the model given to rollcon_body_create.
 subroutine rckind(ibody, kind, ierr)
   use rollcon_f77_support
   implicit none
@@ -362,7 +362,7 @@ subroutine rcbprs(ibody, itag, pressure, ierr)
   ierr = rollcon_body_set_pressure(body_of(ibody), narrow(itag), pressure)
 end subroutine
 
-!> Prescribes tractions at nodes of the faces with a tag, between nodes as the faces' shape functions have them, .
+!> Prescribes tractions at nodes of the faces with a tag, interpolated by the faces' shape functions, zero at nod.
 subroutine rcbtrn(ibody, itag, n, nodes, along, tractions, ierr)
   use rollcon_f77_support
   implicit none
@@ -386,7 +386,7 @@ subroutine rcbfac(ibody, n, itags, ierr)
   ierr = rollcon_body_set_contact_faces(body_of(ibody), int(n, c_int64_t), packed_tags)
 end subroutine
 
-!> Takes nodes, elements and names from a file, in place of all that the mesh was.
+!> Takes nodes, elements and names from a file, in place of the whole former mesh.
 subroutine rcbmsh(ibody, path, part, ierr)
   use rollcon_f77_support
   implicit none
@@ -404,7 +404,7 @@ subroutine rcbtgr(ibody, group, itag, ierr)
   ierr = rollcon_body_tag_group(body_of(ibody), c_name(group), narrow(itag))
 end subroutine
 
-!> How many groups the mesh's file has that name something of the body.
+!> Returns how many groups of the mesh's file name something of the body.
 subroutine rcbngr(ibody, n, ierr)
   use rollcon_f77_support
   implicit none
@@ -415,7 +415,7 @@ subroutine rcbngr(ibody, n, ierr)
   n = int(n_c)
 end subroutine
 
-!> The name of a group as the file has it.
+!> Returns the name of a group in the file's spelling.
 subroutine rcbgnm(ibody, i, text, ierr)
   use rollcon_f77_support
   implicit none
@@ -437,7 +437,7 @@ subroutine rcbgnm(ibody, i, text, ierr)
   call give_text(body_of(ibody), 'RCBGNM', buffer, text, ierr)
 end subroutine
 
-!> The nodes of all that a group has, ascending.
+!> Returns the nodes of all that a group has, ascending, for rollcon_body_set_support and rollcon_body_tag_faces_.
 subroutine rcbgnd(ibody, group, maxn, nodes, nn, ierr)
   use rollcon_f77_support
   implicit none
@@ -477,7 +477,7 @@ subroutine rcbstr(ibody, name, value, ierr)
   ierr = rollcon_body_set_real(body_of(ibody), c_name(name), value)
 end subroutine
 
-!> Value of an integer option.
+!> Returns the value of an integer option.
 subroutine rcbgti(ibody, name, ivalue, ierr)
   use rollcon_f77_support
   implicit none
@@ -489,7 +489,7 @@ subroutine rcbgti(ibody, name, ivalue, ierr)
   ivalue = int(value_c)
 end subroutine
 
-!> Value of a real option.
+!> Returns the value of a real option.
 subroutine rcbgtr(ibody, name, value, ierr)
   use rollcon_f77_support
   implicit none
@@ -499,7 +499,7 @@ subroutine rcbgtr(ibody, name, value, ierr)
   ierr = rollcon_body_get_real(body_of(ibody), c_name(name), value)
 end subroutine
 
-!> Number of options of bodies.
+!> Returns the number of options of bodies.
 subroutine rcbnop(n)
   use rollcon_f77_support
   implicit none
@@ -507,7 +507,7 @@ subroutine rcbnop(n)
   n = rollcon_body_option_count()
 end subroutine
 
-!> Row of the table of options of bodies.
+!> Returns a row of the table of options of bodies.
 subroutine rcbopi(i, name, itype, xlow, high, standard, ierr)
   use rollcon_f77_support
   implicit none
@@ -526,7 +526,7 @@ subroutine rcbopi(i, name, itype, xlow, high, standard, ierr)
   call give_text(c_null_ptr, 'RCBOPI', buffer, name, ierr)
 end subroutine
 
-!> What an option of bodies means.
+!> Returns what an option of bodies means.
 subroutine rcbopd(i, text, ierr)
   use rollcon_f77_support
   implicit none
@@ -567,7 +567,7 @@ subroutine rcbpsh(ibody, shape, n, par, ierr)
   ierr = rollcon_body_set_profile_shape(body_of(ibody), c_name(shape), int(n, c_int64_t), par)
 end subroutine
 
-!> Sets a profile through the points of a file, as rollcon_body_set_profile does.
+!> Sets a profile through the points of a file, in the way of rollcon_body_set_profile.
 subroutine rcbprd(ibody, path, unit, mirror, filter_length, ierr)
   use rollcon_f77_support
   implicit none
@@ -587,7 +587,7 @@ subroutine rcbpwr(ibody, path, unit, ierr)
   ierr = rollcon_body_write_profile(body_of(ibody), c_text(path), unit)
 end subroutine
 
-!> The profile, moved along a straight line without end, is the surface of the body.
+!> Makes the profile, moved along a straight line without end, the surface of the body.
 subroutine rcbext(ibody, origin, along, z_axis, ierr)
   use rollcon_f77_support
   implicit none
@@ -596,7 +596,7 @@ subroutine rcbext(ibody, origin, along, z_axis, ierr)
   ierr = rollcon_body_extrude_profile(body_of(ibody), origin, along, z_axis)
 end subroutine
 
-!> The profile, turned about an axis, is the surface of the body.
+!> Makes the profile, turned about an axis, the surface of the body.
 subroutine rcbrev(ibody, origin, axis, radius, ierr)
   use rollcon_f77_support
   implicit none
@@ -605,7 +605,7 @@ subroutine rcbrev(ibody, origin, axis, radius, ierr)
   ierr = rollcon_body_revolve_profile(body_of(ibody), origin, axis, radius)
 end subroutine
 
-!> Arc length of the profile.
+!> Returns the arc length of the profile.
 subroutine rcbple(ibody, xlength, ierr)
   use rollcon_f77_support
   implicit none
@@ -614,7 +614,7 @@ subroutine rcbple(ibody, xlength, ierr)
   ierr = rollcon_body_get_profile_length(body_of(ibody), xlength)
 end subroutine
 
-!> Point, tangent and curvature of the profile at an arc length, counted from the end where y is less.
+!> Returns point, tangent and curvature of the profile at an arc length, counted from the end where y is less.
 subroutine rcbppt(ibody, s, point, tangent, curvature, ierr)
   use rollcon_f77_support
   implicit none
@@ -623,7 +623,7 @@ subroutine rcbppt(ibody, s, point, tangent, curvature, ierr)
   ierr = rollcon_body_get_profile_point(body_of(ibody), s, point, tangent, curvature)
 end subroutine
 
-!> Nodes and elements given so far.
+!> Returns the nodes and elements given so far.
 subroutine rcbsiz(ibody, nodes, ielements, ierr)
   use rollcon_f77_support
   implicit none
@@ -637,7 +637,7 @@ subroutine rcbsiz(ibody, nodes, ielements, ierr)
   ielements = int(elements_c)
 end subroutine
 
-!> Displacement of every node under the body's own loads and given displacements.
+!> Returns the displacement of every node under the body's own loads and given displacements.
 subroutine rcbdis(ibody, maxn, u, ierr)
   use rollcon_f77_support
   implicit none
@@ -646,7 +646,7 @@ subroutine rcbdis(ibody, maxn, u, ierr)
   ierr = rollcon_body_get_displacements(body_of(ibody), int(maxn, c_int64_t), u)
 end subroutine
 
-!> Smoothed stresses at all nodes of a body of finite elements under given displacements of its nodes, or of fini.
+!> Returns smoothed stresses at all nodes of a body of finite elements under given displacements of its nodes, or.
 subroutine rcbnds(ibody, nodes, u, stress, ierr)
   use rollcon_f77_support
   implicit none
@@ -655,7 +655,7 @@ subroutine rcbnds(ibody, nodes, u, stress, ierr)
   ierr = rollcon_body_get_node_stresses(body_of(ibody), int(nodes, c_int64_t), u, stress)
 end subroutine
 
-!> Stresses at the integration points of all finite elements, element by element, as the elements themselves bala.
+!> Returns stresses at the integration points of all finite elements, element by element, with which the elements.
 subroutine rcbpts(ibody, nodes, u, maxn, stress, xyz, nr, ierr)
   use rollcon_f77_support
   implicit none
@@ -668,7 +668,7 @@ subroutine rcbpts(ibody, nodes, u, maxn, stress, xyz, nr, ierr)
   nr = int(n_rows_c)
 end subroutine
 
-!> Displacements and stresses at any points inside a body.
+!> Returns displacements and stresses at any points inside a body.
 subroutine rcbfld(ibody, nodes, u, n, xyz, displacement, stress, ierr)
   use rollcon_f77_support
   implicit none
@@ -688,7 +688,7 @@ subroutine rcbwri(ibody, path, nodes, u, ierr)
   ierr = rollcon_body_write(body_of(ibody), c_text(path), int(nodes, c_int64_t), u)
 end subroutine
 
-!> Resultant of the forces that the supports exert on the body under its own loads and given displacements, and i.
+!> Returns the resultant of the forces that the supports exert on the body under its own loads and given displace.
 subroutine rcbrea(ibody, force, xmoment, ierr)
   use rollcon_f77_support
   implicit none
@@ -697,7 +697,7 @@ subroutine rcbrea(ibody, force, xmoment, ierr)
   ierr = rollcon_body_get_reaction(body_of(ibody), force, xmoment)
 end subroutine
 
-!> One number about a prepared body.
+!> Returns one number about a prepared body.
 subroutine rcbsta(ibody, name, value, ierr)
   use rollcon_f77_support
   implicit none
@@ -707,7 +707,7 @@ subroutine rcbsta(ibody, name, value, ierr)
   ierr = rollcon_body_get_stat(body_of(ibody), c_name(name), value)
 end subroutine
 
-!> Number of statistics of bodies.
+!> Returns the number of statistics of bodies.
 subroutine rcbnst(n)
   use rollcon_f77_support
   implicit none
@@ -715,7 +715,7 @@ subroutine rcbnst(n)
   n = rollcon_body_stat_count()
 end subroutine
 
-!> Name of a statistic of bodies.
+!> Returns the name of a statistic of bodies.
 subroutine rcbstn(i, text, ierr)
   use rollcon_f77_support
   implicit none
@@ -803,7 +803,7 @@ subroutine rcfram(icon, iwhich, itag, ierr)
   ierr = rollcon_contact_frame_from_body(contact_of(icon), narrow(iwhich), narrow(itag))
 end subroutine
 
-!> Makes a rectangle in the plane of the axes, as they are now, the frame.
+!> Makes a rectangle in the present plane of the axes the frame.
 subroutine rcfrec(icon, itype, nx, ny, x_least, x_greatest, y_least, y_greatest, ierr)
   use rollcon_f77_support
   implicit none
@@ -813,7 +813,7 @@ subroutine rcfrec(icon, itype, nx, ny, x_least, x_greatest, y_least, y_greatest,
     x_greatest, y_least, y_greatest)
 end subroutine
 
-!> Makes an ellipse in the plane of the axes, as they are now, the frame.
+!> Makes an ellipse in the present plane of the axes the frame.
 subroutine rcfell(icon, ialong, iacross, a, b, angle, ierr)
   use rollcon_f77_support
   implicit none
@@ -831,7 +831,7 @@ subroutine rcfstr(icon, ialong, n, xlines, ierr)
   ierr = rollcon_contact_frame_strips(contact_of(icon), narrow(ialong), int(n, c_int64_t), xlines)
 end subroutine
 
-!> Leaves the frame to the library, as in a new contact.
+!> Leaves the frame to the library, which is the state of a new contact.
 subroutine rcfaut(icon, ierr)
   use rollcon_f77_support
   implicit none
@@ -1031,7 +1031,7 @@ subroutine rcsets(icon, name, value, ierr)
   ierr = rollcon_contact_set_str(contact_of(icon), c_name(name), c_name(value))
 end subroutine
 
-!> Value of an integer option.
+!> Returns the value of an integer option.
 subroutine rcgeti(icon, name, ivalue, ierr)
   use rollcon_f77_support
   implicit none
@@ -1043,7 +1043,7 @@ subroutine rcgeti(icon, name, ivalue, ierr)
   ivalue = int(value_c)
 end subroutine
 
-!> Value of a real option.
+!> Returns the value of a real option.
 subroutine rcgetr(icon, name, value, ierr)
   use rollcon_f77_support
   implicit none
@@ -1053,7 +1053,7 @@ subroutine rcgetr(icon, name, value, ierr)
   ierr = rollcon_contact_get_real(contact_of(icon), c_name(name), value)
 end subroutine
 
-!> Value of a text option.
+!> Returns the value of a text option.
 subroutine rcgets(icon, name, text, ierr)
   use rollcon_f77_support
   implicit none
@@ -1075,7 +1075,7 @@ subroutine rcgets(icon, name, text, ierr)
   call give_text(contact_of(icon), 'RCGETS', buffer, text, ierr)
 end subroutine
 
-!> Number of options.
+!> Returns the number of options.
 subroutine rcnopt(n)
   use rollcon_f77_support
   implicit none
@@ -1083,7 +1083,7 @@ subroutine rcnopt(n)
   n = rollcon_option_count()
 end subroutine
 
-!> Row of the table of options.
+!> Returns a row of the table of options.
 subroutine rcopti(i, name, itype, xlow, high, standard, ierr)
   use rollcon_f77_support
   implicit none
@@ -1102,7 +1102,7 @@ subroutine rcopti(i, name, itype, xlow, high, standard, ierr)
   call give_text(c_null_ptr, 'RCOPTI', buffer, name, ierr)
 end subroutine
 
-!> What an option means.
+!> Returns what an option means, for text options also the values allowed.
 subroutine rcoptd(i, text, ierr)
   use rollcon_f77_support
   implicit none
@@ -1178,7 +1178,7 @@ subroutine rccase(icon, par, nc, values, columns, maxn, results, nres, istatus, 
   call give_integers(whole, istatus)
 end subroutine
 
-!> The next solve starts from where the last step did, as if that had not been.
+!> Lets the next solve start from where the last step did, as if that had not been, for a host that tries loads o.
 subroutine rcrept(icon, ierr)
   use rollcon_f77_support
   implicit none
@@ -1186,7 +1186,7 @@ subroutine rcrept(icon, ierr)
   ierr = rollcon_contact_repeat_step(contact_of(icon))
 end subroutine
 
-!> What the next step starts from, as numbers.
+!> Returns what the next step starts from, as numbers.
 subroutine rcspst(icon, maxn, past, nv, ierr)
   use rollcon_f77_support
   implicit none
@@ -1198,7 +1198,7 @@ subroutine rcspst(icon, maxn, past, nv, ierr)
   nv = int(n_values_c)
 end subroutine
 
-!> The next step starts from what rollcon_contact_save_past gave.
+!> Lets the next step start from what rollcon_contact_save_past gave.
 subroutine rcrpst(icon, n, past, ierr)
   use rollcon_f77_support
   implicit none
@@ -1207,7 +1207,7 @@ subroutine rcrpst(icon, n, past, ierr)
   ierr = rollcon_contact_restore_past(contact_of(icon), int(n, c_int64_t), past)
 end subroutine
 
-!> Forgets the solution, the warm start, the history and what was before a time step (bodies are at rest).
+!> Forgets the solution, the warm start, the iteration log and what was before a time step (bodies are at rest).
 subroutine rcrset(icon, ierr)
   use rollcon_f77_support
   implicit none
@@ -1215,7 +1215,7 @@ subroutine rcrset(icon, ierr)
   ierr = rollcon_contact_reset(contact_of(icon))
 end subroutine
 
-!> Nodes and elements of the frame.
+!> Returns the nodes and elements of the frame.
 subroutine rcsize(icon, nodes, ielements, ierr)
   use rollcon_f77_support
   implicit none
@@ -1229,7 +1229,7 @@ subroutine rcsize(icon, nodes, ielements, ierr)
   ielements = int(elements_c)
 end subroutine
 
-!> Tractions on body 1 at the nodes.
+!> Returns tractions on body 1 at the nodes.
 subroutine rctrac(icon, iaxes, maxn, t, ierr)
   use rollcon_f77_support
   implicit none
@@ -1238,7 +1238,7 @@ subroutine rctrac(icon, iaxes, maxn, t, ierr)
   ierr = rollcon_contact_get_tractions(contact_of(icon), narrow(iaxes), int(maxn, c_int64_t), t)
 end subroutine
 
-!> A nodal field.
+!> Returns a nodal field.
 subroutine rcfeld(icon, ifield, iaxes, maxn, v, nv, ierr)
   use rollcon_f77_support
   implicit none
@@ -1251,7 +1251,7 @@ subroutine rcfeld(icon, ifield, iaxes, maxn, v, nv, ierr)
   nv = int(n_values_c)
 end subroutine
 
-!> State of each node.
+!> Returns the state of each node.
 subroutine rcnsta(icon, maxn, istatus, ierr)
   use rollcon_f77_support
   implicit none
@@ -1268,7 +1268,7 @@ subroutine rcnsta(icon, maxn, istatus, ierr)
   call give_integers(whole, istatus)
 end subroutine
 
-!> Resultant force on body 1 and its moment about the origin of the axes.
+!> Returns the resultant force on body 1 and its moment about the origin of the axes.
 subroutine rcresu(icon, iaxes, force, xmoment, ierr)
   use rollcon_f77_support
   implicit none
@@ -1277,7 +1277,7 @@ subroutine rcresu(icon, iaxes, force, xmoment, ierr)
   ierr = rollcon_contact_get_resultant(contact_of(icon), narrow(iaxes), force, xmoment)
 end subroutine
 
-!> Approach, creepages and spin, as given or as found for prescribed forces.
+!> Returns approach, creepages and spin, given or found for prescribed forces.
 subroutine rcmotn(icon, approach, creep, ierr)
   use rollcon_f77_support
   implicit none
@@ -1286,7 +1286,7 @@ subroutine rcmotn(icon, approach, creep, ierr)
   ierr = rollcon_contact_get_motion(contact_of(icon), approach, creep)
 end subroutine
 
-!> Rotations of body 1 against body 2 about t1 and t2, as given or as found for prescribed moments (rollcon_conta.
+!> Returns rotations of body 1 against body 2 about t1 and t2, given or found for prescribed moments (rollcon_con.
 subroutine rctilt(icon, tilt, ierr)
   use rollcon_f77_support
   implicit none
@@ -1295,7 +1295,7 @@ subroutine rctilt(icon, tilt, ierr)
   ierr = rollcon_contact_get_tilt(contact_of(icon), tilt)
 end subroutine
 
-!> Derivatives of what rollcon_contact_get_resultant (local axes) and rollcon_contact_get_motion give, by one par.
+!> Returns the derivatives of what rollcon_contact_get_resultant (local axes) and rollcon_contact_get_motion give.
 subroutine rcsens(icon, iparameter, force, xmoment, approach, creep, ierr)
   use rollcon_f77_support
   implicit none
@@ -1304,7 +1304,7 @@ subroutine rcsens(icon, iparameter, force, xmoment, approach, creep, ierr)
   ierr = rollcon_contact_get_sensitivity(contact_of(icon), narrow(iparameter), force, xmoment, approach, creep)
 end subroutine
 
-!> Elastic displacement of a body at any points of the contact surface, on the frame or off it, in local axes (of.
+!> Returns the elastic displacement of a body at any points of the contact surface, on the frame or off it, in lo.
 subroutine rcdisp(icon, ibody, n, xy, u, ierr)
   use rollcon_f77_support
   implicit none
@@ -1313,7 +1313,7 @@ subroutine rcdisp(icon, ibody, n, xy, u, ierr)
   ierr = rollcon_contact_get_displacements_at(contact_of(icon), narrow(ibody), int(n, c_int64_t), xy, u)
 end subroutine
 
-!> Stresses and elastic displacements at any points inside a body, or on its surface, under the tractions of the .
+!> Returns stresses and elastic displacements at any points inside a body, or on its surface, under the tractions.
 subroutine rcstrs(icon, ibody, n, xyz, stress, u, ierr)
   use rollcon_f77_support
   implicit none
@@ -1322,7 +1322,7 @@ subroutine rcstrs(icon, ibody, n, xyz, stress, u, ierr)
   ierr = rollcon_contact_get_stresses_at(contact_of(icon), narrow(ibody), int(n, c_int64_t), xyz, stress, u)
 end subroutine
 
-!> Displacements of all nodes of a body of finite or boundary elements under the tractions of the last solve and .
+!> Returns displacements of all nodes of a body of finite or boundary elements under the tractions of the last so.
 subroutine rcbodu(icon, ibody, maxn, u, nv, ierr)
   use rollcon_f77_support
   implicit none
@@ -1335,7 +1335,7 @@ subroutine rcbodu(icon, ibody, maxn, u, nv, ierr)
   nv = int(n_values_c)
 end subroutine
 
-!> Displacements and stresses at any points inside a body of finite or boundary elements under the tractions of t.
+!> Returns displacements and stresses at any points inside a body of finite or boundary elements under the tracti.
 subroutine rcbfat(icon, ibody, n, xyz, displacement, stress, ierr)
   use rollcon_f77_support
   implicit none
@@ -1354,7 +1354,7 @@ subroutine rcwbod(icon, ibody, path, ierr)
   ierr = rollcon_contact_write_body(contact_of(icon), narrow(ibody), c_text(path))
 end subroutine
 
-!> Temperatures of the surfaces of both bodies at any points of the plane of the axes by the frictional heat of t.
+!> Returns temperatures of the surfaces of both bodies at any points of the plane of the axes by the frictional h.
 subroutine rctmps(icon, n, xy, temperature, ierr)
   use rollcon_f77_support
   implicit none
@@ -1363,7 +1363,7 @@ subroutine rctmps(icon, n, xy, temperature, ierr)
   ierr = rollcon_contact_get_temperatures_at(contact_of(icon), int(n, c_int64_t), xy, temperature)
 end subroutine
 
-!> Index of surface-initiated rolling contact fatigue, FI = sqrt(F1^2 + F2^2)/Fn - 2 A k/(3 Fn), with the area A .
+!> Returns the index of surface-initiated rolling contact fatigue, FI = sqrt(F1^2 + F2^2)/Fn - 2 A k/(3 Fn), with.
 subroutine rcfati(icon, shear_yield, xindex, ierr)
   use rollcon_f77_support
   implicit none
@@ -1372,7 +1372,7 @@ subroutine rcfati(icon, shear_yield, xindex, ierr)
   ierr = rollcon_contact_get_fatigue_index(contact_of(icon), shear_yield, xindex)
 end subroutine
 
-!> The Hertzian contact that stands for this one, as rollcon_table_evaluate takes it.
+!> Returns the Hertzian contact that stands for this one, in the form of inputs of rollcon_table_evaluate.
 subroutine rcelli(icon, xinputs, center, ierr)
   use rollcon_f77_support
   implicit none
@@ -1381,7 +1381,7 @@ subroutine rcelli(icon, xinputs, center, ierr)
   ierr = rollcon_contact_get_equivalent_ellipse(contact_of(icon), xinputs, center)
 end subroutine
 
-!> Depth that one pass of the contact wears off, along t2.
+!> Returns the depth that one pass of the contact wears off, along t2.
 subroutine rcwear(icon, law, n, par, ipoints, y, depth, volume, ierr)
   use rollcon_f77_support
   implicit none
@@ -1402,7 +1402,7 @@ subroutine rcwpro(ipoints, yz, rate, iside, distance, xmost_depth, smoothing, wo
     worn, taken)
 end subroutine
 
-!> Principal stresses, von Mises's stress and the largest shear stress of n stresses, which may come from rollcon.
+!> Returns principal stresses, von Mises's stress and the largest shear stress of n stresses, which may come from.
 subroutine rcsinv(n, stress, principal, von_mises, shear, ierr)
   use rollcon_f77_support
   implicit none
@@ -1411,7 +1411,7 @@ subroutine rcsinv(n, stress, principal, von_mises, shear, ierr)
   ierr = rollcon_stress_invariants(int(n, c_int64_t), stress, principal, von_mises, shear)
 end subroutine
 
-!> One number about the last solve.
+!> Returns one number about the last solve.
 subroutine rcstat(icon, name, value, ierr)
   use rollcon_f77_support
   implicit none
@@ -1421,7 +1421,7 @@ subroutine rcstat(icon, name, value, ierr)
   ierr = rollcon_contact_get_stat(contact_of(icon), c_name(name), value)
 end subroutine
 
-!> Number of statistics.
+!> Returns the number of statistics.
 subroutine rcnstt(n)
   use rollcon_f77_support
   implicit none
@@ -1429,7 +1429,7 @@ subroutine rcnstt(n)
   n = rollcon_stat_count()
 end subroutine
 
-!> Name of a statistic.
+!> Returns the name of a statistic.
 subroutine rcstnm(i, text, ierr)
   use rollcon_f77_support
   implicit none
@@ -1451,7 +1451,7 @@ subroutine rcstnm(i, text, ierr)
   call give_text(c_null_ptr, 'RCSTNM', buffer, text, ierr)
 end subroutine
 
-!> Iterations of the last solve, one row each.
+!> Returns the iterations of the last solve, one row each.
 subroutine rchist(icon, maxn, rows, nr, ierr)
   use rollcon_f77_support
   implicit none
@@ -1463,7 +1463,7 @@ subroutine rchist(icon, maxn, rows, nr, ierr)
   nr = int(n_rows_c)
 end subroutine
 
-!> Convergence of the last solve.
+!> Returns the convergence of the last solve.
 subroutine rcerrf(icon, maxn, psi, seconds, nr, ierr)
   use rollcon_f77_support
   implicit none
@@ -1475,7 +1475,7 @@ subroutine rcerrf(icon, maxn, psi, seconds, nr, ierr)
   nr = int(n_rows_c)
 end subroutine
 
-!> How the last solve was done (sizes, schemes, linear solver and why), as text for people.
+!> Returns how the last solve was done (sizes, schemes, linear solver and why), as text for people.
 subroutine rcplan(icon, text, ierr)
   use rollcon_f77_support
   implicit none
@@ -1570,7 +1570,7 @@ subroutine rcwvel(iwr, velocity, ierr)
   ierr = rollcon_wheelrail_set_velocity(wheelrail_of(iwr), velocity)
 end subroutine
 
-!> Prescribes the height of the wheelset by motion, as its position has it (standard), or by the vertical force.
+!> Prescribes the height of the wheelset by motion, from its position (standard), or by the vertical force.
 subroutine rcwvrt(iwr, ihow, force, ierr)
   use rollcon_f77_support
   implicit none
@@ -1596,7 +1596,7 @@ subroutine rcwtab(iwr, itab, ierr)
   ierr = rollcon_wheelrail_set_table(wheelrail_of(iwr), table_of(itab))
 end subroutine
 
-!> Solves all patches in full again, as a new handle does.
+!> Solves all patches in full again, like a new handle.
 subroutine rcwnot(iwr, ierr)
   use rollcon_f77_support
   implicit none
@@ -1604,7 +1604,7 @@ subroutine rcwnot(iwr, ierr)
   ierr = rollcon_wheelrail_forget_table(wheelrail_of(iwr))
 end subroutine
 
-!> With a creep-force table (rollcon_wheelrail_set_table.
+!> Takes Hertz's pressures on an ellipse that each patch's overlap gives, and solves for none, with a creep-force.
 subroutine rcwhtz(iwr, ion, ierr)
   use rollcon_f77_support
   implicit none
@@ -1654,7 +1654,7 @@ subroutine rcwstp(iwr, ierr)
   ierr = rollcon_wheelrail_request_cancel(wheelrail_of(iwr))
 end subroutine
 
-!> Solves many positions on the threads of the context, each by itself from nothing, as after rollcon_wheelrail_r.
+!> Solves many positions on the threads of the context, each by itself from nothing, like after rollcon_wheelrail.
 subroutine rcwmny(iwr, n, positions, velocities, totals, istatus, ierr)
   use rollcon_f77_support
   implicit none
@@ -1667,7 +1667,7 @@ subroutine rcwmny(iwr, n, positions, velocities, totals, istatus, ierr)
   call give_integers(whole, istatus)
 end subroutine
 
-!> Wear of wheel and rail by a spectrum of positions.
+!> Finds the wear of wheel and rail by a spectrum of positions.
 subroutine rcwfwr(iwr, nc, positions, velocities, weights, law, n, par, ipoints, wheel, rail, volumes, istatus, &
   ierr)
   use rollcon_f77_support
@@ -1683,7 +1683,7 @@ subroutine rcwfwr(iwr, nc, positions, velocities, weights, law, n, par, ipoints,
   call give_integers(whole, istatus)
 end subroutine
 
-!> Keeps what is set and the last solution at a place within the wheel, for rollcon_wheelrail_restore.
+!> Saves what is set and the last solution at a place within the wheel, for rollcon_wheelrail_restore, because in.
 subroutine rcwsav(iwr, iplace, ierr)
   use rollcon_f77_support
   implicit none
@@ -1691,7 +1691,7 @@ subroutine rcwsav(iwr, iplace, ierr)
   ierr = rollcon_wheelrail_save(wheelrail_of(iwr), narrow(iplace))
 end subroutine
 
-!> Goes back to what was kept.
+!> Goes back to what was saved.
 subroutine rcwbck(iwr, iplace, ierr)
   use rollcon_f77_support
   implicit none
@@ -1699,7 +1699,7 @@ subroutine rcwbck(iwr, iplace, ierr)
   ierr = rollcon_wheelrail_restore(wheelrail_of(iwr), narrow(iplace))
 end subroutine
 
-!> Makes another wheel on its rail with the same bodies, inputs and last solution, and no states kept.
+!> Makes another wheel on its rail with the same bodies, inputs and last solution, and no saved states.
 subroutine rcwcpy(iwr, icopy, ierr)
   use rollcon_f77_support
   implicit none
@@ -1718,7 +1718,7 @@ subroutine rcwrst(iwr, ierr)
   ierr = rollcon_wheelrail_reset(wheelrail_of(iwr))
 end subroutine
 
-!> Number of patches, from 0.
+!> Returns the number of patches, from 0.
 subroutine rcwnpa(iwr, ipatches, ierr)
   use rollcon_f77_support
   implicit none
@@ -1729,7 +1729,7 @@ subroutine rcwnpa(iwr, ipatches, ierr)
   ipatches = int(patches_c)
 end subroutine
 
-!> Force of all patches on the wheel and its moment about the wheelset's centre.
+!> Returns the force of all patches on the wheel and its moment about the wheelset's centre.
 subroutine rcwres(iwr, iaxes, force, xmoment, ierr)
   use rollcon_f77_support
   implicit none
@@ -1738,7 +1738,7 @@ subroutine rcwres(iwr, iaxes, force, xmoment, ierr)
   ierr = rollcon_wheelrail_get_resultant(wheelrail_of(iwr), narrow(iaxes), force, xmoment)
 end subroutine
 
-!> Derivatives of the totals of the last solve by one entry of its position or velocity.
+!> Returns the derivatives of the totals of the last solve by one entry of its position or velocity.
 subroutine rcwder(iwr, ientry, force, xmoment, z, ierr)
   use rollcon_f77_support
   implicit none
@@ -1747,7 +1747,7 @@ subroutine rcwder(iwr, ientry, force, xmoment, z, ierr)
   ierr = rollcon_wheelrail_get_derivative(wheelrail_of(iwr), narrow(ientry), force, xmoment, z)
 end subroutine
 
-!> One number about the last solve.
+!> Returns one number about the last solve.
 subroutine rcwsta(iwr, name, value, ierr)
   use rollcon_f77_support
   implicit none
@@ -1757,7 +1757,7 @@ subroutine rcwsta(iwr, name, value, ierr)
   ierr = rollcon_wheelrail_get_stat(wheelrail_of(iwr), c_name(name), value)
 end subroutine
 
-!> Number of statistics of a wheel on its rail.
+!> Returns the number of statistics of a wheel on its rail.
 subroutine rcwnst(n)
   use rollcon_f77_support
   implicit none
@@ -1765,7 +1765,7 @@ subroutine rcwnst(n)
   n = rollcon_wheelrail_stat_count()
 end subroutine
 
-!> Name of a statistic of a wheel on its rail.
+!> Returns the name of a statistic of a wheel on its rail.
 subroutine rcwstn(i, text, ierr)
   use rollcon_f77_support
   implicit none
@@ -1787,7 +1787,7 @@ subroutine rcwstn(i, text, ierr)
   call give_text(c_null_ptr, 'RCWSTN', buffer, text, ierr)
 end subroutine
 
-!> Where a point of the wheel's or the rail's profile stood in the last solve, in the track.
+!> Returns where a point of the wheel's or the rail's profile stood in the last solve, in the track, for pictures.
 subroutine rcwppt(iwr, ibody, share, point, ierr)
   use rollcon_f77_support
   implicit none
@@ -1796,7 +1796,7 @@ subroutine rcwppt(iwr, ibody, share, point, ierr)
   ierr = rollcon_wheelrail_get_profile_point(wheelrail_of(iwr), narrow(ibody), share, point)
 end subroutine
 
-!> One number about a patch.
+!> Returns one number about a patch.
 subroutine rcwpst(iwr, ipatch, name, value, ierr)
   use rollcon_f77_support
   implicit none
@@ -1806,7 +1806,7 @@ subroutine rcwpst(iwr, ipatch, name, value, ierr)
   ierr = rollcon_wheelrail_get_patch_stat(wheelrail_of(iwr), narrow(ipatch - 1), c_name(name), value)
 end subroutine
 
-!> Number of statistics of a patch.
+!> Returns the number of statistics of a patch.
 subroutine rcwnps(n)
   use rollcon_f77_support
   implicit none
@@ -1814,7 +1814,7 @@ subroutine rcwnps(n)
   n = rollcon_wheelrail_patch_stat_count()
 end subroutine
 
-!> Name of a statistic of a patch.
+!> Returns the name of a statistic of a patch.
 subroutine rcwpsn(i, text, ierr)
   use rollcon_f77_support
   implicit none
@@ -1836,7 +1836,7 @@ subroutine rcwpsn(i, text, ierr)
   call give_text(c_null_ptr, 'RCWPSN', buffer, text, ierr)
 end subroutine
 
-!> Origin and axes of the contact of a patch (rollcon_wheelrail_get_contact) in the track.
+!> Returns origin and axes of the contact of a patch (rollcon_wheelrail_get_contact) in the track.
 subroutine rcwpax(iwr, ipatch, origin, axes, ierr)
   use rollcon_f77_support
   implicit none
@@ -1845,7 +1845,7 @@ subroutine rcwpax(iwr, ipatch, origin, axes, ierr)
   ierr = rollcon_wheelrail_get_patch_axes(wheelrail_of(iwr), narrow(ipatch - 1), origin, axes)
 end subroutine
 
-!> The contact of a patch.
+!> Returns the contact of a patch.
 subroutine rcwcon(iwr, ipatch, icon, ierr)
   use rollcon_f77_support
   implicit none
@@ -1866,7 +1866,7 @@ subroutine rcwpts(ileft, iright, n, shift, points, ierr)
     points)
 end subroutine
 
-!> Finds equivalent conicities as EN 15302 defines them.
+!> Finds the equivalent conicities of EN 15302.
 subroutine rcwcnc(ileft, iright, n, amplitude, conicity, wavelength, ierr)
   use rollcon_f77_support
   implicit none
@@ -1935,7 +1935,7 @@ subroutine rctfrm(itab, ialong, iacross, ierr)
   ierr = rollcon_table_set_frame(table_of(itab), narrow(ialong), narrow(iacross))
 end subroutine
 
-!> Makes it a table of bodies of equal elastic constants, as a new one is, and sets its Poisson's ratios.
+!> Makes it a table of bodies of equal elastic constants, which a new one is, and sets its Poisson's ratios.
 subroutine rctpoi(itab, n, poissons, ierr)
   use rollcon_f77_support
   implicit none
@@ -1989,7 +1989,7 @@ subroutine rctmak(itab, ipart, iparts, ierr)
   ierr = rollcon_table_make(table_of(itab), narrow(ipart), narrow(iparts))
 end subroutine
 
-!> All samples.
+!> Returns all samples.
 subroutine rctgsm(itab, maxn, samples, icount, ierr)
   use rollcon_f77_support
   implicit none
@@ -2019,7 +2019,7 @@ subroutine rctsav(itab, path, ierr)
   ierr = rollcon_table_save(table_of(itab), c_text(path))
 end subroutine
 
-!> Forces and spin moments on body 1 of n contacts, by the signs of rollcon_contact_get_resultant.
+!> Returns forces and spin moments on body 1 of n contacts, by the signs of rollcon_contact_get_resultant.
 subroutine rcteva(itab, n, xinputs, results, ierr)
   use rollcon_f77_support
   implicit none
@@ -2028,7 +2028,7 @@ subroutine rcteva(itab, n, xinputs, results, ierr)
   ierr = rollcon_table_evaluate(table_of(itab), int(n, c_int64_t), xinputs, results)
 end subroutine
 
-!> The same with derivatives, which are continuous, by all inputs.
+!> Does what rollcon_table_evaluate does, and returns derivatives by all inputs, which are continuous.
 subroutine rctevd(itab, n, xinputs, results, derivatives, ierr)
   use rollcon_f77_support
   implicit none
@@ -2037,7 +2037,7 @@ subroutine rctevd(itab, n, xinputs, results, derivatives, ierr)
   ierr = rollcon_table_evaluate_derivatives(table_of(itab), int(n, c_int64_t), xinputs, results, derivatives)
 end subroutine
 
-!> Tangential forces and spin moment on body 1 of a solved contact, from the Hertzian contact that stands for it .
+!> Returns tangential forces and spin moment on body 1 of a solved contact, from the Hertzian contact that stands.
 subroutine rctcon(itab, icon, friction, results, ierr)
   use rollcon_f77_support
   implicit none

@@ -103,7 +103,7 @@ contains
     p = self%p
   end function
 
-  !> Sets which ratios a / b of semi-axes the table has. Before the first sample (else ROLLCON_ERR_STATE).
+  !> Sets which ratios a / b of semi-axes the table has. Call it before the first sample (else ROLLCON_ERR_STATE).
   subroutine table_set_ratios(self, intervals, least, greatest, stat, errmsg)
     class(rc_table_plain), intent(inout) :: self
     integer, intent(in) :: intervals
@@ -115,7 +115,7 @@ contains
       'rc_table%set_ratios', stat, errmsg)
   end subroutine
 
-  !> Sets how fine the table is in the creepages. Before the first sample (else ROLLCON_ERR_STATE).
+  !> Sets how fine the table is in the creepages. Call it before the first sample (else ROLLCON_ERR_STATE).
   subroutine table_set_resolution(self, magnitudes, angles, directions, stat, errmsg)
     class(rc_table_plain), intent(inout) :: self
     integer, intent(in) :: magnitudes
@@ -129,7 +129,7 @@ contains
   end subroutine
 
   !> Sets the coarser of the two frames of strips on which samples of circles are solved; those of longer ellipses have
-  !> more cells along their length and fewer across. Before the first sample (else ROLLCON_ERR_STATE).
+  !> more cells along their length and fewer across. Call it before the first sample (else ROLLCON_ERR_STATE).
   subroutine table_set_frame(self, along, across, stat, errmsg)
     class(rc_table_plain), intent(inout) :: self
     integer, intent(in) :: along
@@ -140,8 +140,9 @@ contains
       stat, errmsg)
   end subroutine
 
-  !> Makes it a table of bodies of equal elastic constants, as a new one is, and sets its Poisson's ratios; it is linear
-  !> between two, cubic between more, and has none beyond. Before the first sample (else ROLLCON_ERR_STATE).
+  !> Makes it a table of bodies of equal elastic constants, which a new one is, and sets its Poisson's ratios; it is
+  !> linear between two, cubic between more, and has none beyond. Call it before the first sample (else
+  !> ROLLCON_ERR_STATE).
   subroutine table_set_poissons(self, poissons, stat, errmsg)
     class(rc_table_plain), intent(inout) :: self
     real(rc_real), intent(in), contiguous :: poissons(:)
@@ -156,8 +157,8 @@ contains
   !> is linear in the logarithm of two and cubic in that of more, and has none beyond. rollcon_table_evaluate then takes
   !> as shear and poisson the mean values of the bodies (rollcon_contact_get_equivalent_ellipse), and creepages without
   !> the strain under the pressure. Each coefficient of friction takes as long as two to three Poisson's ratios of like
-  !> bodies. Bodies whose (1 - 2 nu)/(2 G) are the same make a table of like bodies. Before the first sample (else
-  !> ROLLCON_ERR_STATE).
+  !> bodies. Bodies whose (1 - 2 nu)/(2 G) are the same make a table of like bodies. Call it before the first sample
+  !> (else ROLLCON_ERR_STATE).
   subroutine table_set_bodies(self, youngs, poissons, frictions, stat, errmsg)
     class(rc_table_plain), intent(inout) :: self
     real(rc_real), intent(in) :: youngs(2)

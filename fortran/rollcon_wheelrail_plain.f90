@@ -149,7 +149,7 @@ contains
   end subroutine
 
   !> Sets the deviation of the rail from its place in the track and how it changes: irregularities, and rails that give
-  !> way. Standard: 0.
+  !> way. The standard is 0.
   subroutine wheelrail_set_rail_deviation(self, deviation, rate, stat, errmsg)
     class(rc_wheelrail_plain), intent(inout) :: self
     real(rc_real), intent(in) :: deviation(3)
@@ -161,8 +161,8 @@ contains
   end subroutine
 
   !> Sets the position of the wheelset. z = 0 is where the tread's datum of a centred wheelset is at the height of the
-  !> rails' top; z is not used where a vertical force is prescribed (statistic "z" is what was found), but as the start
-  !> of the search.
+  !> rails' top; z is not used where a vertical force is prescribed (statistic "z" is what was found), except as the
+  !> start of the search.
   subroutine wheelrail_set_position(self, position, stat, errmsg)
     class(rc_wheelrail_plain), intent(inout) :: self
     real(rc_real), intent(in) :: position(6)
@@ -172,9 +172,9 @@ contains
   end subroutine
 
   !> Says in which order positions turn a wheelset. A point of it is pitched about its axle; then it is either yawed
-  !> about z and rolled about x, as in CONTACT, or rolled and then yawed, as in a new handle. Rates of roll and yaw are
-  !> those of these angles. Counts from the next solve, for positions that were set before, too. Both orders are the
-  !> same without roll or without yaw.
+  !> about z and rolled about x, which is CONTACT's order, or rolled and then yawed, which is that of a new handle.
+  !> Rates of roll and yaw are those of these angles. It counts from the next solve, also for positions that were set
+  !> before. Both orders agree without roll or without yaw.
   subroutine wheelrail_set_roll_outside(self, on, stat, errmsg)
     class(rc_wheelrail_plain), intent(inout) :: self
     integer, intent(in) :: on
@@ -193,8 +193,8 @@ contains
     call finish(rollcon_wheelrail_set_velocity(self%p, velocity), self%p, 'rc_wheelrail%set_velocity', stat, errmsg)
   end subroutine
 
-  !> Prescribes the height of the wheelset by motion, as its position has it (standard), or by the vertical force; z is
-  !> then found by the solve.
+  !> Prescribes the height of the wheelset by motion, from its position (standard), or by the vertical force; z is then
+  !> found by the solve.
   subroutine wheelrail_prescribe_vertical(self, how, force, stat, errmsg)
     class(rc_wheelrail_plain), intent(inout) :: self
     integer(rc_int), intent(in) :: how
@@ -208,7 +208,8 @@ contains
       'rc_wheelrail%prescribe_vertical', stat, errmsg)
   end subroutine
 
-  !> Sets the coefficient of Coulomb's friction. Not needed where rollcon_wheelrail_set_friction_by_angle gives it.
+  !> Sets the coefficient of Coulomb's friction. It is not needed where rollcon_wheelrail_set_friction_by_angle gives
+  !> it.
   subroutine wheelrail_set_friction(self, mu, stat, errmsg)
     class(rc_wheelrail_plain), intent(inout) :: self
     real(rc_real), intent(in) :: mu
@@ -217,7 +218,7 @@ contains
     call finish(rollcon_wheelrail_set_friction(self%p, mu), self%p, 'rc_wheelrail%set_friction', stat, errmsg)
   end subroutine
 
-  !> Solves all patches in full again, as a new handle does.
+  !> Solves all patches in full again, like a new handle.
   subroutine wheelrail_forget_table(self, stat, errmsg)
     class(rc_wheelrail_plain), intent(inout) :: self
     integer, intent(out), optional :: stat
@@ -225,11 +226,11 @@ contains
     call finish(rollcon_wheelrail_forget_table(self%p), self%p, 'rc_wheelrail%forget_table', stat, errmsg)
   end subroutine
 
-  !> With a creep-force table (rollcon_wheelrail_set_table; without one nothing changes): takes Hertz's pressures on an
-  !> ellipse that each patch's overlap gives, and solves for none. A step takes tens of microseconds instead of about a
-  !> millisecond; docs/wheelrail.md has the errors. Patches have their statistics; their contacts have no solution
-  !> (ROLLCON_ERR_STATE of what asks for one). A patch that the table does not have is solved in full; statistic
-  !> hertzian of the patch is 0.
+  !> Takes Hertz's pressures on an ellipse that each patch's overlap gives, and solves for none, with a creep-force
+  !> table (rollcon_wheelrail_set_table; without one nothing changes). A step takes tens of microseconds instead of
+  !> about a millisecond; docs/wheelrail.md has the errors. Patches have their statistics; their contacts have no
+  !> solution (ROLLCON_ERR_STATE from calls that ask for one). A patch that the table does not have is solved in full;
+  !> statistic hertzian of the patch is 0.
   subroutine wheelrail_set_hertzian(self, on, stat, errmsg)
     class(rc_wheelrail_plain), intent(inout) :: self
     integer, intent(in) :: on
@@ -243,7 +244,7 @@ contains
   !> profiles and flange roots, where normals turn by more than a few degrees within a patch. Its compliance is that of
   !> half-spaces on the frame unrolled (docs/theory.md, section 11), its operators are made anew at every position, so
   !> that a step takes tens of milliseconds, and derivatives of the totals are differences of solves. Creep-force tables
-  !> are left aside: statistic by_table of a patch is 0.
+  !> are not used: statistic by_table of a patch is 0.
   subroutine wheelrail_set_conformal(self, on, stat, errmsg)
     class(rc_wheelrail_plain), intent(inout) :: self
     integer, intent(in) :: on
@@ -303,8 +304,8 @@ contains
     call finish(rollcon_wheelrail_request_cancel(self%p), self%p, 'rc_wheelrail%request_cancel', stat, errmsg)
   end subroutine
 
-  !> Keeps what is set and the last solution at a place within the wheel, for rollcon_wheelrail_restore: integrators
-  !> step back. Nothing is allocated where as much was kept before.
+  !> Saves what is set and the last solution at a place within the wheel, for rollcon_wheelrail_restore, because
+  !> integrators step back. Nothing is allocated where as much was saved before.
   subroutine wheelrail_save(self, place, stat, errmsg)
     class(rc_wheelrail_plain), intent(inout) :: self
     integer, intent(in) :: place
@@ -313,8 +314,8 @@ contains
     call finish(rollcon_wheelrail_save(self%p, int(place, rc_int)), self%p, 'rc_wheelrail%save', stat, errmsg)
   end subroutine
 
-  !> Goes back to what was kept: inputs, results, and later solves are as if nothing had been done since, to the last
-  !> bit. ROLLCON_ERR_STATE: nothing was kept at this place, or track or wheelset have been set since. What was kept
+  !> Goes back to what was saved: inputs, results, and later solves are as if nothing had been done since, to the last
+  !> bit. ROLLCON_ERR_STATE: nothing was saved at this place, or track or wheelset have been set since. What was saved
   !> stays. Contacts of patches that were new since then are no longer those of this wheel.
   subroutine wheelrail_restore(self, place, stat, errmsg)
     class(rc_wheelrail_plain), intent(inout) :: self
@@ -332,7 +333,7 @@ contains
     call finish(rollcon_wheelrail_reset(self%p), self%p, 'rc_wheelrail%reset', stat, errmsg)
   end subroutine
 
-  !> Number of patches, from 0.
+  !> Returns the number of patches, from 0.
   subroutine wheelrail_get_patch_count(self, patches, stat, errmsg)
     class(rc_wheelrail_plain), intent(in) :: self
     integer, intent(out) :: patches
@@ -345,7 +346,7 @@ contains
     patches = int(patches_c)
   end subroutine
 
-  !> Force of all patches on the wheel and its moment about the wheelset's centre.
+  !> Returns the force of all patches on the wheel and its moment about the wheelset's centre.
   subroutine wheelrail_get_resultant(self, force, moment, axes, stat, errmsg)
     class(rc_wheelrail_plain), intent(in) :: self
     real(rc_real), intent(out) :: force(3)
@@ -362,10 +363,10 @@ contains
       'rc_wheelrail%get_resultant', stat, errmsg)
   end subroutine
 
-  !> Derivatives of the totals of the last solve by one entry of its position or velocity: of what
-  !> rollcon_wheelrail_get_resultant gives in the track, and of the wheelset's z. Where the height was found from a
-  !> vertical force, that force stays and z follows; entry 2 has none then. They are those of Newton's systems at the
-  !> solutions of the patches, whose axes move with the overlap; with a creep-force table, central differences of
+  !> Returns the derivatives of the totals of the last solve by one entry of its position or velocity: those of what
+  !> rollcon_wheelrail_get_resultant gives in the track, and derivatives of the wheelset's z. Where the height was found
+  !> from a vertical force, that force stays and z follows; entry 2 has none then. They are those of Newton's systems at
+  !> the solutions of the patches, whose axes move with the overlap; with a creep-force table, central differences of
   !> solves. The first call finds all twelve and keeps them until the next solve. ROLLCON_ERR_STATE: no solution, or one
   !> that did not converge. ROLLCON_ERR_SINGULAR: a patch begins or ends here.
   subroutine wheelrail_get_derivative(self, entry, force, moment, z, stat, errmsg)
@@ -383,7 +384,7 @@ contains
       'rc_wheelrail%get_derivative', stat, errmsg)
   end subroutine
 
-  !> One number about the last solve: height, vertical force, frictional power, counts. Names:
+  !> Returns one number about the last solve: height, vertical force, frictional power, counts. Names:
   !> rollcon_wheelrail_stat_name; meanings: docs/wheelrail.md.
   subroutine wheelrail_get_stat(self, name, value, stat, errmsg)
     class(rc_wheelrail_plain), intent(in) :: self
@@ -395,8 +396,8 @@ contains
     call finish(rollcon_wheelrail_get_stat(self%p, c_text(name), value), self%p, 'rc_wheelrail%get_stat', stat, errmsg)
   end subroutine
 
-  !> Where a point of the wheel's or the rail's profile stood in the last solve, in the track: for pictures. The wheel's
-  !> profile is that in the plane of its axle, below it.
+  !> Returns where a point of the wheel's or the rail's profile stood in the last solve, in the track, for pictures. The
+  !> wheel's profile is that in the plane of its axle, below it.
   subroutine wheelrail_get_profile_point(self, body, share, point, stat, errmsg)
     class(rc_wheelrail_plain), intent(in) :: self
     integer, intent(in) :: body
@@ -409,7 +410,7 @@ contains
       'rc_wheelrail%get_profile_point', stat, errmsg)
   end subroutine
 
-  !> One number about a patch: position, angle, rolling radius, creepages, forces, status. Names:
+  !> Returns one number about a patch: position, angle, rolling radius, creepages, forces, status. Names:
   !> rollcon_wheelrail_patch_stat_name; meanings: docs/wheelrail.md.
   subroutine wheelrail_get_patch_stat(self, patch, name, value, stat, errmsg)
     class(rc_wheelrail_plain), intent(in) :: self
@@ -423,8 +424,8 @@ contains
       'rc_wheelrail%get_patch_stat', stat, errmsg)
   end subroutine
 
-  !> Origin and axes of the contact of a patch (rollcon_wheelrail_get_contact) in the track: a node at (x, y, z) of the
-  !> contact is at origin + x t1 + y t2 + z n. Those of a left wheel are a mirror image: a left-handed triple.
+  !> Returns origin and axes of the contact of a patch (rollcon_wheelrail_get_contact) in the track: a node at (x, y, z)
+  !> of the contact is at origin + x t1 + y t2 + z n. The axes of a left wheel are a mirror image: a left-handed triple.
   subroutine wheelrail_get_patch_axes(self, patch, origin, axes, stat, errmsg)
     class(rc_wheelrail_plain), intent(in) :: self
     integer, intent(in) :: patch

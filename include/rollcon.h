@@ -152,13 +152,13 @@ enum {
   ROLLCON_TILT_2       = 7     /* rotation about t2 */
 };
 
-/* What rollcon_contact_get_sensitivity differentiates by, besides what is prescribed in a
-   direction. */
+/* Parameters of rollcon_contact_get_sensitivity besides the directions, which stand for what is
+   prescribed there. */
 enum {
   ROLLCON_FRICTION = 5     /* a factor on the friction coefficient of every node */
 };
 
-/* How a direction is prescribed. */
+/* Ways to prescribe a direction. */
 enum {
   ROLLCON_BY_MOTION = 1,    /* approach, creepage or spin is given; the force is found */
   ROLLCON_BY_FORCE  = 2     /* force or moment is given; approach, creepage or spin is found */
@@ -180,7 +180,7 @@ enum {
   ROLLCON_FIELD_DISPLACEMENT1  = 5,    /* [3] elastic displacement of body 1 */
   ROLLCON_FIELD_DISPLACEMENT2  = 6,    /* [3] elastic displacement of body 2 */
   ROLLCON_FIELD_AREA           = 7,    /* [1] area of the node's median-dual cell */
-  ROLLCON_FIELD_FRICTION       = 8,    /* [1] friction coefficient: the greatest of the law, or that at the slip speed found */
+  ROLLCON_FIELD_FRICTION       = 8,    /* [1] friction coefficient: the law's greatest one, or the one at the slip speed found */
   ROLLCON_FIELD_PRESSURE       = 9,    /* [1] contact pressure >= 0, along levelled normals */
   ROLLCON_FIELD_RIGID_SLIP     = 10,   /* [2 or 3] slip velocity of the undeformed bodies */
   ROLLCON_FIELD_FRICTION_POWER = 11,   /* [1] frictional power per area, >= 0 */
@@ -194,10 +194,10 @@ enum {
   ROLLCON_RIGHT = 1     /* y > 0 */
 };
 
-/* Components of what a wheel on its rail gives. */
+/* Components of the results of a wheel on its rail. */
 enum {
   ROLLCON_IN_TRACK    = 0,    /* x forward, y to the right, z down, of the track */
-  ROLLCON_IN_WHEELSET = 1     /* the same, turned with the wheelset's yaw and roll */
+  ROLLCON_IN_WHEELSET = 1     /* x, y, z turned with the wheelset's yaw and roll */
 };
 
 /* State of a node of the frame. */
@@ -208,7 +208,7 @@ enum {
   ROLLCON_EXCLUDED = 3     /* belongs to no element: carries no traction */
 };
 
-/* What a solve is in time. */
+/* Kinds of a solve in time. */
 enum {
   ROLLCON_STEADY       = 0,    /* steady rolling, without a past */
   ROLLCON_ROLLING_STEP = 1,    /* one step of rolling: material comes with the displacements of the step before */
@@ -230,7 +230,7 @@ enum {
   ROLLCON_TYPE_STR  = 3     /* text: ..._set_str */
 };
 
-/* What a progress callback can ask an event: below 100 integers, above 100 reals. */
+/* Entries of an event that a progress callback can read: integers below 100, reals above. */
 enum {
   ROLLCON_EVENT_PHASE     = 1,    /* one of ROLLCON_PHASE_... */
   ROLLCON_EVENT_ITERATION = 2,    /* iteration within the phase, from 0 */
@@ -247,83 +247,85 @@ enum {
   ROLLCON_PHASE_CASES      = 5     /* a case of rollcon_contact_solve_many ended; the iteration is the number of those solved so far */
 };
 
-/* Log sink. `message` has no newline at its end and is valid during the call only. Called in the
-   floating-point environment of the host. */
+/* Receives log messages. `message` has no newline at its end and is valid during the call only.
+   The library calls it in the floating-point environment of the host. */
 typedef void (ROLLCON_CALL *rollcon_log_fn)(int32_t level, const char *message, void *user);
 
-/* Progress of a solve, once per iteration and now and then during preparation, from the thread
-   that called rollcon_contact_solve, in the floating-point environment of the host. A non-zero
-   return cancels. The event is valid during the call only. The contact itself is busy meanwhile:
-   of its functions only rollcon_contact_request_cancel works. */
+/* Receives the progress of a solve, once per iteration and now and then during preparation, in
+   the thread that called rollcon_contact_solve and in the floating-point environment of the host.
+   A non-zero return cancels. The event is valid during the call only. The contact itself is busy
+   meanwhile: of its functions only rollcon_contact_request_cancel works. */
 typedef int32_t (ROLLCON_CALL *rollcon_progress_fn)(const rollcon_event *event, void *user);
 
 /* ----------------------------------------------------------------------------- Library facts */
-/* Callable at any time, from any thread; no object needed. They never fail. */
+/* These functions may be called at any time, from any thread, need no object and never fail. */
 
 /*
- * Version of the library: 10000 major + 100 minor + patch.
+ * Returns the version of the library: 10000 major + 100 minor + patch.
  * Threads: any.
  */
 ROLLCON_API int32_t ROLLCON_CALL rollcon_version(void);
 
 /*
- * Binary interface number of the library: that of the shared library's SONAME; equals ROLLCON_ABI
- * of a header that fits.
+ * Returns the binary interface number of the library, which is that of the shared library's
+ * SONAME and equals ROLLCON_ABI of a header that fits.
  * Threads: any.
  */
 ROLLCON_API int32_t ROLLCON_CALL rollcon_abi(void);
 
 /*
- * Version as text, "major.minor.patch".
+ * Returns the version as text, "major.minor.patch".
  * Threads: any.
  */
 ROLLCON_API const char *ROLLCON_CALL rollcon_version_string(void);
 
 /*
- * Licences that this build carries and how it was built, as one line of text.
+ * Returns the licences that this build carries and how it was built, as one line of text.
  * Threads: any.
  */
 ROLLCON_API const char *ROLLCON_CALL rollcon_build_info(void);
 
 /*
- * 1 if this build has the feature, 0 if not or if the name is unknown or NULL.
+ * Returns 1 if this build has the feature, 0 if not or if the name is unknown or NULL.
  *   name  may be NULL; one of the features listed in the reference
  * Threads: any.
  */
 ROLLCON_API int32_t ROLLCON_CALL rollcon_has_feature(const char *name);
 
 /*
- * One line of text for a status; "unknown status" for other numbers.
+ * Returns one line of text for a status; "unknown status" for other numbers.
  *   status  any number
  * Threads: any.
  */
 ROLLCON_API const char *ROLLCON_CALL rollcon_status_string(int32_t status);
 
 /* ---------------------------------------------------------------------------------- Failures */
-/* What went wrong, in words. Callable at any time, from any thread. */
+/* The calls of this group tell in words what went wrong. They may be called at any time, from any
+   thread. */
 
 /*
- * The text of the last call that failed in this thread: name of the function, offending entry,
- * allowed range; empty before the first failure. Every negative status leaves its text, that of a
- * dead handle too; successes leave the last text alone. Valid until the next failure in this
- * thread; texts beyond 2047 bytes are cut.
+ * Returns the text of the last call that failed in this thread: name of the function, offending
+ * entry, allowed range. It is empty before the first failure. Every negative status leaves its
+ * text, also that of a dead handle; successes do not change the last text. It is valid until the
+ * next failure in this thread; texts beyond 2047 bytes are cut.
  * Threads: any.
  */
 ROLLCON_API const char *ROLLCON_CALL rollcon_last_error(void);
 
 /*
- * The text of the last call in this thread that returned a status above zero: name of the
+ * Returns the text of the last call in this thread that returned a status above zero: name of the
  * function, what the status means, and what is known of this case: how many nodes touch, how far
- * the iteration came, where the frame ends. Empty before the first one. Failures and successes
- * leave it alone. Valid until the next such call in this thread; texts beyond 1023 bytes are cut.
+ * the iteration came, where the frame ends. It is empty before the first one, and failures and
+ * successes do not change it. It is valid until the next such call in this thread; texts beyond
+ * 1023 bytes are cut.
  * Threads: any.
  */
 ROLLCON_API const char *ROLLCON_CALL rollcon_last_caveat(void);
 
 /*
- * For layers over this interface that check arguments of their own: makes a text the thread's
- * last error and tells log and latch of the object's context, as a failing function does. Returns
- * the status.
+ * Makes a text the thread's last error and tells log and latch of the object's context, in the
+ * way of a failing function; it serves layers over this interface that check arguments of their
+ * own. Returns the status.
  *   handle   may be NULL; object that the caller was given; others: no log, no latch
  *   status   < 0; others stand for ROLLCON_ERR_ARGUMENT
  *   message  may be NULL; "name of the function: what is wrong"
@@ -337,8 +339,8 @@ ROLLCON_API int32_t ROLLCON_CALL rollcon_report(const void *handle, int32_t stat
 
 /*
  * Makes a context.
- *   header_abi  ROLLCON_ABI as the caller's header has it; ROLLCON_ERR_UNSUPPORTED if the library
- *               has another
+ *   header_abi  ROLLCON_ABI of the caller's header; ROLLCON_ERR_UNSUPPORTED if the library has
+ *               another
  *   context     new handle
  * Ownership: The caller owns the new handle: release it. *context is NULL after a failure.
  * Also returns: ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_MEMORY.
@@ -381,9 +383,9 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_context_set_threads(rollcon_cont
     int32_t n);
 
 /*
- * For programs that check once, at the end. While the latch is on, the first call that fails on
- * the context or on what was made from it is remembered, and every later one does nothing and
- * returns the same status, with the same last error. Release, retain,
+ * Turns the latch on or off, for programs that check once, at the end. While the latch is on, the
+ * first call that fails on the context or on what was made from it is remembered, and every later
+ * one does nothing and returns the same status, with the same last error. Release, retain,
  * rollcon_contact_request_cancel, rollcon_body_get_kind and the calls of this latch work on.
  * Outputs of calls that do nothing keep the values that they had, handles to be made are NULL.
  * Calls that have no live handle belong to no context.
@@ -395,9 +397,9 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_context_set_latch(rollcon_contex
     int32_t on);
 
 /*
- * The first failure since the latch was set, whose text becomes the last error; without one the
- * first status > 0 (a solve that did not converge, ...); without either, or with the latch off,
- * ROLLCON_OK. Any negative status may come.
+ * Returns the first failure since the latch was set, whose text becomes the last error; without
+ * one the first status > 0 (a solve that did not converge, ...); without either, or with the
+ * latch off, ROLLCON_OK. Any negative status may be returned.
  * Also returns: ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
  *   ROLLCON_RIM_CONTACT.
  * Threads: any.
@@ -405,8 +407,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_context_set_latch(rollcon_contex
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_context_check(const rollcon_context *context);
 
 /* -------------------------------------------------------------- Body: making, material, life */
-/* One of the two bodies of a contact. A prepared body is frozen and may be shared by contacts in
-   many threads. Half-spaces need a material only and rigid planes nothing; all others have a
+/* One of the two bodies of a contact. A prepared body is frozen, and contacts in many threads may
+   use it at once. Half-spaces need a material only and rigid planes nothing; all others have a
    mesh. */
 
 /*
@@ -449,17 +451,17 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_elastic(rollcon_body *b
 
 /*
  * Checks that the body is complete and its mesh and supports sound, assembles and factorises its
- * equations, and freezes it. Optional: the first solve does it. Calling it again does nothing.
- * (Finite elements with many contact faces and no loads of their own are factorised when a frame
- * tells which part of the faces takes part.) ROLLCON_ERR_MESH names the offending elements or
- * nodes: double nodes, degenerate or repeated elements, neighbours of opposite orientation, and
- * for elastic bodies open edges, normals that point inwards, more than one outer shell; for
- * finite elements turned elements, faces that meet without matching, parts that share no face,
- * tagged faces that are not on the boundary. A body equal to one that is prepared in the same
- * context (mesh, tags, material, supports, loads, contact faces, options) shares its equations:
- * nothing is assembled again. ROLLCON_ERR_SINGULAR: the supports leave the body free to move, and
- * the text says how; hold it (three nodes not on a line, or a hub), since what is held is also
- * what approach and creepage move.
+ * equations, and freezes it. The call is optional: the first solve does it. Calling it again does
+ * nothing. (Finite elements with many contact faces and no loads of their own are factorised when
+ * a frame tells which part of the faces takes part.) ROLLCON_ERR_MESH names the offending
+ * elements or nodes: double nodes, degenerate or repeated elements, neighbours of opposite
+ * orientation, and for elastic bodies open edges, normals that point inwards, more than one outer
+ * shell; for finite elements turned elements, faces that meet without matching, parts that share
+ * no face, tagged faces that are not on the boundary. A body equal to one that is prepared in the
+ * same context (mesh, tags, material, supports, loads, contact faces, options) uses its
+ * equations: nothing is assembled again. ROLLCON_ERR_SINGULAR: the supports leave the body free
+ * to move, and the text says how; hold it (three nodes not on a line, or a hub), since what is
+ * held is also what approach and creepage move.
  * Ownership: After a failure the body is unchanged and not prepared; mend it and prepare it
  *   again.
  * Also returns: ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY,
@@ -469,7 +471,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_elastic(rollcon_body *b
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_prepare(rollcon_body *body);
 
 /*
- * The model given to rollcon_body_create.
+ * Returns the model given to rollcon_body_create.
  *   kind  out; ROLLCON_BODY_...
  * Threads: any.
  */
@@ -478,9 +480,10 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_kind(const rollcon_body
 
 /*
  * Writes the body, prepared if it was not, to a file: all that was given, the factors, and the
- * responses to frames that it keeps (option cache_bytes). The file appears whole or not at all;
- * an older one is replaced. Poses are the contacts'. Every library of the same ABI number and
- * format reads it, on any machine of the same byte order with IEEE numbers.
+ * responses to frames that it has cached (option cache_bytes). The file appears whole or not at
+ * all; an older one is replaced. Poses belong to contacts and are not written. Every library of
+ * the same ABI number and format reads it, on any machine of the same byte order with IEEE
+ * numbers.
  *   path  name of the file
  * Also returns: ROLLCON_ERR_IO, ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR,
  *   ROLLCON_ERR_MEMORY, ROLLCON_ERR_UNSUPPORTED.
@@ -490,7 +493,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_save(rollcon_body *body, co
 /*
  * Makes a prepared body from a file of rollcon_body_save: nothing is assembled or factorised, and
  * solves give the same tractions as with the body that was saved. Statistics count what is done
- * from here on. A body equal to one of this context shares its factors, as after
+ * from here on. A body equal to one of this context uses its factors, like after
  * rollcon_body_prepare. ROLLCON_ERR_IO: the file cannot be read, is none of these, truncated or
  * changed; ROLLCON_ERR_UNSUPPORTED: it is of another ABI number, format or byte order, or of a
  * kind that this build does not have. The text names the file and what is wrong, where.
@@ -519,10 +522,10 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_copy(const rollcon_body *bo
     rollcon_body **copy);
 
 /* ------------------------------------------------------------ Body: mesh, supports and loads */
-/* What bodies with a mesh are made of, in the body's own axes (rollcon_contact_set_pose says
-   where it stands). Nodes first, then elements, then what refers to them; nothing after
-   rollcon_body_prepare (ROLLCON_ERR_STATE). Half-spaces take none of it and rigid bodies no
-   supports and loads (ROLLCON_ERR_STATE). */
+/* These calls give bodies with a mesh what they are made of, in the body's own axes
+   (rollcon_contact_set_pose says where it stands): nodes first, then elements, then what refers
+   to them, and nothing after rollcon_body_prepare (ROLLCON_ERR_STATE). Half-spaces take none of
+   it and rigid bodies no supports and loads (ROLLCON_ERR_STATE). */
 
 /*
  * Sets the nodes and forgets elements, supports, loads and contact faces. Component j of node i
@@ -587,10 +590,10 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_tag_faces_of_nodes(rollcon_
     int64_t n, const int32_t *nodes, int32_t index_base, int32_t tag);
 
 /*
- * Holds displacement components of nodes, at zero or at given values. Adds to what is held
- * already; a component held twice takes the last value. A face is held where all its nodes are. A
- * contact moves what is held rigidly with approach and creepage; values deform the body on top of
- * that.
+ * Holds displacement components of nodes, at zero or at given values. The call adds to what is
+ * held already; a component held twice takes the last value. A face is held where all its nodes
+ * are. A contact moves what is held rigidly with approach and creepage; values deform the body on
+ * top of that.
  *   n           nodes to hold, >= 0
  *   nodes       [n]; node ids; ROLLCON_ERR_MESH if out of range
  *   index_base  0 or 1: id of the first node
@@ -626,7 +629,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_body_force(rollcon_body
 
 /*
  * Prescribes the centrifugal forces of a steady rotation on the finite elements with a tag, added
- * to rollcon_body_set_body_force; replaces an earlier one. Stiffness is that of the body at rest.
+ * to rollcon_body_set_body_force; replaces an earlier one. The stiffness is that of the body at
+ * rest.
  *   tag      of volume elements
  *   density  mass/length^3, 0 to 1e100
  *   origin   [3]; on the axis of rotation, length
@@ -648,12 +652,12 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_pressure(rollcon_body *
     int32_t tag, double pressure);
 
 /*
- * Prescribes tractions at nodes of the faces with a tag, between nodes as the faces' shape
- * functions have them, zero at nodes not named; replaces what an earlier call gave for the tag,
- * and adds to its traction and pressure. With a direction, `along`, the three components act
- * along its part in the surface, across (the outward normal times that), and along the outward
- * normal. At rollcon_body_prepare, ROLLCON_ERR_MESH: a node is on no face with the tag, or the
- * direction is normal to one.
+ * Prescribes tractions at nodes of the faces with a tag, interpolated by the faces' shape
+ * functions, zero at nodes not named; replaces what an earlier call gave for the tag, and adds to
+ * its traction and pressure. With a direction, `along`, the three components act along its part
+ * in the surface, across (the outward normal times that), and along the outward normal. At
+ * rollcon_body_prepare, ROLLCON_ERR_MESH: a node is on no face with the tag, or the direction is
+ * normal to one.
  *   tag         of some face (else ROLLCON_ERR_ARGUMENT)
  *   n           nodes, >= 0; 0: none any more
  *   nodes       [n]; node ids; ROLLCON_ERR_MESH if out of range
@@ -668,8 +672,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_node_tractions(rollcon_
     const double *tractions);
 
 /*
- * Says which faces may come into contact: on them gaps are computed and frames laid. Standard:
- * all faces that are neither held nor loaded.
+ * Says which faces may come into contact: gaps are computed and frames laid on them. The standard
+ * is all faces that are neither held nor loaded.
  *   n     tags, >= 0; 0 returns to the standard
  *   tags  [n]; each of some face (else ROLLCON_ERR_ARGUMENT); NULL only with n = 0
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
@@ -678,12 +682,12 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_contact_faces(rollcon_b
     int64_t n, const int32_t *tags);
 
 /*
- * Takes nodes, elements and names from a file, in place of all that the mesh was: of Gmsh, where
- * the name ends in .msh (versions 2 to 2.2 and 4.1, text or binary), of Abaqus or CalculiX, where
+ * Takes nodes, elements and names from a file, in place of the whole former mesh: a file of Gmsh
+ * if the name ends in .msh (versions 2 to 2.2 and 4.1, text or binary), of Abaqus or CalculiX if
  * it ends in .inp. Linear and quadratic tetrahedra, wedges and hexahedra for finite-element
  * bodies, with the surface elements that have a name; triangles and quadrilaterals for all
  * others. Orders of nodes are changed to those of rollcon; hexahedra of 27 nodes and wedges of 18
- * give up those inside their faces. Nodes that no element has are left out, the others keep the
+ * lose those inside their faces. Nodes that no element has are left out, the others keep the
  * order of the file. Groups are Gmsh's physical groups (nameless ones: "surface 2", ...),
  * Abaqus's sets and surfaces. An element's tag is its (first) physical group in Gmsh, else 0:
  * rollcon_body_tag_group. ROLLCON_ERR_IO names the file, the line (in binary files the byte) and
@@ -706,7 +710,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_read_mesh(rollcon_body *bod
  * of whose nodes it has. Later calls win.
  *   body   with a mesh that was read, not prepared (else ROLLCON_ERR_STATE)
  *   group  name, in any case; ROLLCON_ERR_ARGUMENT lists those that there are
- *   tag    as in rollcon_body_add_elements
+ *   tag    that of rollcon_body_add_elements
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
  * Source: docs/meshes.md.
  */
@@ -714,8 +718,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_tag_group(rollcon_body *bod
     const char *group, int32_t tag);
 
 /*
- * How many groups the mesh's file has that name something of the body. 0 for a mesh that was not
- * read, and for a body that was saved and loaded.
+ * Returns how many groups of the mesh's file name something of the body; 0 for a mesh that was
+ * not read, and for a body that was saved and loaded.
  *   n     out; groups
  * Source: docs/meshes.md.
  */
@@ -723,7 +727,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_group_count(const rollc
     int32_t *n);
 
 /*
- * The name of a group as the file has it.
+ * Returns the name of a group in the file's spelling.
  *   i         0 to rollcon_body_get_group_count - 1
  *   capacity  bytes at text
  *   text      [capacity], out, may be NULL; the name
@@ -735,7 +739,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_group_name(const rollco
     int32_t i, int64_t capacity, char *text, int64_t *needed);
 
 /*
- * The nodes of all that a group has, ascending: for rollcon_body_set_support,
+ * Returns the nodes of all that a group has, ascending, for rollcon_body_set_support and
  * rollcon_body_tag_faces_of_nodes.
  *   group       name, in any case; ROLLCON_ERR_ARGUMENT lists those that there are
  *   index_base  0 or 1: id of the first node
@@ -750,7 +754,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_group_nodes(const rollc
 
 /* ---------------------------------------------------------------------------- Body: settings */
 /* Settings of a body by name, in the manner of those of a contact: unknown name, wrong type and
-   out of range are errors. Bodies without equations of their own have them too and ignore them. */
+   out of range are errors. Bodies without equations of their own have settings, too, and ignore
+   them. */
 
 /*
  * Sets an integer option.
@@ -769,7 +774,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_real(rollcon_body *body
     const char *name, double value);
 
 /*
- * Value of an integer option.
+ * Returns the value of an integer option.
  *   value  out
  * Also returns: ROLLCON_ERR_OPTION.
  */
@@ -777,7 +782,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_int(const rollcon_body 
     const char *name, int64_t *value);
 
 /*
- * Value of a real option.
+ * Returns the value of a real option.
  *   value  out
  * Also returns: ROLLCON_ERR_OPTION.
  */
@@ -785,13 +790,13 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_real(const rollcon_body
     const char *name, double *value);
 
 /*
- * Number of options of bodies.
+ * Returns the number of options of bodies.
  * Threads: any.
  */
 ROLLCON_API int32_t ROLLCON_CALL rollcon_body_option_count(void);
 
 /*
- * Row of the table of options of bodies.
+ * Returns a row of the table of options of bodies.
  *   i         0 to rollcon_body_option_count() - 1
  *   capacity  bytes at name; 32 are enough for every name
  *   name      [capacity], out; NUL-terminated; NULL only with capacity 0
@@ -806,7 +811,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_option_info(int32_t i, int6
     char *name, int32_t *type, double *low, double *high, double *standard);
 
 /*
- * What an option of bodies means.
+ * Returns what an option of bodies means.
  *   i         0 to rollcon_body_option_count() - 1
  * Also returns: ROLLCON_ERR_CAPACITY.
  * Threads: any.
@@ -820,15 +825,15 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_option_doc(int32_t i, int64
    rollcon_contact_set_pose says where they are. A contact on a frame, for which no gap is given,
    computes it from the surfaces of its bodies. A profile has no inside: it looks where the normal
    of the contact's axes says. Half-spaces keep their compliance, and their frame stays flat.
-   Nothing after rollcon_body_prepare (ROLLCON_ERR_STATE). */
+   Profiles cannot be set after rollcon_body_prepare (ROLLCON_ERR_STATE). */
 
 /*
  * Sets a profile through points, in either order: a cubic spline in arc length with two
  * derivatives continuous, broken at kinks (turns of 30 degrees and more, three times as much as
  * beside them). Points nearer to each other than a thousandth of the usual distance are dropped,
- * and where the path goes back and forth again the two points are replaced by their mean. Forgets
- * the profile before and its place. ROLLCON_ERR_ARGUMENT names the point at which the path turns
- * back.
+ * and where the path goes back and forth again the two points are replaced by their mean. The
+ * former profile and its place are forgotten. ROLLCON_ERR_ARGUMENT names the point at which the
+ * path turns back.
  *   body           a half-space or rigid, without a mesh (else ROLLCON_ERR_STATE)
  *   n              points, 2 to 10000000
  *   points         [n][2]; y and z of each, length
@@ -847,7 +852,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_profile(rollcon_body *b
  * length and curvature (0: a line; positive: from y to z) of each arc, each going on in the
  * direction in which the one before ends; "s1002" unit: the wheel, in lengths of which `unit` is
  * a millimetre, the middle of the tread at (0, 0), z down, the flange at y < 0; "60e1" unit: the
- * head of the rail, upright, its top at (0, 0), z down. Forgets the profile before and its place.
+ * head of the rail, upright, its top at (0, 0), z down. The former profile and its place are
+ * forgotten.
  *   body        a half-space or rigid, without a mesh (else ROLLCON_ERR_STATE)
  *   shape       line, arc, arcs, s1002 or 60e1
  *   n           parameters, of the shape
@@ -859,17 +865,17 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_profile_shape(rollcon_b
     const char *shape, int64_t n, const double *parameters);
 
 /*
- * Sets a profile through the points of a file, as rollcon_body_set_profile does: of Simpack,
- * where the name ends in .prr or .prw (its keys are obeyed but for smoothing), of Miniprof, where
- * it ends in .ban, .whl or .mpt, else columns, y and z (docs/profiles.md). Simpack's and
- * Miniprof's are millimetres. ROLLCON_ERR_IO names the line of a file that cannot be read,
- * ROLLCON_ERR_ARGUMENT that of a point at which the path turns back. z goes where the file says:
- * mirror it where the file counts upwards.
+ * Sets a profile through the points of a file, in the way of rollcon_body_set_profile: a file of
+ * Simpack if the name ends in .prr or .prw (its keys are obeyed except for smoothing), of
+ * Miniprof if it ends in .ban, .whl or .mpt, else columns, y and z (docs/profiles.md). Simpack's
+ * and Miniprof's numbers are millimetres. ROLLCON_ERR_IO names the line of a file that cannot be
+ * read, ROLLCON_ERR_ARGUMENT that of a point at which the path turns back. z goes where the file
+ * says: mirror it where the file counts upwards.
  *   body           a half-space or rigid, without a mesh (else ROLLCON_ERR_STATE)
  *   path           name of the file
  *   unit           factor on its numbers: length of a millimetre, > 0
  *   mirror         0: no; 1: in y, 2: in z, 3: in both
- *   filter_length  as of rollcon_body_set_profile, length
+ *   filter_length  that of rollcon_body_set_profile, length
  * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_IO, ROLLCON_ERR_MEMORY.
  * Source: docs/profiles.md.
  */
@@ -877,8 +883,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_read_profile(rollcon_body *
     const char *path, double unit, int32_t mirror, double filter_length);
 
 /*
- * Writes points of the profile to a file: of Simpack, where the name ends in .prr or .prw, else
- * two columns. Read again, a profile through points is the same, one in closed form within 1e-9
+ * Writes points of the profile to a file: of Simpack if the name ends in .prr or .prw, else two
+ * columns. A profile through points is the same when read again, one in closed form within 1e-9
  * of its size where its curvature is continuous. The file appears whole or not at all.
  *   body  with a profile (else ROLLCON_ERR_STATE)
  *   path  name of the file
@@ -889,8 +895,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_write_profile(const rollcon
     const char *path, double unit);
 
 /*
- * The profile, moved along a straight line without end, is the surface of the body: x of the
- * profile points along, z along z_axis, y along z_axis x along.
+ * Makes the profile, moved along a straight line without end, the surface of the body: x of the
+ * profile points along `along`, z along z_axis, y along z_axis x along.
  *   body    with a profile (else ROLLCON_ERR_STATE)
  *   origin  [3]; where the profile's point (0, 0) lies, length
  *   along   [3]; direction, of any length but 0
@@ -901,19 +907,19 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_extrude_profile(rollcon_bod
     const double *origin, const double *along, const double *z_axis);
 
 /*
- * The profile, turned about an axis, is the surface of the body: its points lie at y along the
+ * Makes the profile, turned about an axis, the surface of the body: its points lie at y along the
  * axis and at radius + z away from it. An axis of the opposite direction mirrors it in y.
  *   body    with a profile (else ROLLCON_ERR_STATE)
  *   origin  [3]; point of the axis at which y is 0, length
  *   axis    [3]; direction of y, of any length but 0
- *   radius  of z = 0, length; radius + z >= 0 all along the profile
+ *   radius  radius at z = 0, length; radius + z >= 0 all along the profile
  * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_revolve_profile(rollcon_body *body,
     const double *origin, const double *axis, double radius);
 
 /*
- * Arc length of the profile. Works before rollcon_body_prepare.
+ * Returns the arc length of the profile. It works before rollcon_body_prepare.
  *   body    with a profile (else ROLLCON_ERR_STATE)
  *   length  out; length
  * Also returns: ROLLCON_ERR_STATE.
@@ -922,8 +928,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_profile_length(const ro
     double *length);
 
 /*
- * Point, tangent and curvature of the profile at an arc length, counted from the end where y is
- * less. Works before rollcon_body_prepare.
+ * Returns point, tangent and curvature of the profile at an arc length, counted from the end
+ * where y is less. It works before rollcon_body_prepare.
  *   body       with a profile (else ROLLCON_ERR_STATE)
  *   s          0 to rollcon_body_get_profile_length, length
  *   point      [2], out; y and z, length
@@ -935,12 +941,12 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_profile_point(const rol
     double s, double *point, double *tangent, double *curvature);
 
 /* ----------------------------------------------------------------------------- Body: results */
-/* Of a prepared body by itself: statics under its own loads and given displacements, no contact
-   acting; in the body's axes. ROLLCON_ERR_STATE before rollcon_body_prepare or a solve that did
-   it, and for half-spaces. */
+/* Results of a prepared body by itself: statics under its own loads and given displacements, with
+   no contact acting; in the body's axes. ROLLCON_ERR_STATE before rollcon_body_prepare or a solve
+   that did it, and for half-spaces. */
 
 /*
- * Nodes and elements given so far; 0 for bodies without a mesh. Works before
+ * Returns the nodes and elements given so far; 0 for bodies without a mesh. It works before
  * rollcon_body_prepare.
  *   nodes     out, may be NULL
  *   elements  out, may be NULL
@@ -949,8 +955,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_size(const rollcon_body
     int64_t *nodes, int64_t *elements);
 
 /*
- * Displacement of every node under the body's own loads and given displacements; zero when there
- * are none, and for rigid bodies.
+ * Returns the displacement of every node under the body's own loads and given displacements; zero
+ * when there are none, and for rigid bodies.
  *   capacity  nodes that fit into u; at least those of the body
  *   u         [capacity][3], out; displacement x y z, length
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_CAPACITY.
@@ -960,15 +966,16 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_displacements(const rol
     int64_t capacity, double *u);
 
 /*
- * Smoothed stresses at all nodes of a body of finite elements under given displacements of its
- * nodes, or of finite or boundary elements under its own loads. Each element's stresses are taken
- * as the nearest function that is linear in the element (in a hexahedron: in each direction), and
- * averaged at its nodes by volume, also across materials. Those of boundary elements follow from
- * tractions and displacements along the surface, averaged by area, over edges as well. Tension is
- * positive; axes of the body. ROLLCON_ERR_UNSUPPORTED: another kind of body, or u for boundary
- * elements; ROLLCON_ERR_ARGUMENT: another number of nodes, or stresses overflow.
+ * Returns smoothed stresses at all nodes of a body of finite elements under given displacements
+ * of its nodes, or of finite or boundary elements under its own loads. Each element's stresses
+ * are taken as the nearest function that is linear in the element (in a hexahedron: in each
+ * direction), and averaged at its nodes by volume, also across materials. Stresses of boundary
+ * elements follow from tractions and displacements along the surface, averaged by area, over
+ * edges as well. Tension is positive; axes of the body. ROLLCON_ERR_UNSUPPORTED: another kind of
+ * body, or u for boundary elements; ROLLCON_ERR_ARGUMENT: another number of nodes, or stresses
+ * overflow.
  *   nodes   as many as the body has
- *   u       [nodes][3]; as from rollcon_contact_get_body_displacements, length; NULL: those of
+ *   u       [nodes][3]; those of rollcon_contact_get_body_displacements, length; NULL: those of
  *           rollcon_body_get_displacements
  *   stress  [nodes][6], out; s11, s22, s33, s12, s13, s23, force/length^2
  * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_UNSUPPORTED,
@@ -979,8 +986,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_node_stresses(const rol
     int64_t nodes, const double *u, double *stress);
 
 /*
- * Stresses at the integration points of all finite elements, element by element, as the elements
- * themselves balance loads with them, and the points' places. Otherwise like
+ * Returns stresses at the integration points of all finite elements, element by element, with
+ * which the elements themselves balance loads, and the points' places. The call is otherwise like
  * rollcon_body_get_node_stresses.
  *   nodes     as many as the body has
  *   u         [nodes][3]; displacements of the nodes; NULL: those of
@@ -998,11 +1005,11 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_point_stresses(const ro
     int64_t *n_rows);
 
 /*
- * Displacements and stresses at any points inside a body: of finite elements the smoothed ones of
- * nodes, between them as the elements' shape functions have them, of boundary elements by
- * Somigliana's identities, as near to the surface as wanted, and on it. Otherwise like
- * rollcon_body_get_node_stresses. ROLLCON_ERR_ARGUMENT also: a point is outside (a millionth of
- * the element's size beyond its faces is still inside).
+ * Returns displacements and stresses at any points inside a body: for finite elements the
+ * smoothed ones of nodes, interpolated by the elements' shape functions, for boundary elements by
+ * Somigliana's identities, as near to the surface as wanted, and on it. The call is otherwise
+ * like rollcon_body_get_node_stresses. ROLLCON_ERR_ARGUMENT also: a point is outside (a millionth
+ * of the element's size beyond its faces is still inside).
  *   nodes         as many as the body has
  *   u             [nodes][3]; displacements of the nodes; NULL: those of
  *                 rollcon_body_get_displacements
@@ -1020,8 +1027,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_fields_at(const rollcon
 
 /*
  * Writes the elements of a body of finite or boundary elements with displacements, smoothed
- * stresses (xx, yy, zz, xy, yz, xz, as ParaView counts them) and von Mises's stress at the nodes
- * as a VTU file for ParaView and meshio. Otherwise like rollcon_body_get_node_stresses.
+ * stresses (xx, yy, zz, xy, yz, xz, in ParaView's order) and von Mises's stress at the nodes as a
+ * VTU file for ParaView and meshio. The call is otherwise like rollcon_body_get_node_stresses.
  *   path   name of the file; an existing one is replaced
  *   nodes  as many as the body has
  *   u      [nodes][3]; displacements of the nodes; NULL: those of rollcon_body_get_displacements
@@ -1033,9 +1040,9 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_write(const rollcon_body *b
     const char *path, int64_t nodes, const double *u);
 
 /*
- * Resultant of the forces that the supports exert on the body under its own loads and given
- * displacements, and its moment about the origin of the body's axes. It balances the loads up to
- * the error of the discretisation: a measure of it.
+ * Returns the resultant of the forces that the supports exert on the body under its own loads and
+ * given displacements, and its moment about the origin of the body's axes. It balances the loads
+ * up to the error of the discretisation: a measure of it.
  *   force   [3], out, may be NULL; force
  *   moment  [3], out, may be NULL; force x length
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
@@ -1044,10 +1051,11 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_reaction(const rollcon_
     double *force, double *moment);
 
 /*
- * One number about a prepared body: unknowns, assemblies, factorisations, condition, seconds,
- * bytes; 0 for bodies without equations. Names: rollcon_body_stat_name. Counts are those of the
- * equations, which equal bodies of a context share: "shared" is 1 for a body for which nothing
- * was assembled because an equal one was prepared before, "loaded" for one from a file.
+ * Returns one number about a prepared body: unknowns, assemblies, factorisations, condition,
+ * seconds, bytes; 0 for bodies without equations. Names: rollcon_body_stat_name. Counts are those
+ * of the equations, which equal bodies of a context have in common: "shared" is 1 for a body for
+ * which nothing was assembled because an equal one was prepared before, "loaded" for one from a
+ * file.
  *   value  out
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_OPTION.
  */
@@ -1055,13 +1063,13 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_stat(const rollcon_body
     const char *name, double *value);
 
 /*
- * Number of statistics of bodies.
+ * Returns the number of statistics of bodies.
  * Threads: any.
  */
 ROLLCON_API int32_t ROLLCON_CALL rollcon_body_stat_count(void);
 
 /*
- * Name of a statistic of bodies.
+ * Returns the name of a statistic of bodies.
  *   i         0 to rollcon_body_stat_count() - 1
  * Also returns: ROLLCON_ERR_CAPACITY.
  * Threads: any.
@@ -1073,11 +1081,11 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_stat_name(int32_t i, int64_
 /* A pair of bodies, the frame (mesh) on which their tractions live, and what happens there. */
 
 /*
- * Makes a contact of two bodies. Standard scene: axes (x, y, z) at the origin, speed 1, approach,
- * creepages and spin 0, all by motion, bodies posed as given. Without a frame the library makes
- * one (rollcon_contact_frame_automatic). Friction has no standard, the gap only if a body has a
- * mesh or a profile: solving without them is ROLLCON_ERR_STATE. At least one of the bodies must
- * be elastic.
+ * Makes a contact of two bodies. The standard scene has axes (x, y, z) at the origin, speed 1,
+ * approach, creepages and spin 0, all by motion, bodies in the pose of their own axes. Without a
+ * frame the library makes one (rollcon_contact_frame_automatic). Friction has no standard, the
+ * gap only if a body has a mesh or a profile: solving without them is ROLLCON_ERR_STATE. At least
+ * one of the bodies must be elastic.
  *   body1    tractions are those on this body; n points out of it
  *   body2    may be of another context, and the same as body1
  *   contact  new handle
@@ -1130,8 +1138,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_add_frame_elements(
 
 /*
  * Makes the surface elements of a mesh file the frame; replaces frame and all that was given for
- * its nodes. Files as of rollcon_body_read_mesh. Tags of elements are Gmsh's physical groups,
- * else 0.
+ * its nodes. The files are those of rollcon_body_read_mesh. Tags of elements are Gmsh's physical
+ * groups, else 0.
  *   path     name of the file, which ends in .msh or .inp
  *   part     name of a group (in any case): only its elements; "": those of the whole file
  * Ownership: After a failure the frame is unchanged. The file is closed.
@@ -1144,7 +1152,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_read_frame(rollcon_conta
 /*
  * Makes the faces of a body that carry a tag the frame: replaces nodes and elements of the frame
  * and forgets the gap array and the creep and friction fields. Its nodes are those of the faces,
- * in the order of their ids in the body, and follow the body's pose. Of finite-element bodies
+ * in the order of their ids in the body, and follow the body's pose. For finite-element bodies
  * with tri6 among these faces (tet10, the ends of wedge15) they are the corners alone, and the
  * frame's elements linear: rollcon_contact_get_size tells how many. Faces of body 2 are turned
  * over, so that the frame's normals point out of body 1.
@@ -1157,16 +1165,16 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_frame_from_body(rollcon_
     int32_t which, int32_t tag);
 
 /*
- * Makes a rectangle in the plane of the axes, as they are now, the frame: nx by ny elements of
- * one size. Replaces nodes and elements of the frame and forgets the gap array and the creep and
- * friction fields. Nodes come line by line along t1, from the least y. Linear quadrilaterals make
- * a regular frame, which half-spaces solve by fast Fourier transforms.
+ * Makes a rectangle in the present plane of the axes the frame: nx by ny elements of one size.
+ * Replaces nodes and elements of the frame and forgets the gap array and the creep and friction
+ * fields. Nodes come line by line along t1, from the least y. Linear quadrilaterals make a
+ * regular frame, which half-spaces solve by fast Fourier transforms.
  *   type        ROLLCON_TRI3, TRI6, QUAD4, QUAD8 or QUAD9
  *   nx          elements along t1, 1 to 30000
  *   ny          elements along t2, 1 to 30000
  *   x_least     along t1 from the origin of the axes, length
  *   x_greatest  > x_least
- *   y_least     along t2, likewise
+ *   y_least     along t2 from the origin of the axes, length
  *   y_greatest  > y_least
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MEMORY.
  */
@@ -1175,8 +1183,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_frame_rectangle(rollcon_
     double y_greatest);
 
 /*
- * Makes an ellipse in the plane of the axes, as they are now, the frame: strips along the rolling
- * direction, as rollcon_contact_frame_strips makes them, on lines that lie closer towards the
+ * Makes an ellipse in the present plane of the axes the frame: strips along the rolling
+ * direction, like those of rollcon_contact_frame_strips, on lines that lie closer towards the
  * sides. It is meant to be the contact itself.
  *   along    elements along each strip, 2 to 10000
  *   across   strips, 2 to 10000
@@ -1193,8 +1201,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_frame_ellipse(rollcon_co
  * Makes strips along the rolling direction the frame: what the contact covers of lines at
  * ascending y. Each has along + 1 nodes from end to end, close together near the ends, where
  * tractions grow like the square root of the distance. Nodes come line by line. Replaces the
- * frame as rollcon_contact_frame_rectangle does. Nodes on the outline carry no traction
- * (ROLLCON_EXCLUDED): bodies that overlap there are told as ROLLCON_RIM_CONTACT.
+ * frame in the way of rollcon_contact_frame_rectangle. Nodes on the outline carry no traction
+ * (ROLLCON_EXCLUDED): bodies that overlap there are reported as ROLLCON_RIM_CONTACT.
  *   along    elements along each strip, 2 to 10000
  *   n        lines, 3 to 10001
  *   lines    [n][3]; y of each line, ascending, and the least and greatest x that the contact
@@ -1207,8 +1215,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_frame_strips(rollcon_con
     int32_t along, int64_t n, const double *lines);
 
 /*
- * Leaves the frame to the library, as in a new contact: solves then find the contact from the gap
- * (of the bodies' meshes and profiles, rollcon_contact_set_gap_quadratic,
+ * Leaves the frame to the library, which is the state of a new contact: solves then find the
+ * contact from the gap (of the bodies' meshes and profiles, rollcon_contact_set_gap_quadratic,
  * rollcon_contact_set_gap_grid) and from load or approach, fit two frames of strips to the edge
  * of each patch, one twice as fine as the other, extrapolate their results, and take finer pairs
  * until the option frame_accuracy is met or ROLLCON_INACCURATE says that it was not. Forces,
@@ -1277,10 +1285,10 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_gap_quadratic(
  * (rollcon_contact_frame_automatic); the grid's own rim is no such edge. Replaces a gap array or
  * a quadratic gap. A frame must lie within the cells that have a gap.
  *   nx          points along t1 of each line, 2 or more
- *   x_least     of the first point of a line, length
- *   x_greatest  of the last point, length
- *   y_least     of the first line, length
- *   y_greatest  of the last line, length
+ *   x_least     x of the first point of a line, length
+ *   x_greatest  x of the last point, length
+ *   y_least     y of the first line, length
+ *   y_greatest  y of the last line, length
  *   n           points: nx times the number of lines, which is 2 or more
  *   gap         [n]; line by line, length
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MEMORY.
@@ -1290,8 +1298,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_gap_grid(rollcon_con
     const double *gap);
 
 /* ------------------------------------------------------- Contact: motion, loads and friction */
-/* What is set again in a time loop. Setting values that are already set costs nothing at the next
-   solve, and none of these calls allocates once the sizes are known. */
+/* These calls set what changes in a time loop. Setting values that are already set costs nothing
+   at the next solve, and none of these calls allocates once the sizes are known. */
 
 /*
  * Sets the speed V at which the contact travels over both surfaces along +t1 (omega R for a
@@ -1305,8 +1313,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_rolling(rollcon_cont
 
 /*
  * Prescribes creepages and spin by motion: rigid slip c = V (longitudinal - spin y, lateral +
- * spin x) of body 1 relative to body 2. The same as three calls of rollcon_contact_prescribe, and
- * forgets the velocities of rollcon_contact_set_velocity.
+ * spin x) of body 1 relative to body 2. The call stands for three calls of
+ * rollcon_contact_prescribe, and forgets the velocities of rollcon_contact_set_velocity.
  *   longitudinal  creepage along t1, dimensionless
  *   lateral       creepage along t2, dimensionless
  *   spin          1/length
@@ -1318,17 +1326,17 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_creep(rollcon_contac
 
 /*
  * Makes every solve from now on a step in time of length dt; ROLLCON_STEADY makes it a steady
- * state again. ROLLCON_ROLLING_STEP: the contact rolls on by V dt, creepages and spin are as in
- * steady rolling. ROLLCON_SHIFT_STEP: no rolling; what is prescribed as creepages is the shift of
- * body 1 against body 2 in this step (longitudinal and lateral, length) and its turn (spin,
- * radians), and so it is in what rollcon_contact_get_motion returns; velocities and creep fields
- * count by dt. Loads, motions, approach, friction and gap may change from step to step. The first
- * step starts from the steady state solved last, or from rest where there is none
- * (rollcon_contact_reset); a step that fails leaves the one before as it was. A frame that
- * follows its contact takes the past along (half-spaces and rigid bodies; meshed bodies:
+ * state again. ROLLCON_ROLLING_STEP: the contact rolls on by V dt, creepages and spin mean what
+ * they mean in steady rolling. ROLLCON_SHIFT_STEP: no rolling; what is prescribed as creepages is
+ * the shift of body 1 against body 2 in this step (longitudinal and lateral, length) and its turn
+ * (spin, radians), and so it is in what rollcon_contact_get_motion returns; velocities and creep
+ * fields count by dt. Loads, motions, approach, friction and gap may change from step to step.
+ * The first step starts from the steady state solved last, or from rest where there is none
+ * (rollcon_contact_reset); a step that fails does not change the one before. A frame that follows
+ * its contact takes the past along (half-spaces and rigid bodies; meshed bodies:
  * ROLLCON_ERR_STATE from the solve).
  *   kind     ROLLCON_STEADY, ROLLCON_ROLLING_STEP or ROLLCON_SHIFT_STEP
- *   dt       > 0, time; counts for nothing where the kind is ROLLCON_STEADY
+ *   dt       > 0, time; ignored if the kind is ROLLCON_STEADY
  * Also returns: ROLLCON_ERR_NONFINITE.
  * Source: docs/time.md; Kalker 1990.
  */
@@ -1341,12 +1349,12 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_step(rollcon_contact
  * rollcon_contact_get_motion returns them after a solve. Where bodies have profiles or meshes the
  * relative velocity is taken between their surfaces, node by node: rolling radius and spin vary
  * over the contact. The speed V follows from the velocity of the contact, less the mean of both
- * bodies'; where that is not given it is as set by rollcon_contact_set_rolling, one of the two is
- * needed. A body that is not told of is at rest. What was set last counts:
+ * bodies'; where that is not given it is the one set by rollcon_contact_set_rolling; one of the
+ * two is needed. A body whose velocity is not given is at rest. What was set last counts:
  * rollcon_contact_set_creep forgets all velocities, rollcon_contact_prescribe replaces one
  * creepage or the spin and leaves the rest of the slip.
  *   which             1 or 2: the body; 0: the contact, which travels over both
- *   velocity          [3]; of its point at `point`, length/time
+ *   velocity          [3]; velocity of its point at `point`, length/time
  *   angular_velocity  [3]; 1/time
  *   point             [3]; in space, length
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_NONFINITE.
@@ -1370,7 +1378,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_creep_field(rollcon_
  * Forces act on body 1. A tilt turns body 1 against body 2 about t1 or t2 through the origin: at
  * (x, y) of a flat frame it takes (tilt 1) y - (tilt 2) x from the gap. Its moment is that of the
  * contact's tractions on body 1 about the same axis: a load F that presses body 1 at (x, y) asks
- * for the moments -F y (tilt 1) and F x (tilt 2). Standard: all by motion, 0.
+ * for the moments -F y (tilt 1) and F x (tilt 2). The standard is all by motion, 0.
  *   direction  ROLLCON_LONGITUDINAL, LATERAL, NORMAL, SPIN, TILT_1 or TILT_2
  *   how        ROLLCON_BY_MOTION or ROLLCON_BY_FORCE
  *   value      motion: creepage, spin (1/length), approach (length), tilt (radian, small); force:
@@ -1392,7 +1400,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_prescribe(rollcon_contac
  * "temperature": linear in the surface temperature between points T1, mu1, T2, mu2, ... with
  * ascending temperatures, constant beyond them (needs rollcon_contact_set_heat; steady rolling,
  * no sensitivities). Where friction falls several solutions may exist then: a solve from nothing
- * begins with friction as at rest, a warm one continues the last solution, the plan says which;
+ * begins with the friction of rest, a warm one continues the last solution, the plan says which;
  * ROLLCON_FIELD_FRICTION gives the coefficient at the node's slip. Where
  * rollcon_contact_set_friction_field gives coefficients, each is the greatest of its node (at
  * rest) and the law keeps its ratios. The published procedures (options "system" and "jacobian")
@@ -1413,9 +1421,10 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_friction(rollcon_con
  * Gives friction that falls with the slip speed a memory: for a particle of the surface d mu/dt =
  * -max(s, s0)/dc (mu - mu_s(s)), where mu_s is what the law without memory says; where surfaces
  * come into contact mu is that at rest. Coefficients then follow the whole solution and are found
- * by solves with given ones (statistics friction_rounds and friction_change). Holds for whatever
- * law is set, if it falls, else the solve ends with ROLLCON_ERR_STATE. Steady rolling only (steps
- * in time: ROLLCON_ERR_UNSUPPORTED from the solve); no sensitivities (ROLLCON_ERR_UNSUPPORTED).
+ * by solves with given ones (statistics friction_rounds and friction_change). The memory holds
+ * for whatever law is set, if it falls, else the solve ends with ROLLCON_ERR_STATE. It is for
+ * steady rolling only (steps in time: ROLLCON_ERR_UNSUPPORTED from the solve), and there are no
+ * sensitivities (ROLLCON_ERR_UNSUPPORTED).
  *   length       dc, length of slip, >= 0; 0: no memory
  *   least_speed  s0 >= 0, slip speed, length/time
  * Also returns: ROLLCON_ERR_NONFINITE.
@@ -1440,10 +1449,10 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_layer(rollcon_contac
  * Lets the layer between the bodies (rollcon_contact_set_layer, which may be stiff: flexibility
  * 0) flow along the surface under a traction of stress + hardening times the flow since the
  * surfaces came into contact. Where that is less than friction it bounds the traction, and what
- * friction would call slip is flow. For laws "coulomb", "temperature", and those that fall with a
- * memory, others end with ROLLCON_ERR_UNSUPPORTED at the solve. Found by solves with given
- * coefficients as under rollcon_contact_set_friction_memory: steady rolling only, no
- * sensitivities.
+ * friction would call slip is flow. It works with the laws "coulomb", "temperature", and those
+ * that fall with a memory; others end with ROLLCON_ERR_UNSUPPORTED at the solve. The flow is
+ * found by solves with given coefficients in the way of rollcon_contact_set_friction_memory: for
+ * steady rolling only, without sensitivities.
  *   stress     >= 0, force/length^2; 0: never flows
  *   hardening  force/length^3; negative: softening
  * Also returns: ROLLCON_ERR_NONFINITE.
@@ -1454,7 +1463,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_layer_yield(rollcon_
 
 /*
  * Sets friction coefficients along t2, linear between points and constant beyond them, for frames
- * of any maker: in place of the coefficient (the greatest) of rollcon_contact_set_friction, where
+ * of any maker: they replace the (greatest) coefficient of rollcon_contact_set_friction, where
  * rollcon_contact_set_friction_field gives none.
  *   n        points; 0 removes them
  *   points   [n][2]; y along t2 from the origin of the axes, ascending, length, and mu >= 0; NULL
@@ -1468,11 +1477,11 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_friction_across(
 /*
  * Says what a body does with heat, for the surface temperatures of a solution
  * (rollcon_contact_get_temperatures_at, ROLLCON_FIELD_TEMPERATURE) and for friction that depends
- * on them. Both bodies are to be told of; one of them may take up none.
+ * on them. The call is needed for both bodies; one of them may take up no heat.
  *   which          1 or 2: the body
  *   conductivity   >= 0, power/(length temperature)
  *   heat_capacity  >= 0, energy/(volume temperature): density times specific heat
- *   temperature    far from the contact
+ *   temperature    temperature far from the contact
  * Also returns: ROLLCON_ERR_NONFINITE.
  * Source: docs/friction.md; Ertz and Knothe 2002.
  */
@@ -1514,7 +1523,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_str(rollcon_contact 
     const char *name, const char *value);
 
 /*
- * Value of an integer option.
+ * Returns the value of an integer option.
  *   value    out
  * Also returns: ROLLCON_ERR_OPTION.
  */
@@ -1522,7 +1531,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_int(const rollcon_co
     const char *name, int64_t *value);
 
 /*
- * Value of a real option.
+ * Returns the value of a real option.
  *   value    out
  * Also returns: ROLLCON_ERR_OPTION.
  */
@@ -1530,20 +1539,20 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_real(const rollcon_c
     const char *name, double *value);
 
 /*
- * Value of a text option.
+ * Returns the value of a text option.
  * Also returns: ROLLCON_ERR_OPTION, ROLLCON_ERR_CAPACITY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_str(const rollcon_contact *contact,
     const char *name, int64_t capacity, char *text, int64_t *needed);
 
 /*
- * Number of options.
+ * Returns the number of options.
  * Threads: any.
  */
 ROLLCON_API int32_t ROLLCON_CALL rollcon_option_count(void);
 
 /*
- * Row of the table of options. For text options low, high and standard are 0.
+ * Returns a row of the table of options. For text options low, high and standard are 0.
  *   i         0 to rollcon_option_count() - 1
  *   capacity  bytes at name; 32 are enough for every name
  *   name      [capacity], out; NUL-terminated; NULL only with capacity 0
@@ -1558,7 +1567,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_option_info(int32_t i, int64_t c
     char *name, int32_t *type, double *low, double *high, double *standard);
 
 /*
- * What an option means; for text options also the values allowed.
+ * Returns what an option means, for text options also the values allowed.
  *   i         0 to rollcon_option_count() - 1
  * Also returns: ROLLCON_ERR_CAPACITY.
  * Threads: any.
@@ -1567,8 +1576,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_option_doc(int32_t i, int64_t ca
     char *text, int64_t *needed);
 
 /* ------------------------------------------------------------------------ Solve, watch, stop */
-/* One steady state, or one step in time (rollcon_contact_set_step), per solve, started from the
-   last one. */
+/* Each solve finds one steady state, or one step in time (rollcon_contact_set_step), started from
+   the last one. */
 
 /*
  * Sets the callback that is called once per iteration, and about every tenth of a second while
@@ -1582,8 +1591,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_progress(rollcon_con
     rollcon_progress_fn fn, void *user);
 
 /*
- * An integer of the event, inside the progress callback.
- *   event  as the callback got it; ROLLCON_ERR_HANDLE outside of the callback
+ * Returns an integer of the event, inside the progress callback.
+ *   event  what the callback got; ROLLCON_ERR_HANDLE outside of the callback
  *   key    ROLLCON_EVENT_PHASE or ROLLCON_EVENT_ITERATION
  *   value  out
  * Threads: any.
@@ -1592,8 +1601,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_event_get_int(const rollcon_even
     int32_t key, int64_t *value);
 
 /*
- * A real of the event, inside the progress callback.
- *   event  as the callback got it; ROLLCON_ERR_HANDLE outside of the callback
+ * Returns a real of the event, inside the progress callback.
+ *   event  what the callback got; ROLLCON_ERR_HANDLE outside of the callback
  *   key    ROLLCON_EVENT_RESIDUAL or ROLLCON_EVENT_SECONDS
  *   value  out
  * Threads: any.
@@ -1616,13 +1625,12 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_request_cancel(rollcon_c
  * ROLLCON_NOT_CONVERGED and ROLLCON_CANCELLED the best iterate can be read. ROLLCON_COARSE says
  * that no node in contact has all its neighbours in contact (with friction: fewer than 5 have);
  * the solution is that of the frame, not of the bodies. Log and plan tell more. A failed solve
- * leaves the scene as it was but discards the last solution. Bodies that are not prepared are
- * prepared first and may fail as rollcon_body_prepare does (ROLLCON_ERR_MESH,
- * ROLLCON_ERR_SINGULAR); the text names the body. Creepages (whose slip, times speed or
- * stiffness, would come to 1e305) and approaches (to pressures of 1e150) that double precision
- * cannot calculate with are ROLLCON_ERR_ARGUMENT; the text names a node and what is allowed.
- * Nodes that are never to touch may have any gap, with the option "system" = monolithic up to
- * that limit.
+ * does not change the scene but discards the last solution. Bodies that are not prepared are
+ * prepared first and may fail like rollcon_body_prepare (ROLLCON_ERR_MESH, ROLLCON_ERR_SINGULAR);
+ * the text names the body. Creepages (whose slip, times speed or stiffness, would come to 1e305)
+ * and approaches (to pressures of 1e150) that double precision cannot calculate with are
+ * ROLLCON_ERR_ARGUMENT; the text names a node and what is allowed. Nodes that are never to touch
+ * may have any gap, with the option "system" = monolithic up to that limit.
  * Also returns: ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
  *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_INACCURATE, ROLLCON_TOO_DEEP, ROLLCON_ERR_MESH,
  *   ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY, ROLLCON_ERR_OPTION,
@@ -1636,16 +1644,16 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_solve(rollcon_contact *c
  * threads of the context. What is replaced and what is wanted is said by names, the columns of
  * two tables with a row for each case. A direction stands for the value prescribed there, as
  * motion or as force (rollcon_contact_prescribe); friction for a factor on the friction
- * coefficients of all nodes as set (1: as set). Results do not depend on the order of the cases
- * nor on the number of threads: the library orders them itself, solves equal ones once and starts
- * warm along chains of neighbours (unless the option "warm_start" is 0). A case that fails has
- * its negative status and NaN for results and leaves the others alone; texts go to the log as
- * warnings. The status returned is the worst in the order that holds for all calls; CANCELLED
- * says that some cases were not solved. A negative one means that no case was solved. All results
- * are in local axes. The scene stays as it is, and so does the last solution unless something was
- * set since. Where no frame was given each case is solved on frames of its own
+ * coefficients that are set at the nodes (1: no change). Results do not depend on the order of
+ * the cases nor on the number of threads: the library orders them itself, solves equal ones once
+ * and starts warm along chains of neighbours (unless the option "warm_start" is 0). A case that
+ * fails has its negative status and NaN for results and does not affect the others; texts go to
+ * the log as warnings. The status returned is the worst in the order that holds for all calls;
+ * CANCELLED says that some cases were not solved. A negative one means that no case was solved.
+ * All results are in local axes. The scene does not change, and the last solution stays unless
+ * something was set since. Where no frame was given each case is solved on frames of its own
  * (rollcon_contact_frame_automatic), steadily: then tractions are no column, and friction is a
- * parameter of Coulomb's law alone. The progress callback hears of the iterations of the calling
+ * parameter of Coulomb's law alone. The progress callback receives the iterations of the calling
  * thread, and of ROLLCON_PHASE_CASES. The procedures of the paper use one thread.
  *   parameters  columns of values, separated by blanks, each once, of: longitudinal, lateral,
  *               normal, spin, friction, tilt_1, tilt_2; NULL: none
@@ -1663,9 +1671,9 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_solve(rollcon_contact *c
  *   capacity    numbers for each case at results; at least those of the columns; 0 with columns
  *               only asks for the need
  *   results     [n_cases][capacity], out; a row for each case, the columns side by side; what is
- *               beyond them is left alone; NULL only with capacity 0
+ *               beyond them is not written; NULL only with capacity 0
  *   n_results   out, may be NULL; numbers for each case; set after ROLLCON_ERR_CAPACITY too
- *   status      [n_cases], out, may be NULL; as rollcon_contact_solve would return
+ *   status      [n_cases], out, may be NULL; what rollcon_contact_solve would return for each
  * Also returns: ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
  *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_INACCURATE, ROLLCON_TOO_DEEP,
  *   ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_OPTION,
@@ -1676,15 +1684,15 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_solve_many(rollcon_conta
     int64_t capacity, double *results, int64_t *n_results, int32_t *status);
 
 /*
- * The next solve starts from where the last step did, as if that had not been: for a host that
- * tries loads or motions again before it goes on. Once after each step.
+ * Lets the next solve start from where the last step did, as if that had not been, for a host
+ * that tries loads or motions again before it goes on. It works once after each step.
  * Also returns: ROLLCON_ERR_STATE.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_repeat_step(rollcon_contact *contact);
 
 /*
- * What the next step starts from, as numbers: a header with a version, time, tractions, a
- * checksum. For another run, or another contact of such bodies on the same frame.
+ * Returns what the next step starts from, as numbers: a header with a version, time, tractions, a
+ * checksum. They serve another run, or another contact of such bodies on the same frame.
  *   capacity  doubles at past; 0 only asks for the need
  *   past      [capacity], out; NULL only with capacity 0
  *   n_values  out, may be NULL; doubles of the past; set after ROLLCON_ERR_CAPACITY too
@@ -1695,10 +1703,10 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_save_past(const rollcon_
     int64_t capacity, double *past, int64_t *n_values);
 
 /*
- * The next step starts from what rollcon_contact_save_past gave. Prepares bodies and frame where
- * nothing was solved yet. Numbers of another frame, or that were changed, are refused, and the
- * past stays as it was; results of the last solve are gone.
- *   past     [n]; as saved
+ * Lets the next step start from what rollcon_contact_save_past gave. Prepares bodies and frame
+ * where nothing was solved yet. Numbers of another frame, or that were changed, are refused and
+ * do not change the past; results of the last solve are gone.
+ *   past     [n]; what rollcon_contact_save_past gave
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MESH.
  * Source: docs/time.md.
  */
@@ -1706,17 +1714,17 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_restore_past(rollcon_con
     int64_t n, const double *past);
 
 /*
- * Forgets the solution, the warm start, the history and what was before a time step (bodies are
- * at rest); keeps the scene and all that was computed for the frame.
+ * Forgets the solution, the warm start, the iteration log and what was before a time step (bodies
+ * are at rest); keeps the scene and all that was computed for the frame.
  * Also returns: ROLLCON_ERR_STATE.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_reset(rollcon_contact *contact);
 
 /* ----------------------------------------------------------------------------------- Results */
-/* Of the last solve, copied into the caller's arrays; ROLLCON_ERR_STATE before one. */
+/* Results of the last solve are copied into the caller's arrays; ROLLCON_ERR_STATE before one. */
 
 /*
- * Nodes and elements of the frame. Works before a solve.
+ * Returns the nodes and elements of the frame. It works before a solve.
  *   nodes     out, may be NULL
  *   elements  out, may be NULL
  */
@@ -1724,11 +1732,11 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_size(const rollcon_c
     int64_t *nodes, int64_t *elements);
 
 /*
- * Tractions on body 1 at the nodes; the normal component is <= 0 in compression. Normals follow a
- * surface across the rolling direction only: along it all are as inclined as at the origin of the
- * axes. At a distance x from there, on a radius R, they are off the surface's own by x/R:
- * pressures by half its square (0.02 % at x/R = 0.02, 0.5 % at 0.1), and the part p x/R of a
- * pressure along the surface is no traction.
+ * Returns tractions on body 1 at the nodes; the normal component is <= 0 in compression. Normals
+ * follow a surface across the rolling direction only: along it all have the inclination at the
+ * origin of the axes. At a distance x from there, on a radius R, they are off the surface's own
+ * by x/R: pressures by half its square (0.02 % at x/R = 0.02, 0.5 % at 0.1), and the part p x/R
+ * of a pressure along the surface is no traction.
  *   axes      ROLLCON_LOCAL or ROLLCON_GLOBAL
  *   capacity  nodes that fit into t; at least those of the frame
  *   t         [capacity][3], out; force/length^2
@@ -1739,8 +1747,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_tractions(
     const rollcon_contact *contact, int32_t axes, int64_t capacity, double *t);
 
 /*
- * A nodal field: n_values = nodes x values per node, node after node. Values beyond the range of
- * double precision are infinite or NaN.
+ * Returns a nodal field: n_values = nodes x values per node, node after node. Values beyond the
+ * range of double precision are infinite or NaN.
  *   field     ROLLCON_FIELD_...
  *   axes      ROLLCON_LOCAL or ROLLCON_GLOBAL
  *   capacity  doubles at v; 0 only asks for the need
@@ -1752,7 +1760,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_field(const rollcon_
     int32_t field, int32_t axes, int64_t capacity, double *v, int64_t *n_values);
 
 /*
- * State of each node: ROLLCON_OPEN, STICK, SLIP or EXCLUDED.
+ * Returns the state of each node: ROLLCON_OPEN, STICK, SLIP or EXCLUDED.
  *   capacity  numbers at status; at least the nodes of the frame
  *   status    [capacity], out
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_CAPACITY.
@@ -1761,7 +1769,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_status(
     const rollcon_contact *contact, int64_t capacity, int32_t *status);
 
 /*
- * Resultant force on body 1 and its moment about the origin of the axes.
+ * Returns the resultant force on body 1 and its moment about the origin of the axes.
  *   axes     ROLLCON_LOCAL or ROLLCON_GLOBAL
  *   force    [3], out, may be NULL; force
  *   moment   [3], out, may be NULL; force x length
@@ -1771,7 +1779,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_resultant(
     const rollcon_contact *contact, int32_t axes, double *force, double *moment);
 
 /*
- * Approach, creepages and spin, as given or as found for prescribed forces.
+ * Returns approach, creepages and spin, given or found for prescribed forces.
  *   approach  out, may be NULL; length
  *   creep     [3], out, may be NULL; longitudinal, lateral (dimensionless), spin (1/length)
  * Also returns: ROLLCON_ERR_STATE.
@@ -1780,8 +1788,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_motion(
     const rollcon_contact *contact, double *approach, double *creep);
 
 /*
- * Rotations of body 1 against body 2 about t1 and t2, as given or as found for prescribed moments
- * (rollcon_contact_prescribe).
+ * Returns rotations of body 1 against body 2 about t1 and t2, given or found for prescribed
+ * moments (rollcon_contact_prescribe).
  *   tilt     [2], out; radian
  * Also returns: ROLLCON_ERR_STATE.
  * Source: docs/theory.md, loads.
@@ -1790,23 +1798,23 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_tilt(const rollcon_c
     double *tilt);
 
 /*
- * Derivatives of what rollcon_contact_get_resultant (local axes) and rollcon_contact_get_motion
- * give, by one parameter. A direction stands for the value last solved with there: creepage, spin
- * or approach where the motion was prescribed; force, spin moment or compressive load where the
- * force was; motions that were found then change with it. FRICTION stands for a factor, now 1, on
- * every friction coefficient: for d/dmu of a uniform mu divide by mu. They are those of Newton's
- * system at the solution, the state of every node held: at most one factorisation for all
- * parameters (one more for NORMAL where pressures stand alone) and one right side each; kept
- * until the next solve. After ROLLCON_NO_CONTACT only a prescribed motion's derivative by itself
- * is not 0. ROLLCON_ERR_STATE: no solution, one that did not converge, or the parameter is a
- * tangential force or spin moment without friction. ROLLCON_ERR_SINGULAR: a load at the limit of
- * friction. ROLLCON_ERR_UNSUPPORTED: friction follows the whole solution (of temperature, with a
- * memory, of a layer that flows).
+ * Returns the derivatives of what rollcon_contact_get_resultant (local axes) and
+ * rollcon_contact_get_motion give, by one parameter. A direction stands for the value last solved
+ * with there: creepage, spin or approach where the motion was prescribed; force, spin moment or
+ * compressive load where the force was; motions that were found then change with it. FRICTION
+ * stands for a factor, now 1, on every friction coefficient: for d/dmu of a uniform mu divide by
+ * mu. They are those of Newton's system at the solution, the state of every node held: at most
+ * one factorisation for all parameters (one more for NORMAL where pressures stand alone) and one
+ * right side each; kept until the next solve. After ROLLCON_NO_CONTACT only a prescribed motion's
+ * derivative by itself is not 0. ROLLCON_ERR_STATE: no solution, one that did not converge, or
+ * the parameter is a tangential force or spin moment without friction. ROLLCON_ERR_SINGULAR: a
+ * load at the limit of friction. ROLLCON_ERR_UNSUPPORTED: friction follows the whole solution (of
+ * temperature, with a memory, of a layer that flows).
  *   parameter  ROLLCON_LONGITUDINAL, LATERAL, NORMAL, SPIN, FRICTION, TILT_1 or TILT_2
- *   force      [3], out, may be NULL; of the force on body 1, local axes
- *   moment     [3], out, may be NULL; of its moment about the origin, local axes
- *   approach   out, may be NULL; of the approach
- *   creep      [3], out, may be NULL; of longitudinal and lateral creepage and spin
+ *   force      [3], out, may be NULL; derivative of the force on body 1, local axes
+ *   moment     [3], out, may be NULL; derivative of its moment about the origin, local axes
+ *   approach   out, may be NULL; derivative of the approach
+ *   creep      [3], out, may be NULL; derivatives of longitudinal and lateral creepage and spin
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_UNSUPPORTED,
  *   ROLLCON_ERR_MEMORY.
  * Source: docs/theory.md, Newton's iteration.
@@ -1816,8 +1824,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_sensitivity(
     double *approach, double *creep);
 
 /*
- * Elastic displacement of a body at any points of the contact surface, on the frame or off it, in
- * local axes (of the point, if curved).
+ * Returns the elastic displacement of a body at any points of the contact surface, on the frame
+ * or off it, in local axes (of the point, if curved).
  *   body     1 or 2
  *   n        points, >= 0
  *   xy       [n][2]; positions along t1 and t2 from the origin, length
@@ -1829,16 +1837,16 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_displacements_at(
     const rollcon_contact *contact, int32_t body, int64_t n, const double *xy, double *u);
 
 /*
- * Stresses and elastic displacements at any points inside a body, or on its surface, under the
- * tractions of the last solve (those of rollcon_contact_get_tractions, between nodes as the
- * frame's shape functions have them). The body must be an elastic half-space. Points and results
- * are in the contact's axes: body 1 fills n <= 0 and body 2 n >= 0, on its surface n = 0 results
- * are the limits from inside. Tension is positive. Every stress is within the option
- * stress_accuracy times the largest traction of the exact integrals. Where tractions jump (at the
- * rim of a frame that ends under load) stresses along the surface grow like a logarithm and are
- * given for a depth of 1e-8 of the smallest element. On a curved frame the local components of
- * tractions act on the plane of the axes, as they do in the solve. ROLLCON_ERR_UNSUPPORTED:
- * another kind of body; ROLLCON_ERR_ARGUMENT: a point outside of the body.
+ * Returns stresses and elastic displacements at any points inside a body, or on its surface,
+ * under the tractions of the last solve (those of rollcon_contact_get_tractions, interpolated by
+ * the frame's shape functions). The body must be an elastic half-space. Points and results are in
+ * the contact's axes: body 1 fills n <= 0 and body 2 n >= 0, on its surface n = 0 results are the
+ * limits from inside. Tension is positive. Every stress is within the option stress_accuracy
+ * times the largest traction of the exact integrals. Where tractions jump (at the rim of a frame
+ * that ends under load) stresses along the surface grow like a logarithm and are given for a
+ * depth of 1e-8 of the smallest element. On a curved frame the local components of tractions act
+ * on the plane of the axes, which they do in the solve, too. ROLLCON_ERR_UNSUPPORTED: another
+ * kind of body; ROLLCON_ERR_ARGUMENT: a point outside of the body.
  *   body     1 or 2
  *   n        points, >= 0
  *   xyz      [n][3]; positions along t1, t2 and n from the origin, length
@@ -1853,11 +1861,11 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_stresses_at(
     double *u);
 
 /*
- * Displacements of all nodes of a body of finite or boundary elements under the tractions of the
- * last solve and the body's own loads, in the body's axes. Under a frame of its own finer than
- * the body's faces these are tractions as the elements feel them (docs/theory.md, section 10).
- * The first call for a body factorises its stiffness once more, with nothing condensed; contacts
- * and solves after that share the factors (unless its option keep_factors is 0); boundary
+ * Returns displacements of all nodes of a body of finite or boundary elements under the tractions
+ * of the last solve and the body's own loads, in the body's axes. Under a frame of its own finer
+ * than the body's faces these are the tractions that the elements feel (docs/theory.md, section
+ * 10). The first call for a body factorises its stiffness once more, with nothing condensed;
+ * contacts and solves after that use the factors (unless its option keep_factors is 0); boundary
  * elements have theirs. ROLLCON_ERR_UNSUPPORTED: another kind of body.
  *   body      1 or 2
  *   capacity  doubles that fit into u; 0 asks for their number
@@ -1873,15 +1881,15 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_body_displacements(
     int64_t *n_values);
 
 /*
- * Displacements and stresses at any points inside a body of finite or boundary elements under the
- * tractions of the last solve and the body's own loads, in the body's axes; tension is positive.
- * Of finite elements as rollcon_body_get_fields_at has them of
- * rollcon_contact_get_body_displacements. Of boundary elements by Somigliana's identities, as
- * near to the surface as wanted, and on it: errors there are those of the solution, and largest
- * where tractions jump. ROLLCON_ERR_UNSUPPORTED: another kind of body (of half-spaces:
- * rollcon_contact_get_stresses_at); ROLLCON_ERR_ARGUMENT: a point is outside, and by how much of
- * a surface of boundary elements (a millionth of the element's size beyond its faces is still
- * inside).
+ * Returns displacements and stresses at any points inside a body of finite or boundary elements
+ * under the tractions of the last solve and the body's own loads, in the body's axes; tension is
+ * positive. Those of finite elements are what rollcon_body_get_fields_at gives for
+ * rollcon_contact_get_body_displacements. Those of boundary elements follow from Somigliana's
+ * identities, as near to the surface as wanted, and on it: errors there are those of the
+ * solution, and largest where tractions jump. ROLLCON_ERR_UNSUPPORTED: another kind of body (for
+ * half-spaces see rollcon_contact_get_stresses_at); ROLLCON_ERR_ARGUMENT: a point is outside, and
+ * by how much of a surface of boundary elements (a millionth of the element's size beyond its
+ * faces is still inside).
  *   body          1 or 2
  *   n             points, >= 0
  *   xyz           [n][3]; in the body's axes, length
@@ -1897,9 +1905,9 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_body_fields_at(
 
 /*
  * Writes the elements of a body of finite or boundary elements with displacements, smoothed
- * stresses (xx, yy, zz, xy, yz, xz, as ParaView counts them) and von Mises's stress at the nodes,
+ * stresses (xx, yy, zz, xy, yz, xz, in ParaView's order) and von Mises's stress at the nodes,
  * under the tractions of the last solve and the body's own loads, as a VTU file for ParaView and
- * meshio. Otherwise like rollcon_contact_get_body_fields_at.
+ * meshio. The call is otherwise like rollcon_contact_get_body_fields_at.
  *   body     1 or 2
  *   path     name of the file; an existing one is replaced
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_IO,
@@ -1910,8 +1918,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_write_body(
     const rollcon_contact *contact, int32_t body, const char *path);
 
 /*
- * Temperatures of the surfaces of both bodies at any points of the plane of the axes by the
- * frictional heat of the last solve, steady rolling, and what the bodies have far away
+ * Returns temperatures of the surfaces of both bodies at any points of the plane of the axes by
+ * the frictional heat of the last solve, steady rolling, and what the bodies have far away
  * (rollcon_contact_set_heat): before the contact, in it, where both have the same, and behind it.
  * Heat is carried along the rolling direction and spreads into the depth alone, which holds where
  * the speed times half the length of the contact is well above the diffusivity (conductivity over
@@ -1919,7 +1927,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_write_body(
  * no heat given, or a step in time.
  *   n            points, >= 0
  *   xy           [n][2]; positions along t1 and t2 from the origin, length
- *   temperature  [n][2], out; of bodies 1 and 2
+ *   temperature  [n][2], out; temperatures of bodies 1 and 2
  * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
  * Source: docs/friction.md; Ertz and Knothe 2002.
  */
@@ -1927,10 +1935,11 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_temperatures_at(
     const rollcon_contact *contact, int64_t n, const double *xy, double *temperature);
 
 /*
- * Index of surface-initiated rolling contact fatigue, FI = sqrt(F1^2 + F2^2)/Fn - 2 A k/(3 Fn),
- * with the area A in contact (statistic contact_area; pi a b of an ellipse) and the yield stress
- * k in shear; positive where fatigue is to be expected. ROLLCON_ERR_STATE: no solution, or no
- * normal force. The wear number T-gamma, force times creepage, is the statistic t_gamma.
+ * Returns the index of surface-initiated rolling contact fatigue, FI = sqrt(F1^2 + F2^2)/Fn - 2 A
+ * k/(3 Fn), with the area A in contact (statistic contact_area; pi a b for an ellipse) and the
+ * yield stress k in shear; positive where fatigue is to be expected. ROLLCON_ERR_STATE: no
+ * solution, or no normal force. The wear number T-gamma, force times creepage, is the statistic
+ * t_gamma.
  *   shear_yield  k, force/length^2, above 0
  *   index        out; dimensionless
  * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE.
@@ -1940,17 +1949,17 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_fatigue_index(
     const rollcon_contact *contact, double shear_yield, double *index);
 
 /*
- * The Hertzian contact that stands for this one, as rollcon_table_evaluate takes it. The ellipse
- * has the area in contact (statistic contact_area) and, along over across, the second moments of
- * the pressures. Load, creepages and spin are those of the solution, the latter by least squares
- * weighted with pressure about its centre; the solution needs no friction. Friction is the mean
- * over the pressure, of falling laws at the speed of the rigid slip; inputs[2] may be replaced.
- * Elastic constants: mean values of 1/G and nu/G; where pressure strains one body more than the
- * other, the longitudinal creepage has the mean difference of these strains on top. A moment
- * about the contact's origin has center[0] F2 - center[1] F1 more than one about the centre.
- * ROLLCON_ERR_STATE: no solution, no load, several patches far apart, or a shift;
- * ROLLCON_ERR_UNSUPPORTED: a body has a mesh, a layer is between the bodies, or friction depends
- * on the direction.
+ * Returns the Hertzian contact that stands for this one, in the form of inputs of
+ * rollcon_table_evaluate. The ellipse has the area in contact (statistic contact_area) and, along
+ * over across, the second moments of the pressures. Load, creepages and spin are those of the
+ * solution, the latter by least squares weighted with pressure about its centre; the solution
+ * needs no friction. Friction is the mean over the pressure, for falling laws at the speed of the
+ * rigid slip; inputs[2] may be replaced. Elastic constants: mean values of 1/G and nu/G; where
+ * pressure strains one body more than the other, the longitudinal creepage has the mean
+ * difference of these strains on top. A moment about the contact's origin has center[0] F2 -
+ * center[1] F1 more than one about the centre. ROLLCON_ERR_STATE: no solution, no load, several
+ * patches far apart, or a shift; ROLLCON_ERR_UNSUPPORTED: a body has a mesh, a layer is between
+ * the bodies, or friction depends on the direction.
  *   inputs   [9], out; shear modulus, Poisson's ratio, friction, semi-axes along and across the
  *            rolling direction, load, longitudinal and lateral creepage, spin
  *   center   [2], out; along t1 and t2
@@ -1961,19 +1970,19 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_equivalent_ellipse(
     const rollcon_contact *contact, double *inputs, double *center);
 
 /*
- * Depth that one pass of the contact wears off, along t2: the integral of the law's rate along
- * the rolling direction, at the friction, pressure and slip of the last solve; of a step in time,
- * what that step takes off. Material is given to the points by the functions that are 1 at a
- * point and linear to its neighbours: the sum of depth times the point's share of y is the volume
- * exactly. A body that comes by once per revolution has this depth per revolution, and the same
- * law may be asked for each body with its own coefficients. Half-spaces and rigid bodies in
- * steady rolling, with all of the contact on the frame, lose what the balance of work says
- * (statistic friction_power_balance), which misses nothing on coarse frames; others what slip at
- * nodes takes (friction_power). Laws: "archard": rate = i p |s|/V; with i1, i2 and an angle p
- * |(i1 s1, i2 s2)|/V, in axes turned by the angle from t1 towards t2. "t_gamma": pairs (e, r) of
- * energy density e = |t s|/V, ascending, and rate r (depth per length rolled), linear between,
- * from (0, 0), and beyond the last pair. ROLLCON_ERR_ARGUMENT: y does not cover the nodes in
- * contact.
+ * Returns the depth that one pass of the contact wears off, along t2: the integral of the law's
+ * rate along the rolling direction, at the friction, pressure and slip of the last solve; after a
+ * step in time, what that step takes off. Material is given to the points by the functions that
+ * are 1 at a point and linear to its neighbours: the sum of depth times the point's length of y
+ * is the volume exactly. A body that comes by once per revolution has this depth per revolution,
+ * and the same law may be asked for each body with its own coefficients. Half-spaces and rigid
+ * bodies in steady rolling, with all of the contact on the frame, lose what the balance of work
+ * says (statistic friction_power_balance), which misses nothing on coarse frames; others what
+ * slip at nodes takes (friction_power). Laws: "archard": rate = i p |s|/V; with i1, i2 and an
+ * angle p |(i1 s1, i2 s2)|/V, in axes turned by the angle from t1 towards t2. "t_gamma": pairs
+ * (e, r) of energy density e = |t s|/V, ascending, and rate r (depth per length rolled), linear
+ * between, from (0, 0), and beyond the last pair. ROLLCON_ERR_ARGUMENT: y does not cover the
+ * nodes in contact.
  *   law         archard or t_gamma
  *   n           parameters of the law
  *   parameters  [n]; i; i1, i2, angle (length^2/force, radian); e, r, e, r, ... (force/length^2,
@@ -2002,7 +2011,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_wear(const rollcon_c
  *   most_depth  > 0, length
  *   smoothing   length of waves, >= 0; 0: none
  *   worn        [points][2], out; may be yz
- *   taken       out; of the distance; NULL: not wanted
+ *   taken       out; part of the distance that was taken; NULL: not wanted
  * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MEMORY.
  * Threads: any.
  * Source: docs/wear.md.
@@ -2012,9 +2021,9 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wear_profile(int64_t points, con
     double *worn, double *taken);
 
 /*
- * Principal stresses, von Mises's stress and the largest shear stress of n stresses, which may
- * come from rollcon_contact_get_stresses_at or elsewhere. Principal stresses are exact to
- * rounding, relative to the largest of the three.
+ * Returns principal stresses, von Mises's stress and the largest shear stress of n stresses,
+ * which may come from rollcon_contact_get_stresses_at or elsewhere. Principal stresses are exact
+ * to rounding, relative to the largest of the three.
  *   n          stresses, >= 0
  *   stress     [n][6]; s11, s22, s33, s12, s13, s23, tension positive
  *   principal  [n][3], out; the largest first; NULL: not wanted
@@ -2029,9 +2038,9 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_stress_invariants(int64_t n,
     const double *stress, double *principal, double *von_mises, double *shear);
 
 /*
- * One number about the last solve: residuals, error estimates, iterations, areas, power, seconds,
- * bytes. Names: rollcon_stat_name; meanings: docs/theory.md, section 8. An error estimate is
- * computed when one of its numbers is asked for, at about the price of a solve.
+ * Returns one number about the last solve: residuals, error estimates, iterations, areas, power,
+ * seconds, bytes. Names: rollcon_stat_name; meanings: docs/theory.md, section 8. An error
+ * estimate is computed when one of its numbers is asked for, at about the price of a solve.
  *   value    out
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_OPTION, ROLLCON_ERR_MEMORY.
  */
@@ -2039,13 +2048,13 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_stat(const rollcon_c
     const char *name, double *value);
 
 /*
- * Number of statistics.
+ * Returns the number of statistics.
  * Threads: any.
  */
 ROLLCON_API int32_t ROLLCON_CALL rollcon_stat_count(void);
 
 /*
- * Name of a statistic.
+ * Returns the name of a statistic.
  *   i         0 to rollcon_stat_count() - 1
  * Also returns: ROLLCON_ERR_CAPACITY.
  * Threads: any.
@@ -2054,8 +2063,9 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_stat_name(int32_t i, int64_t cap
     char *text, int64_t *needed);
 
 /*
- * Iterations of the last solve, one row each: phase, iteration, normal residual, tangential
- * residual, step length, nodes in contact, nodes in slip, seconds. No rows before a solve.
+ * Returns the iterations of the last solve, one row each: phase, iteration, normal residual,
+ * tangential residual, step length, nodes in contact, nodes in slip, seconds. No rows before a
+ * solve.
  *   capacity  rows that fit; 0 only asks for the need
  *   rows      [capacity][8], out; NULL only with capacity 0
  *   n_rows    out, may be NULL; rows there are; set after ROLLCON_ERR_CAPACITY too
@@ -2065,11 +2075,11 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_history(
     const rollcon_contact *contact, int64_t capacity, double *rows, int64_t *n_rows);
 
 /*
- * Convergence of the last solve: the error function of every row of rollcon_contact_get_history,
- * and when it was evaluated. The error function is half the sum of the squared residuals of the
- * contact laws over all nodes, each over the largest pressure or tangential traction of the
- * iterate, and of the squared relative errors of the loads, times the nodes in contact. No rows
- * before a solve.
+ * Returns the convergence of the last solve: the error function of every row of
+ * rollcon_contact_get_history, and when it was evaluated. The error function is half the sum of
+ * the squared residuals of the contact laws over all nodes, each over the largest pressure or
+ * tangential traction of the iterate, and of the squared relative errors of the loads, times the
+ * nodes in contact. No rows before a solve.
  *   capacity  rows that fit; 0 only asks for the need
  *   psi       [capacity], out; error function, dimensionless; NULL: not wanted
  *   seconds   [capacity], out; since the solve began; NULL: not wanted
@@ -2082,7 +2092,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_error_function(
     int64_t *n_rows);
 
 /*
- * How the last solve was done (sizes, schemes, linear solver and why), as text for people.
+ * Returns how the last solve was done (sizes, schemes, linear solver and why), as text for
+ * people.
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_CAPACITY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_plan(const rollcon_contact *contact,
@@ -2099,24 +2110,25 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_write(const rollcon_cont
     const char *path);
 
 /* ------------------------------------------------------------- Wheel on rail: making, inputs */
-/* A wheel of a wheelset on its rail: profiles, dimensions, position and velocity in, patches and
-   forces out. Axes of the track: x forward, y to the right, z down, the origin midway between the
-   rails at the height of their top. Roll, yaw and pitch are about x, z and y: a point of the
-   wheelset is pitched about its axle, rolled about x, then yawed about z, all axes but the axle's
-   fixed in the track; rollcon_wheelrail_set_roll_outside changes that order. Everything that is
-   set stays; docs/wheelrail.md has the figures. */
+/* A wheel of a wheelset on its rail takes profiles, dimensions, position and velocity, and gives
+   patches and forces. Axes of the track: x forward, y to the right, z down, the origin midway
+   between the rails at the height of their top. Roll, yaw and pitch are about x, z and y: a point
+   of the wheelset is pitched about its axle, rolled about x, then yawed about z, all axes but the
+   axle's fixed in the track; rollcon_wheelrail_set_roll_outside changes that order. Everything
+   that is set stays; docs/wheelrail.md has the figures. */
 
 /*
- * Makes a wheel on its rail. Profile of the wheel: y from the tread's datum, the flange at lesser
- * y, z down (as "s1002"); of the rail: upright, its gauge side at lesser y, z down. They are the
- * same on both sides of the track: what is on the left is the mirror image. Where the profiles
- * lie in their bodies (rollcon_body_extrude_profile, rollcon_body_revolve_profile) is no matter,
- * and the bodies stay free for other uses. A profile or elastic constants that the bodies are
- * given later count from the next solve. At least one body must be elastic. Standard: rails
- * without deviation, height prescribed by motion, accuracy 0.01; everything else must be set
- * before a solve.
+ * Makes a wheel on its rail. The profile of the wheel has y from the tread's datum, the flange at
+ * lesser y, and z down (like "s1002"); that of the rail is upright, with its gauge side at lesser
+ * y and z down. Both are the same on both sides of the track: what is on the left is the mirror
+ * image. Where the profiles lie in their bodies (rollcon_body_extrude_profile,
+ * rollcon_body_revolve_profile) does not matter, and the bodies stay free for other uses. A
+ * profile or elastic constants that the bodies are given later count from the next solve. At
+ * least one body must be elastic. The standard is rails without deviation, height prescribed by
+ * motion, accuracy 0.01; everything else must be set before a solve.
  *   wheel      a half-space or rigid, with a profile (else ROLLCON_ERR_STATE)
- *   rail       likewise; may be of another context
+ *   rail       a half-space or rigid, with a profile (else ROLLCON_ERR_STATE); may be of another
+ *              context
  *   side       ROLLCON_LEFT or ROLLCON_RIGHT
  *   wheelrail  new handle
  * Ownership: The caller owns the new handle: release it. It keeps bodies and context alive.
@@ -2155,9 +2167,10 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_track(rollcon_whee
 
 /*
  * Sets the dimensions of the wheelset.
- *   back_to_back  between the backs of the flanges, > 0, length
+ *   back_to_back  distance between the backs of the flanges, > 0, length
  *   flange_back   y of the flange's back in the profile of the wheel, length
- *   radius        of the profile's z = 0, > 0, length; radius + z > 0 all along the profile
+ *   radius        radius at the profile's z = 0, > 0, length; radius + z > 0 all along the
+ *                 profile
  * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_wheelset(
@@ -2165,10 +2178,10 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_wheelset(
 
 /*
  * Sets the deviation of the rail from its place in the track and how it changes: irregularities,
- * and rails that give way. Standard: 0.
+ * and rails that give way. The standard is 0.
  *   deviation  [3]; along y and z, length; roll, radian, about the point where the gauge is
  *              measured, at the height of the rails' top, -0.5 to 0.5
- *   rate       [3]; of these, length/time and 1/time
+ *   rate       [3]; rates of these, length/time and 1/time
  * Also returns: ROLLCON_ERR_NONFINITE.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_rail_deviation(
@@ -2177,7 +2190,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_rail_deviation(
 /*
  * Sets the position of the wheelset. z = 0 is where the tread's datum of a centred wheelset is at
  * the height of the rails' top; z is not used where a vertical force is prescribed (statistic "z"
- * is what was found), but as the start of the search.
+ * is what was found), except as the start of the search.
  *   position   [6]; of the wheelset's centre: x, y, z, length; roll, yaw and pitch, radian; roll
  *              and yaw -0.5 to 0.5
  * Also returns: ROLLCON_ERR_NONFINITE.
@@ -2187,10 +2200,11 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_position(
 
 /*
  * Says in which order positions turn a wheelset. A point of it is pitched about its axle; then it
- * is either yawed about z and rolled about x, as in CONTACT, or rolled and then yawed, as in a
- * new handle. Rates of roll and yaw are those of these angles. Counts from the next solve, for
- * positions that were set before, too. Both orders are the same without roll or without yaw.
- *   on         1: the roll outside the yaw; 0: the yaw outside the roll, as in a new handle
+ * is either yawed about z and rolled about x, which is CONTACT's order, or rolled and then yawed,
+ * which is that of a new handle. Rates of roll and yaw are those of these angles. It counts from
+ * the next solve, also for positions that were set before. Both orders agree without roll or
+ * without yaw.
+ *   on         1: the roll outside the yaw; 0: the yaw outside the roll, the standard
  * Source: docs/wheelrail.md.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_roll_outside(
@@ -2206,17 +2220,17 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_velocity(
     rollcon_wheelrail *wheelrail, const double *velocity);
 
 /*
- * Prescribes the height of the wheelset by motion, as its position has it (standard), or by the
+ * Prescribes the height of the wheelset by motion, from its position (standard), or by the
  * vertical force; z is then found by the solve.
  *   how        ROLLCON_BY_MOTION or ROLLCON_BY_FORCE
- *   force      of this wheel on its rail, along z of the track, >= 0; not looked at by motion
+ *   force      force of this wheel on its rail, along z of the track, >= 0; ignored by motion
  * Also returns: ROLLCON_ERR_NONFINITE.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_prescribe_vertical(
     rollcon_wheelrail *wheelrail, int32_t how, double force);
 
 /*
- * Sets the coefficient of Coulomb's friction. Not needed where
+ * Sets the coefficient of Coulomb's friction. It is not needed where
  * rollcon_wheelrail_set_friction_by_angle gives it.
  *   mu         0 to 10
  * Also returns: ROLLCON_ERR_NONFINITE.
@@ -2238,19 +2252,19 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_table(rollcon_whee
     const rollcon_table *table);
 
 /*
- * Solves all patches in full again, as a new handle does.
+ * Solves all patches in full again, like a new handle.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_forget_table(
     rollcon_wheelrail *wheelrail);
 
 /*
- * With a creep-force table (rollcon_wheelrail_set_table; without one nothing changes): takes
- * Hertz's pressures on an ellipse that each patch's overlap gives, and solves for none. A step
+ * Takes Hertz's pressures on an ellipse that each patch's overlap gives, and solves for none,
+ * with a creep-force table (rollcon_wheelrail_set_table; without one nothing changes). A step
  * takes tens of microseconds instead of about a millisecond; docs/wheelrail.md has the errors.
- * Patches have their statistics; their contacts have no solution (ROLLCON_ERR_STATE of what asks
- * for one). A patch that the table does not have is solved in full; statistic hertzian of the
- * patch is 0.
- *   on         1: ellipses of the overlaps; 0: pressures are solved for, as in a new handle
+ * Patches have their statistics; their contacts have no solution (ROLLCON_ERR_STATE from calls
+ * that ask for one). A patch that the table does not have is solved in full; statistic hertzian
+ * of the patch is 0.
+ *   on         1: ellipses of the overlaps; 0: pressures are solved for, the standard
  * Source: docs/wheelrail.md.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_hertzian(
@@ -2262,8 +2276,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_hertzian(
  * within a patch. Its compliance is that of half-spaces on the frame unrolled (docs/theory.md,
  * section 11), its operators are made anew at every position, so that a step takes tens of
  * milliseconds, and derivatives of the totals are differences of solves. Creep-force tables are
- * left aside: statistic by_table of a patch is 0.
- *   on         1: along the profiles; 0: in a plane, as in a new handle
+ * not used: statistic by_table of a patch is 0.
+ *   on         1: along the profiles; 0: in a plane, the standard
  * Source: docs/wheelrail.md.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_conformal(
@@ -2285,7 +2299,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_friction_by_angle(
 
 /*
  * Sets how accurate forces are to be: the frames of the patches are as fine as that takes.
- *   accuracy   of tangential forces, as part of the limit of friction: 0.005 to 1, standard 0.01
+ *   accuracy   error of tangential forces over the limit of friction: 0.005 to 1, standard 0.01
  * Also returns: ROLLCON_ERR_NONFINITE.
  * Source: docs/wheelrail.md.
  */
@@ -2319,19 +2333,19 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_request_cancel(
     rollcon_wheelrail *wheelrail);
 
 /*
- * Solves many positions on the threads of the context, each by itself from nothing, as after
+ * Solves many positions on the threads of the context, each by itself from nothing, like after
  * rollcon_wheelrail_reset, with what else is set: results do not depend on the other positions,
  * their order, or the number of threads, to the last bit. A row of totals has force and moment on
  * the wheel in the track (rollcon_wheelrail_get_resultant), z, vertical force and frictional
- * power. A position that fails has its negative status and NaN and leaves the others alone; texts
- * go to the log as warnings. The status returned is the worst in the order that holds for all
- * calls; CANCELLED says that some were not solved. The wheel and its last solution stay as they
- * are.
+ * power. A position that fails has its negative status and NaN and does not affect the others;
+ * texts go to the log as warnings. The status returned is the worst in the order that holds for
+ * all calls; CANCELLED says that some were not solved. The wheel and its last solution do not
+ * change.
  *   n           >= 0
- *   positions   [n][6]; as rollcon_wheelrail_set_position takes them; NULL only with n = 0
- *   velocities  [n][6]; as rollcon_wheelrail_set_velocity takes them; NULL only with n = 0
+ *   positions   [n][6]; those of rollcon_wheelrail_set_position; NULL only with n = 0
+ *   velocities  [n][6]; those of rollcon_wheelrail_set_velocity; NULL only with n = 0
  *   totals      [n][9], out; a row for each position; NULL only with n = 0
- *   status      [n], out, may be NULL; as rollcon_wheelrail_solve would return
+ *   status      [n], out, may be NULL; what rollcon_wheelrail_solve would return for each
  * Also returns: ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
  *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_TOO_DEEP, ROLLCON_DERAILED, ROLLCON_ERR_STATE,
  *   ROLLCON_ERR_MEMORY, ROLLCON_ERR_MESH.
@@ -2342,26 +2356,26 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_solve_many(
     double *totals, int32_t *status);
 
 /*
- * Wear of wheel and rail by a spectrum of positions: solves them as rollcon_wheelrail_solve_many
- * does, and adds the depths that a pass of each wears off either body (rollcon_contact_get_wear)
- * times its weight. A pass is one revolution of the wheel, or one wheel over the rail. Depths are
- * normal to the profiles, at points at equal arc lengths from end to end
- * (rollcon_body_get_profile_point); depth times the points' shares of the profile's length adds
- * up to the volume. Patches of a wheel count with their shares. Positions without a solution wear
- * nothing, and are told as rollcon_wheelrail_solve_many tells them. ROLLCON_ERR_STATE: something
- * is missing, or forces come from a table (rollcon_wheelrail_set_table), which knows of no slip.
+ * Finds the wear of wheel and rail by a spectrum of positions: solves them like
+ * rollcon_wheelrail_solve_many, and adds the depths that a pass of each wears off either body
+ * (rollcon_contact_get_wear) times its weight. A pass is one revolution of the wheel, or one
+ * wheel over the rail. Depths are normal to the profiles, at points at equal arc lengths from end
+ * to end (rollcon_body_get_profile_point); depth times the points' lengths of the profile adds up
+ * to the volume. Patches of a wheel count with their weights. Positions without a solution wear
+ * nothing, and are reported like by rollcon_wheelrail_solve_many. ROLLCON_ERR_STATE: something is
+ * missing, or forces come from a table (rollcon_wheelrail_set_table), which knows of no slip.
  *   n_cases     1 to 100000
- *   positions   [n_cases][6]; as rollcon_wheelrail_set_position takes them
- *   velocities  [n_cases][6]; as rollcon_wheelrail_set_velocity takes them
+ *   positions   [n_cases][6]; those of rollcon_wheelrail_set_position
+ *   velocities  [n_cases][6]; those of rollcon_wheelrail_set_velocity
  *   weights     [n_cases]; >= 0; NULL: each 1/n_cases
- *   law         as of rollcon_contact_get_wear
+ *   law         that of rollcon_contact_get_wear
  *   n           parameters of the law
  *   parameters  [n]; of the law
  *   points      2 to 1000000, times n_cases at most 2e7
  *   wheel       [points], out; depth per pass, length; NULL: not wanted
  *   rail        [points], out; depth per pass, length; NULL: not wanted
  *   volumes     [2], out; per length rolled, of wheel and rail, length^2; NULL: not wanted
- *   status      [n_cases], out, may be NULL; as rollcon_wheelrail_solve would return
+ *   status      [n_cases], out, may be NULL; what rollcon_wheelrail_solve would return for each
  * Also returns: ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
  *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_TOO_DEEP, ROLLCON_DERAILED,
  *   ROLLCON_ERR_NONFINITE, ROLLCON_ERR_OPTION, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
@@ -2373,9 +2387,9 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_find_wear(rollcon_whee
     double *rail, double *volumes, int32_t *status);
 
 /*
- * Keeps what is set and the last solution at a place within the wheel, for
- * rollcon_wheelrail_restore: integrators step back. Nothing is allocated where as much was kept
- * before.
+ * Saves what is set and the last solution at a place within the wheel, for
+ * rollcon_wheelrail_restore, because integrators step back. Nothing is allocated where as much
+ * was saved before.
  *   place      0 to 15
  * Also returns: ROLLCON_ERR_MEMORY.
  */
@@ -2383,10 +2397,10 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_save(rollcon_wheelrail
     int32_t place);
 
 /*
- * Goes back to what was kept: inputs, results, and later solves are as if nothing had been done
- * since, to the last bit. ROLLCON_ERR_STATE: nothing was kept at this place, or track or wheelset
- * have been set since. What was kept stays. Contacts of patches that were new since then are no
- * longer those of this wheel.
+ * Goes back to what was saved: inputs, results, and later solves are as if nothing had been done
+ * since, to the last bit. ROLLCON_ERR_STATE: nothing was saved at this place, or track or
+ * wheelset have been set since. What was saved stays. Contacts of patches that were new since
+ * then are no longer those of this wheel.
  *   place      0 to 15
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
  */
@@ -2394,8 +2408,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_restore(rollcon_wheelr
     int32_t place);
 
 /*
- * Makes another wheel on its rail with the same bodies, inputs and last solution, and no states
- * kept: both go on alike to the last bit.
+ * Makes another wheel on its rail with the same bodies, inputs and last solution, and no saved
+ * states: both go on alike to the last bit.
  *   copy       new handle
  * Ownership: The caller owns the new handle: release it. *copy is NULL after a failure.
  * Also returns: ROLLCON_ERR_MEMORY.
@@ -2410,10 +2424,10 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_copy(
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_reset(rollcon_wheelrail *wheelrail);
 
 /* -------------------------------------------------------------------- Wheel on rail: results */
-/* Of the last solve; ROLLCON_ERR_STATE before one. Forces are those on the wheel. */
+/* Results of the last solve; ROLLCON_ERR_STATE before one. Forces are those on the wheel. */
 
 /*
- * Number of patches, from 0.
+ * Returns the number of patches, from 0.
  *   patches    out
  * Also returns: ROLLCON_ERR_STATE.
  */
@@ -2421,7 +2435,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_get_patch_count(
     const rollcon_wheelrail *wheelrail, int64_t *patches);
 
 /*
- * Force of all patches on the wheel and its moment about the wheelset's centre.
+ * Returns the force of all patches on the wheel and its moment about the wheelset's centre.
  *   axes       ROLLCON_IN_TRACK or ROLLCON_IN_WHEELSET
  *   force      [3], out, may be NULL; force
  *   moment     [3], out, may be NULL; force x length
@@ -2431,17 +2445,17 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_get_resultant(
     const rollcon_wheelrail *wheelrail, int32_t axes, double *force, double *moment);
 
 /*
- * Derivatives of the totals of the last solve by one entry of its position or velocity: of what
- * rollcon_wheelrail_get_resultant gives in the track, and of the wheelset's z. Where the height
- * was found from a vertical force, that force stays and z follows; entry 2 has none then. They
- * are those of Newton's systems at the solutions of the patches, whose axes move with the
- * overlap; with a creep-force table, central differences of solves. The first call finds all
- * twelve and keeps them until the next solve. ROLLCON_ERR_STATE: no solution, or one that did not
- * converge. ROLLCON_ERR_SINGULAR: a patch begins or ends here.
+ * Returns the derivatives of the totals of the last solve by one entry of its position or
+ * velocity: those of what rollcon_wheelrail_get_resultant gives in the track, and derivatives of
+ * the wheelset's z. Where the height was found from a vertical force, that force stays and z
+ * follows; entry 2 has none then. They are those of Newton's systems at the solutions of the
+ * patches, whose axes move with the overlap; with a creep-force table, central differences of
+ * solves. The first call finds all twelve and keeps them until the next solve. ROLLCON_ERR_STATE:
+ * no solution, or one that did not converge. ROLLCON_ERR_SINGULAR: a patch begins or ends here.
  *   entry      0 to 5: of the position (rollcon_wheelrail_set_position); 6 to 11: of the velocity
- *   force      [3], out, may be NULL; of the force on the wheel
- *   moment     [3], out, may be NULL; of its moment about the wheelset's centre, which moves
- *              along
+ *   force      [3], out, may be NULL; derivative of the force on the wheel
+ *   moment     [3], out, may be NULL; derivative of its moment about the wheelset's centre, which
+ *              moves along
  *   z          out, may be NULL; of the wheelset's z
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY.
  * Source: docs/wheelrail.md.
@@ -2450,8 +2464,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_get_derivative(
     rollcon_wheelrail *wheelrail, int32_t entry, double *force, double *moment, double *z);
 
 /*
- * One number about the last solve: height, vertical force, frictional power, counts. Names:
- * rollcon_wheelrail_stat_name; meanings: docs/wheelrail.md.
+ * Returns one number about the last solve: height, vertical force, frictional power, counts.
+ * Names: rollcon_wheelrail_stat_name; meanings: docs/wheelrail.md.
  *   value      out
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_OPTION.
  */
@@ -2459,13 +2473,13 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_get_stat(
     const rollcon_wheelrail *wheelrail, const char *name, double *value);
 
 /*
- * Number of statistics of a wheel on its rail.
+ * Returns the number of statistics of a wheel on its rail.
  * Threads: any.
  */
 ROLLCON_API int32_t ROLLCON_CALL rollcon_wheelrail_stat_count(void);
 
 /*
- * Name of a statistic of a wheel on its rail.
+ * Returns the name of a statistic of a wheel on its rail.
  *   i         0 to rollcon_wheelrail_stat_count() - 1
  * Also returns: ROLLCON_ERR_CAPACITY.
  * Threads: any.
@@ -2474,10 +2488,11 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_stat_name(int32_t i, i
     char *text, int64_t *needed);
 
 /*
- * Where a point of the wheel's or the rail's profile stood in the last solve, in the track: for
- * pictures. The wheel's profile is that in the plane of its axle, below it.
+ * Returns where a point of the wheel's or the rail's profile stood in the last solve, in the
+ * track, for pictures. The wheel's profile is that in the plane of its axle, below it.
  *   body       1: wheel, 2: rail
- *   share      0 to 1: of the length of that body's profile, from the end where y is less
+ *   share      fraction of the length of that body's profile, 0 to 1, from the end where y is
+ *              less
  *   point      [2], out; y and z, length
  * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE.
  */
@@ -2485,8 +2500,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_get_profile_point(
     const rollcon_wheelrail *wheelrail, int32_t body, double share, double *point);
 
 /*
- * One number about a patch: position, angle, rolling radius, creepages, forces, status. Names:
- * rollcon_wheelrail_patch_stat_name; meanings: docs/wheelrail.md.
+ * Returns one number about a patch: position, angle, rolling radius, creepages, forces, status.
+ * Names: rollcon_wheelrail_patch_stat_name; meanings: docs/wheelrail.md.
  *   patch      0 to rollcon_wheelrail_get_patch_count - 1
  *   value      out
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_OPTION.
@@ -2495,13 +2510,13 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_get_patch_stat(
     const rollcon_wheelrail *wheelrail, int32_t patch, const char *name, double *value);
 
 /*
- * Number of statistics of a patch.
+ * Returns the number of statistics of a patch.
  * Threads: any.
  */
 ROLLCON_API int32_t ROLLCON_CALL rollcon_wheelrail_patch_stat_count(void);
 
 /*
- * Name of a statistic of a patch.
+ * Returns the name of a statistic of a patch.
  *   i         0 to rollcon_wheelrail_patch_stat_count() - 1
  * Also returns: ROLLCON_ERR_CAPACITY.
  * Threads: any.
@@ -2510,11 +2525,11 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_patch_stat_name(int32_
     int64_t capacity, char *text, int64_t *needed);
 
 /*
- * Origin and axes of the contact of a patch (rollcon_wheelrail_get_contact) in the track: a node
- * at (x, y, z) of the contact is at origin + x t1 + y t2 + z n. Those of a left wheel are a
- * mirror image: a left-handed triple.
+ * Returns origin and axes of the contact of a patch (rollcon_wheelrail_get_contact) in the track:
+ * a node at (x, y, z) of the contact is at origin + x t1 + y t2 + z n. The axes of a left wheel
+ * are a mirror image: a left-handed triple.
  *   patch      0 to rollcon_wheelrail_get_patch_count - 1
- *   origin     [3], out, may be NULL; the middle of its frame; x counts from the wheelset's, as
+ *   origin     [3], out, may be NULL; the middle of its frame; x counts from the wheelset's, like
  *              the statistic, length
  *   axes       [9], out, may be NULL; unit vectors t1 (the rolling direction), t2 (across), n
  *              (into the rail)
@@ -2524,9 +2539,9 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_get_patch_axes(
     const rollcon_wheelrail *wheelrail, int32_t patch, double *origin, double *axes);
 
 /*
- * The contact of a patch: body 1 is the wheel, body 2 the rail, and all its results are in the
- * axes of the patch, t1 along the rolling direction. It is there to be read: calls that change a
- * contact are ROLLCON_ERR_STATE, but rollcon_contact_set_progress and
+ * Returns the contact of a patch: body 1 is the wheel, body 2 the rail, and all its results are
+ * in the axes contact of the patch, t1 along the rolling direction. It is there to be read: calls
+ * that change a contact are ROLLCON_ERR_STATE, except rollcon_contact_set_progress and
  * rollcon_contact_request_cancel. The next solve of the wheel on its rail changes it. Both are
  * one object to threads: while either is in use, so is the other.
  *   patch      0 to rollcon_wheelrail_get_patch_count - 1
@@ -2552,7 +2567,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_get_contact(
  *   right   made with ROLLCON_RIGHT
  *   n       >= 0
  *   shift   [n]; y of the wheelset's centre, length; such that both wheels find their rails
- *   points  [n][13], out; a row for each shift; what is behind a shift that fails is left alone
+ *   points  [n][13], out; a row for each shift; what is behind a shift that fails is not written
  * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
  * Source: docs/wheelrail.md.
  */
@@ -2561,7 +2576,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_find_contact_points(
     double *points);
 
 /*
- * Finds equivalent conicities as EN 15302 defines them: of cones whose free wheelset has the same
+ * Finds the equivalent conicities of EN 15302: those of cones whose free wheelset has the same
  * wavelength at the same amplitude of its kinematic motion, from the rolling-radius difference by
  * integration of y'' = -difference / (e r). Shifts count at the height of the rails.
  *   left        made with ROLLCON_LEFT
@@ -2580,55 +2595,60 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_find_conicity(rollcon_
     double *wavelength);
 
 /* ----------------------------------------------------------------------- Handles as integers */
-/* For languages without pointers (the FORTRAN 77 layer). Neither direction changes reference
-   counts. */
+/* These functions serve languages without pointers (the FORTRAN 77 layer). Neither direction
+   changes reference counts. */
 
 /*
- * Positive number of a handle; 0 for NULL and for handles that are not alive.
+ * Returns the positive number of a handle; 0 for NULL and for handles that are not alive.
  *   handle  may be NULL; of any kind
  * Threads: any.
  */
 ROLLCON_API int32_t ROLLCON_CALL rollcon_id_of(const void *handle);
 
 /*
- * Handle with this number; NULL for 0. Not checked here: its use is (ROLLCON_ERR_HANDLE).
+ * Returns the handle with this number; NULL for 0. It is not checked here: its use is
+ * (ROLLCON_ERR_HANDLE).
  * Threads: any.
  */
 ROLLCON_API rollcon_context *ROLLCON_CALL rollcon_context_from_id(int32_t id);
 
 /*
- * Handle with this number; NULL for 0. Not checked here: its use is (ROLLCON_ERR_HANDLE).
+ * Returns the handle with this number; NULL for 0. It is not checked here: its use is
+ * (ROLLCON_ERR_HANDLE).
  * Threads: any.
  */
 ROLLCON_API rollcon_body *ROLLCON_CALL rollcon_body_from_id(int32_t id);
 
 /*
- * Handle with this number; NULL for 0. Not checked here: its use is (ROLLCON_ERR_HANDLE).
+ * Returns the handle with this number; NULL for 0. It is not checked here: its use is
+ * (ROLLCON_ERR_HANDLE).
  * Threads: any.
  */
 ROLLCON_API rollcon_contact *ROLLCON_CALL rollcon_contact_from_id(int32_t id);
 
 /*
- * Handle with this number; NULL for 0. Not checked here: its use is (ROLLCON_ERR_HANDLE).
+ * Returns the handle with this number; NULL for 0. It is not checked here: its use is
+ * (ROLLCON_ERR_HANDLE).
  * Threads: any.
  */
 ROLLCON_API rollcon_wheelrail *ROLLCON_CALL rollcon_wheelrail_from_id(int32_t id);
 
 /*
- * Handle with this number; NULL for 0. Not checked here: its use is (ROLLCON_ERR_HANDLE).
+ * Returns the handle with this number; NULL for 0. It is not checked here: its use is
+ * (ROLLCON_ERR_HANDLE).
  * Threads: any.
  */
 ROLLCON_API rollcon_table *ROLLCON_CALL rollcon_table_from_id(int32_t id);
 
 /* ------------------------------------------------------------------------ Creep-force tables */
-/* Forces and spin moment of Hertzian steady rolling, from solved cases, in about a microsecond.
-   What a table is given or makes stays: once it is there, any number of threads evaluate it.
-   docs/tables.md has its errors. */
+/* A table gives forces and spin moment of Hertzian steady rolling, from solved cases, in about a
+   microsecond. What a table is given or makes stays: once it is there, any number of threads
+   evaluate it. docs/tables.md has its errors. */
 
 /*
- * Makes a table without samples. Standard: semi-axes' ratios a / b 1/25 to 25 in 12 intervals, 18
- * magnitudes, 16 angles, 16 directions, frames as rollcon_table_set_frame(12, 10) makes them,
- * Poisson's ratios 0.28 and 0.3.
+ * Makes a table without samples. The standard is semi-axes' ratios a / b 1/25 to 25 in 12
+ * intervals, 18 magnitudes, 16 angles, 16 directions, the frames of rollcon_table_set_frame(12,
+ * 10), Poisson's ratios 0.28 and 0.3.
  *   table    new handle
  * Ownership: The caller owns the new handle: release it. It keeps the context alive. *table is
  *   NULL after a failure.
@@ -2675,9 +2695,9 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_standard(rollcon_context *
     rollcon_table **table);
 
 /*
- * Sets which ratios a / b of semi-axes the table has. Before the first sample (else
+ * Sets which ratios a / b of semi-axes the table has. Call it before the first sample (else
  * ROLLCON_ERR_STATE).
- *   intervals  of the logarithm of the ratio, 4 to 100
+ *   intervals  intervals of the logarithm of the ratio, 4 to 100
  *   least      0.01 or more
  *   greatest   more than the least, at most 100
  * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE.
@@ -2686,10 +2706,11 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_set_ratios(rollcon_table *
     int32_t intervals, double least, double greatest);
 
 /*
- * Sets how fine the table is in the creepages. Before the first sample (else ROLLCON_ERR_STATE).
+ * Sets how fine the table is in the creepages. Call it before the first sample (else
+ * ROLLCON_ERR_STATE).
  *   magnitudes  intervals from none to vast creepages, 4 to 100
  *   angles      intervals from pure spin to none, 4 to 100
- *   directions  of the translational creepage in half a turn, even, 4 to 32
+ *   directions  directions of the translational creepage in half a turn, even, 4 to 32
  * Also returns: ROLLCON_ERR_STATE.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_set_resolution(rollcon_table *table,
@@ -2697,19 +2718,19 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_set_resolution(rollcon_tab
 
 /*
  * Sets the coarser of the two frames of strips on which samples of circles are solved; those of
- * longer ellipses have more cells along their length and fewer across. Before the first sample
- * (else ROLLCON_ERR_STATE).
+ * longer ellipses have more cells along their length and fewer across. Call it before the first
+ * sample (else ROLLCON_ERR_STATE).
  *   along   elements along each strip, 6 to 100; the finer frame has twice as many
- *   across  strips, 4 to 100; likewise
+ *   across  strips, 4 to 100; the finer frame has twice as many
  * Also returns: ROLLCON_ERR_STATE.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_set_frame(rollcon_table *table,
     int32_t along, int32_t across);
 
 /*
- * Makes it a table of bodies of equal elastic constants, as a new one is, and sets its Poisson's
- * ratios; it is linear between two, cubic between more, and has none beyond. Before the first
- * sample (else ROLLCON_ERR_STATE).
+ * Makes it a table of bodies of equal elastic constants, which a new one is, and sets its
+ * Poisson's ratios; it is linear between two, cubic between more, and has none beyond. Call it
+ * before the first sample (else ROLLCON_ERR_STATE).
  *   n         1 to 16
  *   poissons  [n]; ascending, -1 to 0.5
  * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE.
@@ -2724,10 +2745,10 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_set_poissons(rollcon_table
  * more, and has none beyond. rollcon_table_evaluate then takes as shear and poisson the mean
  * values of the bodies (rollcon_contact_get_equivalent_ellipse), and creepages without the strain
  * under the pressure. Each coefficient of friction takes as long as two to three Poisson's ratios
- * of like bodies. Bodies whose (1 - 2 nu)/(2 G) are the same make a table of like bodies. Before
- * the first sample (else ROLLCON_ERR_STATE).
+ * of like bodies. Bodies whose (1 - 2 nu)/(2 G) are the same make a table of like bodies. Call it
+ * before the first sample (else ROLLCON_ERR_STATE).
  *   youngs     [2]; Young's moduli of bodies 1 and 2, in any unit; 0: rigid, not both
- *   poissons   [2]; -1 to 0.5; of a rigid body no matter
+ *   poissons   [2]; -1 to 0.5; ignored for a rigid body
  *   n          1 to 16
  *   frictions  [n]; coefficients of friction, ascending, above 0 to 10
  * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
@@ -2766,8 +2787,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_make(rollcon_table *table,
     int32_t parts);
 
 /*
- * All samples; NaN where one is not solved yet. None of a table that was loaded, or before
- * rollcon_table_make.
+ * Returns all samples; NaN where one is not solved yet. There are none in a table that was
+ * loaded, or before rollcon_table_make.
  *   capacity  numbers that fit; 0: only the need
  *   samples   [capacity], out, may be NULL
  *   count     out; numbers that there are
@@ -2796,14 +2817,15 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_save(rollcon_table *table,
     const char *path);
 
 /*
- * Forces and spin moments on body 1 of n contacts, by the signs of rollcon_contact_get_resultant.
- * |F| is never above friction times load. Nothing is allocated. Inputs are those of a Hertzian
- * contact: shear modulus, Poisson's ratio, coefficient of friction, semi-axes along and across
- * the rolling direction, load, creepages along and across it, spin. The first entry that the
- * table does not have is ROLLCON_ERR_ARGUMENT (ROLLCON_ERR_NONFINITE) and ends the call; results
- * before it are there. ROLLCON_ERR_STATE: the table is not made yet.
+ * Returns forces and spin moments on body 1 of n contacts, by the signs of
+ * rollcon_contact_get_resultant. |F| is never above friction times load. Nothing is allocated.
+ * Inputs are those of a Hertzian contact: shear modulus, Poisson's ratio, coefficient of
+ * friction, semi-axes along and across the rolling direction, load, creepages along and across
+ * it, spin. The first entry that the table does not have is ROLLCON_ERR_ARGUMENT
+ * (ROLLCON_ERR_NONFINITE) and ends the call; results before it are there. ROLLCON_ERR_STATE: the
+ * table is not made yet.
  *   n        entries
- *   inputs   [n][9]; shear > 0, force/length^2; poisson, as the table has it; friction 0 to 10; a
+ *   inputs   [n][9]; shear > 0, force/length^2; poisson, within the table; friction 0 to 10; a
  *            and b > 0, length; load >= 0, force; longitudinal and lateral creepage; spin,
  *            1/length
  *   results  [n][3], out; force along t1 and t2; moment about n, force length
@@ -2815,11 +2837,12 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_evaluate(const rollcon_tab
     int64_t n, const double *inputs, double *results);
 
 /*
- * The same with derivatives, which are continuous, by all inputs.
+ * Does what rollcon_table_evaluate does, and returns derivatives by all inputs, which are
+ * continuous.
  *   n            entries
- *   inputs       [n][9]; as rollcon_table_evaluate takes them
- *   results      [n][3], out; likewise
- *   derivatives  [n][3][9], out; of each result by each input
+ *   inputs       [n][9]; those of rollcon_table_evaluate
+ *   results      [n][3], out; those of rollcon_table_evaluate
+ *   derivatives  [n][3][9], out; derivative of each result by each input
  * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE.
  * Threads: any.
  * Source: docs/tables.md.
@@ -2829,13 +2852,13 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_evaluate_derivatives(
     double *derivatives);
 
 /*
- * Tangential forces and spin moment on body 1 of a solved contact, from the Hertzian contact that
- * stands for it (rollcon_contact_get_equivalent_ellipse): friction of a contact that was solved
- * without, at the price of its pressures. The moment is about the contact's origin.
+ * Returns tangential forces and spin moment on body 1 of a solved contact, from the Hertzian
+ * contact that stands for it (rollcon_contact_get_equivalent_ellipse): friction of a contact that
+ * was solved without, at the price of its pressures. The moment is about the contact's origin.
  * ROLLCON_ERR_ARGUMENT: the table does not have this ellipse, Poisson's ratio, friction, or pair
  * of bodies; asked about unlike bodies, a table of like ones adds the mean strain under the
- * pressure to the longitudinal creepage. ROLLCON_ERR_STATE, ROLLCON_ERR_UNSUPPORTED: as of
- * rollcon_contact_get_equivalent_ellipse, or the table is not made yet.
+ * pressure to the longitudinal creepage. ROLLCON_ERR_STATE, ROLLCON_ERR_UNSUPPORTED: for the
+ * reasons of rollcon_contact_get_equivalent_ellipse, or the table is not made yet.
  *   friction  coefficient, 0 to 10; -1: the contact's own, mean over its pressure
  *   results   [3], out; force along t1 and t2; moment about n, force length
  * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_UNSUPPORTED.

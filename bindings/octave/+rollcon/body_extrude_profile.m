@@ -1,8 +1,8 @@
 function varargout = body_extrude_profile(varargin)
 % BODY_EXTRUDE_PROFILE  rollcon.body_extrude_profile(body, origin, along, z_axis)
 %
-% The profile, moved along a straight line without end, is the surface of the body: x of the profile
-% points along, z along z_axis, y along z_axis x along.
+% Makes the profile, moved along a straight line without end, the surface of the body: x of the
+% profile points along `along`, z along z_axis, y along z_axis x along.
 %
 %   body (body): with a profile (else ERR_STATE)
 %   origin(3) (real): where the profile's point (0, 0) lies, length

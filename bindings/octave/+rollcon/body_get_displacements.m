@@ -1,8 +1,8 @@
 function varargout = body_get_displacements(varargin)
 % BODY_GET_DISPLACEMENTS  u = rollcon.body_get_displacements(body)
 %
-% Displacement of every node under the body's own loads and given displacements; zero when there are
-% none, and for rigid bodies.
+% Returns the displacement of every node under the body's own loads and given displacements; zero when
+% there are none, and for rigid bodies.
 %
 %   body (body)
 % Results:

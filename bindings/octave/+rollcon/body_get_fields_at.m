@@ -1,9 +1,9 @@
 function varargout = body_get_fields_at(varargin)
 % BODY_GET_FIELDS_AT  [displacement, stress] = rollcon.body_get_fields_at(body, nodes, u, xyz)
 %
-% Displacements and stresses at any points inside a body: of finite elements the smoothed ones of
-% nodes, between them as the elements' shape functions have them, of boundary elements by Somigliana's
-% identities, as near to the surface as wanted, and on it. Otherwise like
+% Returns displacements and stresses at any points inside a body: for finite elements the smoothed
+% ones of nodes, interpolated by the elements' shape functions, for boundary elements by Somigliana's
+% identities, as near to the surface as wanted, and on it. The call is otherwise like
 % rollcon.body_get_node_stresses. ERR_ARGUMENT also: a point is outside (a millionth of the element's
 % size beyond its faces is still inside).
 %

@@ -1,8 +1,8 @@
 function varargout = body_get_group_count(varargin)
 % BODY_GET_GROUP_COUNT  n = rollcon.body_get_group_count(body)
 %
-% How many groups the mesh's file has that name something of the body. 0 for a mesh that was not read,
-% and for a body that was saved and loaded.
+% Returns how many groups of the mesh's file name something of the body; 0 for a mesh that was not
+% read, and for a body that was saved and loaded.
 %
 %   body (body)
 % Results:

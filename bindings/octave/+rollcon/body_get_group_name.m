@@ -1,7 +1,7 @@
 function varargout = body_get_group_name(varargin)
 % BODY_GET_GROUP_NAME  text = rollcon.body_get_group_name(body, i)
 %
-% The name of a group as the file has it.
+% Returns the name of a group in the file's spelling.
 %
 %   body (body)
 %   i (row): 0 to rollcon.body_get_group_count - 1

@@ -1,7 +1,7 @@
 function varargout = body_get_group_nodes(varargin)
 % BODY_GET_GROUP_NODES  nodes = rollcon.body_get_group_nodes(body, group)
 %
-% The nodes of all that a group has, ascending: for rollcon.body_set_support,
+% Returns the nodes of all that a group has, ascending, for rollcon.body_set_support and
 % rollcon.body_tag_faces_of_nodes.
 %
 %   body (body)

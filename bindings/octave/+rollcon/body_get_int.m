@@ -1,7 +1,7 @@
 function varargout = body_get_int(varargin)
 % BODY_GET_INT  value = rollcon.body_get_int(body, name)
 %
-% Value of an integer option.
+% Returns the value of an integer option.
 %
 %   body (body)
 %   name (text)

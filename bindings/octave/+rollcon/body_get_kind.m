@@ -1,7 +1,7 @@
 function varargout = body_get_kind(varargin)
 % BODY_GET_KIND  kind = rollcon.body_get_kind(body)
 %
-% The model given to rollcon.body_create.
+% Returns the model given to rollcon.body_create.
 %
 %   body (body)
 % Results:

@@ -1,8 +1,8 @@
 function varargout = body_get_point_stresses(varargin)
 % BODY_GET_POINT_STRESSES  [stress, xyz] = rollcon.body_get_point_stresses(body, nodes, u)
 %
-% Stresses at the integration points of all finite elements, element by element, as the elements
-% themselves balance loads with them, and the points' places. Otherwise like
+% Returns stresses at the integration points of all finite elements, element by element, with which
+% the elements themselves balance loads, and the points' places. The call is otherwise like
 % rollcon.body_get_node_stresses.
 %
 %   body (body)

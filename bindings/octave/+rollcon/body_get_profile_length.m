@@ -1,7 +1,7 @@
 function varargout = body_get_profile_length(varargin)
 % BODY_GET_PROFILE_LENGTH  length = rollcon.body_get_profile_length(body)
 %
-% Arc length of the profile. Works before rollcon.body_prepare.
+% Returns the arc length of the profile. It works before rollcon.body_prepare.
 %
 %   body (body): with a profile (else ERR_STATE)
 % Results:

@@ -1,8 +1,8 @@
 function varargout = body_get_profile_point(varargin)
 % BODY_GET_PROFILE_POINT  [point, tangent, curvature] = rollcon.body_get_profile_point(body, s)
 %
-% Point, tangent and curvature of the profile at an arc length, counted from the end where y is less.
-% Works before rollcon.body_prepare.
+% Returns point, tangent and curvature of the profile at an arc length, counted from the end where y
+% is less. It works before rollcon.body_prepare.
 %
 %   body (body): with a profile (else ERR_STATE)
 %   s (real): 0 to rollcon.body_get_profile_length, length

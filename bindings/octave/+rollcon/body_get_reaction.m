@@ -1,9 +1,9 @@
 function varargout = body_get_reaction(varargin)
 % BODY_GET_REACTION  [force, moment] = rollcon.body_get_reaction(body)
 %
-% Resultant of the forces that the supports exert on the body under its own loads and given
-% displacements, and its moment about the origin of the body's axes. It balances the loads up to the
-% error of the discretisation: a measure of it.
+% Returns the resultant of the forces that the supports exert on the body under its own loads and
+% given displacements, and its moment about the origin of the body's axes. It balances the loads up to
+% the error of the discretisation: a measure of it.
 %
 %   body (body)
 % Results:

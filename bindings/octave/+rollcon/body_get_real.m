@@ -1,7 +1,7 @@
 function varargout = body_get_real(varargin)
 % BODY_GET_REAL  value = rollcon.body_get_real(body, name)
 %
-% Value of a real option.
+% Returns the value of a real option.
 %
 %   body (body)
 %   name (text)

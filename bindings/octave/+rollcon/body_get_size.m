@@ -1,7 +1,8 @@
 function varargout = body_get_size(varargin)
 % BODY_GET_SIZE  [nodes, elements] = rollcon.body_get_size(body)
 %
-% Nodes and elements given so far; 0 for bodies without a mesh. Works before rollcon.body_prepare.
+% Returns the nodes and elements given so far; 0 for bodies without a mesh. It works before
+% rollcon.body_prepare.
 %
 %   body (body)
 %

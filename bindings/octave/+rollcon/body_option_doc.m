@@ -1,7 +1,7 @@
 function varargout = body_option_doc(varargin)
 % BODY_OPTION_DOC  text = rollcon.body_option_doc(i)
 %
-% What an option of bodies means.
+% Returns what an option of bodies means.
 %
 %   i (row): 0 to rollcon.body_option_count() - 1
 %

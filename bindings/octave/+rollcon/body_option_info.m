@@ -1,7 +1,7 @@
 function varargout = body_option_info(varargin)
 % BODY_OPTION_INFO  [name, type, low, high, standard] = rollcon.body_option_info(i)
 %
-% Row of the table of options of bodies.
+% Returns a row of the table of options of bodies.
 %
 %   i (row): 0 to rollcon.body_option_count() - 1
 % Results:

@@ -1,16 +1,16 @@
 function varargout = body_read_mesh(varargin)
 % BODY_READ_MESH  rollcon.body_read_mesh(body, path, part)
 %
-% Takes nodes, elements and names from a file, in place of all that the mesh was: of Gmsh, where the
-% name ends in .msh (versions 2 to 2.2 and 4.1, text or binary), of Abaqus or CalculiX, where it ends
+% Takes nodes, elements and names from a file, in place of the whole former mesh: a file of Gmsh if
+% the name ends in .msh (versions 2 to 2.2 and 4.1, text or binary), of Abaqus or CalculiX if it ends
 % in .inp. Linear and quadratic tetrahedra, wedges and hexahedra for finite-element bodies, with the
 % surface elements that have a name; triangles and quadrilaterals for all others. Orders of nodes are
-% changed to those of rollcon; hexahedra of 27 nodes and wedges of 18 give up those inside their
-% faces. Nodes that no element has are left out, the others keep the order of the file. Groups are
-% Gmsh's physical groups (nameless ones: "surface 2", ...), Abaqus's sets and surfaces. An element's
-% tag is its (first) physical group in Gmsh, else 0: rollcon.body_tag_group. ERR_IO names the file,
-% the line (in binary files the byte) and what is wrong there; ERR_MESH: no element that the body
-% could take. Shapes are checked by rollcon.body_prepare.
+% changed to those of rollcon; hexahedra of 27 nodes and wedges of 18 lose those inside their faces.
+% Nodes that no element has are left out, the others keep the order of the file. Groups are Gmsh's
+% physical groups (nameless ones: "surface 2", ...), Abaqus's sets and surfaces. An element's tag is
+% its (first) physical group in Gmsh, else 0: rollcon.body_tag_group. ERR_IO names the file, the line
+% (in binary files the byte) and what is wrong there; ERR_MESH: no element that the body could take.
+% Shapes are checked by rollcon.body_prepare.
 %
 %   body (body): with a mesh, not prepared (else ERR_STATE)
 %   path (name of a file): name of the file, which ends in .msh or .inp

@@ -1,8 +1,8 @@
 function varargout = body_set_contact_faces(varargin)
 % BODY_SET_CONTACT_FACES  rollcon.body_set_contact_faces(body, tags)
 %
-% Says which faces may come into contact: on them gaps are computed and frames laid. Standard: all
-% faces that are neither held nor loaded.
+% Says which faces may come into contact: gaps are computed and frames laid on them. The standard is
+% all faces that are neither held nor loaded.
 %
 %   body (body)
 %   tags(n) (int32, may be left out): each of some face (else ERR_ARGUMENT); [] only with n = 0

@@ -1,12 +1,11 @@
 function varargout = body_set_node_tractions(varargin)
 % BODY_SET_NODE_TRACTIONS  rollcon.body_set_node_tractions(body, tag, nodes, along, tractions)
 %
-% Prescribes tractions at nodes of the faces with a tag, between nodes as the faces' shape functions
-% have them, zero at nodes not named; replaces what an earlier call gave for the tag, and adds to its
-% traction and pressure. With a direction, `along`, the three components act along its part in the
-% surface, across (the outward normal times that), and along the outward normal. At
-% rollcon.body_prepare, ERR_MESH: a node is on no face with the tag, or the direction is normal to
-% one.
+% Prescribes tractions at nodes of the faces with a tag, interpolated by the faces' shape functions,
+% zero at nodes not named; replaces what an earlier call gave for the tag, and adds to its traction
+% and pressure. With a direction, `along`, the three components act along its part in the surface,
+% across (the outward normal times that), and along the outward normal. At rollcon.body_prepare,
+% ERR_MESH: a node is on no face with the tag, or the direction is normal to one.
 %
 %   body (body)
 %   tag (int32): of some face (else ERR_ARGUMENT)

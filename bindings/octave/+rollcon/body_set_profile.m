@@ -4,8 +4,8 @@ function varargout = body_set_profile(varargin)
 % Sets a profile through points, in either order: a cubic spline in arc length with two derivatives
 % continuous, broken at kinks (turns of 30 degrees and more, three times as much as beside them).
 % Points nearer to each other than a thousandth of the usual distance are dropped, and where the path
-% goes back and forth again the two points are replaced by their mean. Forgets the profile before and
-% its place. ERR_ARGUMENT names the point at which the path turns back.
+% goes back and forth again the two points are replaced by their mean. The former profile and its
+% place are forgotten. ERR_ARGUMENT names the point at which the path turns back.
 %
 %   body (body): a half-space or rigid, without a mesh (else ERR_STATE)
 %   points(n,2) (real): y and z of each, length

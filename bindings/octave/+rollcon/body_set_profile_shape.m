@@ -6,7 +6,7 @@ function varargout = body_set_profile_shape(varargin)
 % and curvature (0: a line; positive: from y to z) of each arc, each going on in the direction in
 % which the one before ends; "s1002" unit: the wheel, in lengths of which `unit` is a millimetre, the
 % middle of the tread at (0, 0), z down, the flange at y < 0; "60e1" unit: the head of the rail,
-% upright, its top at (0, 0), z down. Forgets the profile before and its place.
+% upright, its top at (0, 0), z down. The former profile and its place are forgotten.
 %
 %   body (body): a half-space or rigid, without a mesh (else ERR_STATE)
 %   shape (text): line, arc, arcs, s1002 or 60e1

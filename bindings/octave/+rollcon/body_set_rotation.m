@@ -2,7 +2,7 @@ function varargout = body_set_rotation(varargin)
 % BODY_SET_ROTATION  rollcon.body_set_rotation(body, tag, density, origin, rate)
 %
 % Prescribes the centrifugal forces of a steady rotation on the finite elements with a tag, added to
-% rollcon.body_set_body_force; replaces an earlier one. Stiffness is that of the body at rest.
+% rollcon.body_set_body_force; replaces an earlier one. The stiffness is that of the body at rest.
 %
 %   body (body)
 %   tag (int32): of volume elements

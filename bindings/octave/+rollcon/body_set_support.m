@@ -1,9 +1,10 @@
 function varargout = body_set_support(varargin)
 % BODY_SET_SUPPORT  rollcon.body_set_support(body, nodes, dof_mask, values)
 %
-% Holds displacement components of nodes, at zero or at given values. Adds to what is held already; a
-% component held twice takes the last value. A face is held where all its nodes are. A contact moves
-% what is held rigidly with approach and creepage; values deform the body on top of that.
+% Holds displacement components of nodes, at zero or at given values. The call adds to what is held
+% already; a component held twice takes the last value. A face is held where all its nodes are. A
+% contact moves what is held rigidly with approach and creepage; values deform the body on top of
+% that.
 %
 %   body (body)
 %   nodes(n) (int32): node ids; ERR_MESH if out of range

@@ -1,7 +1,7 @@
 function varargout = body_stat_count(varargin)
 % BODY_STAT_COUNT  value = rollcon.body_stat_count()
 %
-% Number of statistics of bodies.
+% Returns the number of statistics of bodies.
 %
 % Nodes, elements and rows count from 1. Failures are errors rollcon:ERR_..., caveats are warnings.
 % Generated from bindings/api.toml; do not edit.

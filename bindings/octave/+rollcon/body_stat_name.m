@@ -1,7 +1,7 @@
 function varargout = body_stat_name(varargin)
 % BODY_STAT_NAME  text = rollcon.body_stat_name(i)
 %
-% Name of a statistic of bodies.
+% Returns the name of a statistic of bodies.
 %
 %   i (row): 0 to rollcon.body_stat_count() - 1
 %

@@ -7,7 +7,7 @@ function varargout = body_tag_group(varargin)
 %
 %   body (body): with a mesh that was read, not prepared (else ERR_STATE)
 %   group (text): name, in any case; ERR_ARGUMENT lists those that there are
-%   tag (int32): as in rollcon.body_add_elements
+%   tag (int32): that of rollcon.body_add_elements
 %
 % Nodes, elements and rows count from 1. Failures are errors rollcon:ERR_..., caveats are warnings.
 % Generated from bindings/api.toml; do not edit.

@@ -2,8 +2,8 @@ function varargout = body_write(varargin)
 % BODY_WRITE  rollcon.body_write(body, path, nodes, u)
 %
 % Writes the elements of a body of finite or boundary elements with displacements, smoothed stresses
-% (xx, yy, zz, xy, yz, xz, as ParaView counts them) and von Mises's stress at the nodes as a VTU file
-% for ParaView and meshio. Otherwise like rollcon.body_get_node_stresses.
+% (xx, yy, zz, xy, yz, xz, in ParaView's order) and von Mises's stress at the nodes as a VTU file for
+% ParaView and meshio. The call is otherwise like rollcon.body_get_node_stresses.
 %
 %   body (body)
 %   path (name of a file): name of the file; an existing one is replaced

@@ -1,8 +1,8 @@
 function varargout = body_write_profile(varargin)
 % BODY_WRITE_PROFILE  rollcon.body_write_profile(body, path, unit)
 %
-% Writes points of the profile to a file: of Simpack, where the name ends in .prr or .prw, else two
-% columns. Read again, a profile through points is the same, one in closed form within 1e-9 of its
+% Writes points of the profile to a file: of Simpack if the name ends in .prr or .prw, else two
+% columns. A profile through points is the same when read again, one in closed form within 1e-9 of its
 % size where its curvature is continuous. The file appears whole or not at all.
 %
 %   body (body): with a profile (else ERR_STATE)

@@ -1,7 +1,7 @@
 function varargout = build_info(varargin)
 % BUILD_INFO  text = rollcon.build_info()
 %
-% Licences that this build carries and how it was built, as one line of text.
+% Returns the licences that this build carries and how it was built, as one line of text.
 %
 % Nodes, elements and rows count from 1. Failures are errors rollcon:ERR_..., caveats are warnings.
 % Generated from bindings/api.toml; do not edit.

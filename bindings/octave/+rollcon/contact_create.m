@@ -1,10 +1,11 @@
 function varargout = contact_create(varargin)
 % CONTACT_CREATE  contact = rollcon.contact_create(context, body1, body2)
 %
-% Makes a contact of two bodies. Standard scene: axes (x, y, z) at the origin, speed 1, approach,
-% creepages and spin 0, all by motion, bodies posed as given. Without a frame the library makes one
-% (rollcon.contact_frame_automatic). Friction has no standard, the gap only if a body has a mesh or a
-% profile: solving without them is ERR_STATE. At least one of the bodies must be elastic.
+% Makes a contact of two bodies. The standard scene has axes (x, y, z) at the origin, speed 1,
+% approach, creepages and spin 0, all by motion, bodies in the pose of their own axes. Without a frame
+% the library makes one (rollcon.contact_frame_automatic). Friction has no standard, the gap only if a
+% body has a mesh or a profile: solving without them is ERR_STATE. At least one of the bodies must be
+% elastic.
 %
 %   context (context)
 %   body1 (body): tractions are those on this body; n points out of it

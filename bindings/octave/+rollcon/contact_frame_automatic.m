@@ -1,14 +1,14 @@
 function varargout = contact_frame_automatic(varargin)
 % CONTACT_FRAME_AUTOMATIC  rollcon.contact_frame_automatic(contact)
 %
-% Leaves the frame to the library, as in a new contact: solves then find the contact from the gap (of
-% the bodies' meshes and profiles, rollcon.contact_set_gap_quadratic, rollcon.contact_set_gap_grid)
-% and from load or approach, fit two frames of strips to the edge of each patch, one twice as fine as
-% the other, extrapolate their results, and take finer pairs until the option frame_accuracy is met or
-% INACCURATE says that it was not. Forces, moment, approach, creepages, their sensitivities and the
-% statistics contact_area and error_estimate are the extrapolated ones; nodes and fields those of the
-% finer frame, which the next solve may replace. The error is that of the frame: what a body's own
-% mesh adds is not counted.
+% Leaves the frame to the library, which is the state of a new contact: solves then find the contact
+% from the gap (of the bodies' meshes and profiles, rollcon.contact_set_gap_quadratic,
+% rollcon.contact_set_gap_grid) and from load or approach, fit two frames of strips to the edge of
+% each patch, one twice as fine as the other, extrapolate their results, and take finer pairs until
+% the option frame_accuracy is met or INACCURATE says that it was not. Forces, moment, approach,
+% creepages, their sensitivities and the statistics contact_area and error_estimate are the
+% extrapolated ones; nodes and fields those of the finer frame, which the next solve may replace. The
+% error is that of the frame: what a body's own mesh adds is not counted.
 %
 %   contact (contact)
 %

@@ -1,9 +1,9 @@
 function varargout = contact_frame_ellipse(varargin)
 % CONTACT_FRAME_ELLIPSE  rollcon.contact_frame_ellipse(contact, along, across, a, b, angle)
 %
-% Makes an ellipse in the plane of the axes, as they are now, the frame: strips along the rolling
-% direction, as rollcon.contact_frame_strips makes them, on lines that lie closer towards the sides.
-% It is meant to be the contact itself.
+% Makes an ellipse in the present plane of the axes the frame: strips along the rolling direction,
+% like those of rollcon.contact_frame_strips, on lines that lie closer towards the sides. It is meant
+% to be the contact itself.
 %
 %   contact (contact)
 %   along (int32): elements along each strip, 2 to 10000

@@ -3,8 +3,8 @@ function varargout = contact_frame_from_body(varargin)
 %
 % Makes the faces of a body that carry a tag the frame: replaces nodes and elements of the frame and
 % forgets the gap array and the creep and friction fields. Its nodes are those of the faces, in the
-% order of their ids in the body, and follow the body's pose. Of finite-element bodies with tri6 among
-% these faces (tet10, the ends of wedge15) they are the corners alone, and the frame's elements
+% order of their ids in the body, and follow the body's pose. For finite-element bodies with tri6
+% among these faces (tet10, the ends of wedge15) they are the corners alone, and the frame's elements
 % linear: rollcon.contact_get_size tells how many. Faces of body 2 are turned over, so that the
 % frame's normals point out of body 1.
 %

@@ -2,8 +2,8 @@ function varargout = contact_frame_rectangle(varargin)
 % CONTACT_FRAME_RECTANGLE  rollcon.contact_frame_rectangle(contact, type, nx, ny, x_least, x_greatest,
 %     y_least, y_greatest)
 %
-% Makes a rectangle in the plane of the axes, as they are now, the frame: nx by ny elements of one
-% size. Replaces nodes and elements of the frame and forgets the gap array and the creep and friction
+% Makes a rectangle in the present plane of the axes the frame: nx by ny elements of one size.
+% Replaces nodes and elements of the frame and forgets the gap array and the creep and friction
 % fields. Nodes come line by line along t1, from the least y. Linear quadrilaterals make a regular
 % frame, which half-spaces solve by fast Fourier transforms.
 %
@@ -13,7 +13,7 @@ function varargout = contact_frame_rectangle(varargin)
 %   ny (int32): elements along t2, 1 to 30000
 %   x_least (real): along t1 from the origin of the axes, length
 %   x_greatest (real): > x_least
-%   y_least (real): along t2, likewise
+%   y_least (real): along t2 from the origin of the axes, length
 %   y_greatest (real): > y_least
 %
 % Nodes, elements and rows count from 1. Failures are errors rollcon:ERR_..., caveats are warnings.

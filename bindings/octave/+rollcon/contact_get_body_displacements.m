@@ -1,11 +1,11 @@
 function varargout = contact_get_body_displacements(varargin)
 % CONTACT_GET_BODY_DISPLACEMENTS  u = rollcon.contact_get_body_displacements(contact, body)
 %
-% Displacements of all nodes of a body of finite or boundary elements under the tractions of the last
-% solve and the body's own loads, in the body's axes. Under a frame of its own finer than the body's
-% faces these are tractions as the elements feel them (docs/theory.md, section 10). The first call for
-% a body factorises its stiffness once more, with nothing condensed; contacts and solves after that
-% share the factors (unless its option keep_factors is 0); boundary elements have theirs.
+% Returns displacements of all nodes of a body of finite or boundary elements under the tractions of
+% the last solve and the body's own loads, in the body's axes. Under a frame of its own finer than the
+% body's faces these are the tractions that the elements feel (docs/theory.md, section 10). The first
+% call for a body factorises its stiffness once more, with nothing condensed; contacts and solves
+% after that use the factors (unless its option keep_factors is 0); boundary elements have theirs.
 % ERR_UNSUPPORTED: another kind of body.
 %
 %   contact (contact)

@@ -2,14 +2,14 @@ function varargout = contact_get_body_fields_at(varargin)
 % CONTACT_GET_BODY_FIELDS_AT  [displacement, stress] = rollcon.contact_get_body_fields_at(contact,
 %     body, xyz)
 %
-% Displacements and stresses at any points inside a body of finite or boundary elements under the
-% tractions of the last solve and the body's own loads, in the body's axes; tension is positive. Of
-% finite elements as rollcon.body_get_fields_at has them of rollcon.contact_get_body_displacements. Of
-% boundary elements by Somigliana's identities, as near to the surface as wanted, and on it: errors
-% there are those of the solution, and largest where tractions jump. ERR_UNSUPPORTED: another kind of
-% body (of half-spaces: rollcon.contact_get_stresses_at); ERR_ARGUMENT: a point is outside, and by how
-% much of a surface of boundary elements (a millionth of the element's size beyond its faces is still
-% inside).
+% Returns displacements and stresses at any points inside a body of finite or boundary elements under
+% the tractions of the last solve and the body's own loads, in the body's axes; tension is positive.
+% Those of finite elements are what rollcon.body_get_fields_at gives for
+% rollcon.contact_get_body_displacements. Those of boundary elements follow from Somigliana's
+% identities, as near to the surface as wanted, and on it: errors there are those of the solution, and
+% largest where tractions jump. ERR_UNSUPPORTED: another kind of body (for half-spaces see
+% rollcon.contact_get_stresses_at); ERR_ARGUMENT: a point is outside, and by how much of a surface of
+% boundary elements (a millionth of the element's size beyond its faces is still inside).
 %
 %   contact (contact)
 %   body (int32): 1 or 2

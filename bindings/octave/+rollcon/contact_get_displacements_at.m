@@ -1,8 +1,8 @@
 function varargout = contact_get_displacements_at(varargin)
 % CONTACT_GET_DISPLACEMENTS_AT  u = rollcon.contact_get_displacements_at(contact, body, xy)
 %
-% Elastic displacement of a body at any points of the contact surface, on the frame or off it, in
-% local axes (of the point, if curved).
+% Returns the elastic displacement of a body at any points of the contact surface, on the frame or off
+% it, in local axes (of the point, if curved).
 %
 %   contact (contact)
 %   body (int32): 1 or 2

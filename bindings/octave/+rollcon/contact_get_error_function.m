@@ -1,10 +1,11 @@
 function varargout = contact_get_error_function(varargin)
 % CONTACT_GET_ERROR_FUNCTION  [psi, seconds] = rollcon.contact_get_error_function(contact)
 %
-% Convergence of the last solve: the error function of every row of rollcon.contact_get_history, and
-% when it was evaluated. The error function is half the sum of the squared residuals of the contact
-% laws over all nodes, each over the largest pressure or tangential traction of the iterate, and of
-% the squared relative errors of the loads, times the nodes in contact. No rows before a solve.
+% Returns the convergence of the last solve: the error function of every row of
+% rollcon.contact_get_history, and when it was evaluated. The error function is half the sum of the
+% squared residuals of the contact laws over all nodes, each over the largest pressure or tangential
+% traction of the iterate, and of the squared relative errors of the loads, times the nodes in
+% contact. No rows before a solve.
 %
 %   contact (contact)
 % Results:

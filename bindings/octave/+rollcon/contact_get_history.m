@@ -1,8 +1,8 @@
 function varargout = contact_get_history(varargin)
 % CONTACT_GET_HISTORY  rows = rollcon.contact_get_history(contact)
 %
-% Iterations of the last solve, one row each: phase, iteration, normal residual, tangential residual,
-% step length, nodes in contact, nodes in slip, seconds. No rows before a solve.
+% Returns the iterations of the last solve, one row each: phase, iteration, normal residual,
+% tangential residual, step length, nodes in contact, nodes in slip, seconds. No rows before a solve.
 %
 %   contact (contact)
 % Results:

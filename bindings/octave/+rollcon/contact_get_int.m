@@ -1,7 +1,7 @@
 function varargout = contact_get_int(varargin)
 % CONTACT_GET_INT  value = rollcon.contact_get_int(contact, name)
 %
-% Value of an integer option.
+% Returns the value of an integer option.
 %
 %   contact (contact)
 %   name (text)

@@ -1,7 +1,7 @@
 function varargout = contact_get_motion(varargin)
 % CONTACT_GET_MOTION  [approach, creep] = rollcon.contact_get_motion(contact)
 %
-% Approach, creepages and spin, as given or as found for prescribed forces.
+% Returns approach, creepages and spin, given or found for prescribed forces.
 %
 %   contact (contact)
 % Results:

@@ -1,7 +1,7 @@
 function varargout = contact_get_plan(varargin)
 % CONTACT_GET_PLAN  text = rollcon.contact_get_plan(contact)
 %
-% How the last solve was done (sizes, schemes, linear solver and why), as text for people.
+% Returns how the last solve was done (sizes, schemes, linear solver and why), as text for people.
 %
 %   contact (contact)
 %

@@ -1,7 +1,7 @@
 function varargout = contact_get_real(varargin)
 % CONTACT_GET_REAL  value = rollcon.contact_get_real(contact, name)
 %
-% Value of a real option.
+% Returns the value of a real option.
 %
 %   contact (contact)
 %   name (text)

@@ -1,7 +1,7 @@
 function varargout = contact_get_resultant(varargin)
 % CONTACT_GET_RESULTANT  [force, moment] = rollcon.contact_get_resultant(contact, axes)
 %
-% Resultant force on body 1 and its moment about the origin of the axes.
+% Returns the resultant force on body 1 and its moment about the origin of the axes.
 %
 %   contact (contact)
 %   axes (int32, name or number: axes, may be left out): LOCAL or GLOBAL

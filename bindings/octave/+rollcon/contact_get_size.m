@@ -1,7 +1,7 @@
 function varargout = contact_get_size(varargin)
 % CONTACT_GET_SIZE  [nodes, elements] = rollcon.contact_get_size(contact)
 %
-% Nodes and elements of the frame. Works before a solve.
+% Returns the nodes and elements of the frame. It works before a solve.
 %
 %   contact (contact)
 %

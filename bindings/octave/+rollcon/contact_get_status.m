@@ -1,7 +1,7 @@
 function varargout = contact_get_status(varargin)
 % CONTACT_GET_STATUS  status = rollcon.contact_get_status(contact)
 %
-% State of each node: OPEN, STICK, SLIP or EXCLUDED.
+% Returns the state of each node: OPEN, STICK, SLIP or EXCLUDED.
 %
 %   contact (contact)
 %

@@ -1,7 +1,7 @@
 function varargout = contact_get_str(varargin)
 % CONTACT_GET_STR  text = rollcon.contact_get_str(contact, name)
 %
-% Value of a text option.
+% Returns the value of a text option.
 %
 %   contact (contact)
 %   name (text)

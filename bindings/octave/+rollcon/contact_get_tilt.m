@@ -1,7 +1,7 @@
 function varargout = contact_get_tilt(varargin)
 % CONTACT_GET_TILT  tilt = rollcon.contact_get_tilt(contact)
 %
-% Rotations of body 1 against body 2 about t1 and t2, as given or as found for prescribed moments
+% Returns rotations of body 1 against body 2 about t1 and t2, given or found for prescribed moments
 % (rollcon.contact_prescribe).
 %
 %   contact (contact)

@@ -1,11 +1,11 @@
 function varargout = contact_get_tractions(varargin)
 % CONTACT_GET_TRACTIONS  t = rollcon.contact_get_tractions(contact, axes)
 %
-% Tractions on body 1 at the nodes; the normal component is <= 0 in compression. Normals follow a
-% surface across the rolling direction only: along it all are as inclined as at the origin of the
-% axes. At a distance x from there, on a radius R, they are off the surface's own by x/R: pressures by
-% half its square (0.02 % at x/R = 0.02, 0.5 % at 0.1), and the part p x/R of a pressure along the
-% surface is no traction.
+% Returns tractions on body 1 at the nodes; the normal component is <= 0 in compression. Normals
+% follow a surface across the rolling direction only: along it all have the inclination at the origin
+% of the axes. At a distance x from there, on a radius R, they are off the surface's own by x/R:
+% pressures by half its square (0.02 % at x/R = 0.02, 0.5 % at 0.1), and the part p x/R of a pressure
+% along the surface is no traction.
 %
 %   contact (contact)
 %   axes (int32, name or number: axes): LOCAL or GLOBAL

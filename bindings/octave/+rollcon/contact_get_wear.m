@@ -1,18 +1,18 @@
 function varargout = contact_get_wear(varargin)
 % CONTACT_GET_WEAR  [depth, volume] = rollcon.contact_get_wear(contact, law, parameters, points, y)
 %
-% Depth that one pass of the contact wears off, along t2: the integral of the law's rate along the
-% rolling direction, at the friction, pressure and slip of the last solve; of a step in time, what
-% that step takes off. Material is given to the points by the functions that are 1 at a point and
-% linear to its neighbours: the sum of depth times the point's share of y is the volume exactly. A
-% body that comes by once per revolution has this depth per revolution, and the same law may be asked
-% for each body with its own coefficients. Half-spaces and rigid bodies in steady rolling, with all of
-% the contact on the frame, lose what the balance of work says (statistic friction_power_balance),
-% which misses nothing on coarse frames; others what slip at nodes takes (friction_power). Laws:
-% "archard": rate = i p |s|/V; with i1, i2 and an angle p |(i1 s1, i2 s2)|/V, in axes turned by the
-% angle from t1 towards t2. "t_gamma": pairs (e, r) of energy density e = |t s|/V, ascending, and rate
-% r (depth per length rolled), linear between, from (0, 0), and beyond the last pair. ERR_ARGUMENT: y
-% does not cover the nodes in contact.
+% Returns the depth that one pass of the contact wears off, along t2: the integral of the law's rate
+% along the rolling direction, at the friction, pressure and slip of the last solve; after a step in
+% time, what that step takes off. Material is given to the points by the functions that are 1 at a
+% point and linear to its neighbours: the sum of depth times the point's length of y is the volume
+% exactly. A body that comes by once per revolution has this depth per revolution, and the same law
+% may be asked for each body with its own coefficients. Half-spaces and rigid bodies in steady
+% rolling, with all of the contact on the frame, lose what the balance of work says (statistic
+% friction_power_balance), which misses nothing on coarse frames; others what slip at nodes takes
+% (friction_power). Laws: "archard": rate = i p |s|/V; with i1, i2 and an angle p |(i1 s1, i2 s2)|/V,
+% in axes turned by the angle from t1 towards t2. "t_gamma": pairs (e, r) of energy density e = |t
+% s|/V, ascending, and rate r (depth per length rolled), linear between, from (0, 0), and beyond the
+% last pair. ERR_ARGUMENT: y does not cover the nodes in contact.
 %
 %   contact (contact)
 %   law (text): archard or t_gamma

@@ -5,7 +5,7 @@ function varargout = contact_prescribe(varargin)
 % on body 1. A tilt turns body 1 against body 2 about t1 or t2 through the origin: at (x, y) of a flat
 % frame it takes (tilt 1) y - (tilt 2) x from the gap. Its moment is that of the contact's tractions
 % on body 1 about the same axis: a load F that presses body 1 at (x, y) asks for the moments -F y
-% (tilt 1) and F x (tilt 2). Standard: all by motion, 0.
+% (tilt 1) and F x (tilt 2). The standard is all by motion, 0.
 %
 %   contact (contact)
 %   direction (int32, name or number: direction): LONGITUDINAL, LATERAL, NORMAL, SPIN, TILT_1 or TILT_2

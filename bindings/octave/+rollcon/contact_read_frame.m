@@ -2,7 +2,8 @@ function varargout = contact_read_frame(varargin)
 % CONTACT_READ_FRAME  rollcon.contact_read_frame(contact, path, part)
 %
 % Makes the surface elements of a mesh file the frame; replaces frame and all that was given for its
-% nodes. Files as of rollcon.body_read_mesh. Tags of elements are Gmsh's physical groups, else 0.
+% nodes. The files are those of rollcon.body_read_mesh. Tags of elements are Gmsh's physical groups,
+% else 0.
 %
 %   contact (contact)
 %   path (name of a file): name of the file, which ends in .msh or .inp

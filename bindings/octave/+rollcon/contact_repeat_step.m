@@ -1,8 +1,8 @@
 function varargout = contact_repeat_step(varargin)
 % CONTACT_REPEAT_STEP  rollcon.contact_repeat_step(contact)
 %
-% The next solve starts from where the last step did, as if that had not been: for a host that tries
-% loads or motions again before it goes on. Once after each step.
+% Lets the next solve start from where the last step did, as if that had not been, for a host that
+% tries loads or motions again before it goes on. It works once after each step.
 %
 %   contact (contact)
 %

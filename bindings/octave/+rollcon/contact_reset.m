@@ -1,8 +1,8 @@
 function varargout = contact_reset(varargin)
 % CONTACT_RESET  rollcon.contact_reset(contact)
 %
-% Forgets the solution, the warm start, the history and what was before a time step (bodies are at
-% rest); keeps the scene and all that was computed for the frame.
+% Forgets the solution, the warm start, the iteration log and what was before a time step (bodies are
+% at rest); keeps the scene and all that was computed for the frame.
 %
 %   contact (contact)
 %

@@ -1,12 +1,12 @@
 function varargout = contact_restore_past(varargin)
 % CONTACT_RESTORE_PAST  rollcon.contact_restore_past(contact, past)
 %
-% The next step starts from what rollcon.contact_save_past gave. Prepares bodies and frame where
-% nothing was solved yet. Numbers of another frame, or that were changed, are refused, and the past
-% stays as it was; results of the last solve are gone.
+% Lets the next step start from what rollcon.contact_save_past gave. Prepares bodies and frame where
+% nothing was solved yet. Numbers of another frame, or that were changed, are refused and do not
+% change the past; results of the last solve are gone.
 %
 %   contact (contact)
-%   past(n) (real): as saved
+%   past(n) (real): what rollcon.contact_save_past gave
 %
 % Nodes, elements and rows count from 1. Failures are errors rollcon:ERR_..., caveats are warnings.
 % Generated from bindings/api.toml; do not edit.

@@ -1,8 +1,8 @@
 function varargout = contact_save_past(varargin)
 % CONTACT_SAVE_PAST  past = rollcon.contact_save_past(contact)
 %
-% What the next step starts from, as numbers: a header with a version, time, tractions, a checksum.
-% For another run, or another contact of such bodies on the same frame.
+% Returns what the next step starts from, as numbers: a header with a version, time, tractions, a
+% checksum. They serve another run, or another contact of such bodies on the same frame.
 %
 %   contact (contact)
 % Results:

@@ -2,8 +2,8 @@ function varargout = contact_set_creep(varargin)
 % CONTACT_SET_CREEP  rollcon.contact_set_creep(contact, longitudinal, lateral, spin)
 %
 % Prescribes creepages and spin by motion: rigid slip c = V (longitudinal - spin y, lateral + spin x)
-% of body 1 relative to body 2. The same as three calls of rollcon.contact_prescribe, and forgets the
-% velocities of rollcon.contact_set_velocity.
+% of body 1 relative to body 2. The call stands for three calls of rollcon.contact_prescribe, and
+% forgets the velocities of rollcon.contact_set_velocity.
 %
 %   contact (contact)
 %   longitudinal (real, may be left out): creepage along t1, dimensionless

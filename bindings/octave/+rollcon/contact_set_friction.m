@@ -9,7 +9,7 @@ function varargout = contact_set_friction(varargin)
 % max(0, 1 - x/2), 1/(1 + x) (of the second term 1/(1 + x^2)), or 2^-x. "temperature": linear in the
 % surface temperature between points T1, mu1, T2, mu2, ... with ascending temperatures, constant
 % beyond them (needs rollcon.contact_set_heat; steady rolling, no sensitivities). Where friction falls
-% several solutions may exist then: a solve from nothing begins with friction as at rest, a warm one
+% several solutions may exist then: a solve from nothing begins with the friction of rest, a warm one
 % continues the last solution, the plan says which; FIELD_FRICTION gives the coefficient at the node's
 % slip. Where rollcon.contact_set_friction_field gives coefficients, each is the greatest of its node
 % (at rest) and the law keeps its ratios. The published procedures (options "system" and "jacobian")

@@ -2,7 +2,7 @@ function varargout = contact_set_friction_across(varargin)
 % CONTACT_SET_FRICTION_ACROSS  rollcon.contact_set_friction_across(contact, points)
 %
 % Sets friction coefficients along t2, linear between points and constant beyond them, for frames of
-% any maker: in place of the coefficient (the greatest) of rollcon.contact_set_friction, where
+% any maker: they replace the (greatest) coefficient of rollcon.contact_set_friction, where
 % rollcon.contact_set_friction_field gives none.
 %
 %   contact (contact)

@@ -4,9 +4,9 @@ function varargout = contact_set_friction_memory(varargin)
 % Gives friction that falls with the slip speed a memory: for a particle of the surface d mu/dt =
 % -max(s, s0)/dc (mu - mu_s(s)), where mu_s is what the law without memory says; where surfaces come
 % into contact mu is that at rest. Coefficients then follow the whole solution and are found by solves
-% with given ones (statistics friction_rounds and friction_change). Holds for whatever law is set, if
-% it falls, else the solve ends with ERR_STATE. Steady rolling only (steps in time: ERR_UNSUPPORTED
-% from the solve); no sensitivities (ERR_UNSUPPORTED).
+% with given ones (statistics friction_rounds and friction_change). The memory holds for whatever law
+% is set, if it falls, else the solve ends with ERR_STATE. It is for steady rolling only (steps in
+% time: ERR_UNSUPPORTED from the solve), and there are no sensitivities (ERR_UNSUPPORTED).
 %
 %   contact (contact)
 %   length (real): dc, length of slip, >= 0; 0: no memory

@@ -10,10 +10,10 @@ function varargout = contact_set_gap_grid(varargin)
 %
 %   contact (contact)
 %   nx (int32): points along t1 of each line, 2 or more
-%   x_least (real): of the first point of a line, length
-%   x_greatest (real): of the last point, length
-%   y_least (real): of the first line, length
-%   y_greatest (real): of the last line, length
+%   x_least (real): x of the first point of a line, length
+%   x_greatest (real): x of the last point, length
+%   y_least (real): y of the first line, length
+%   y_greatest (real): y of the last line, length
 %   gap(n) (real): line by line, length
 %
 % Nodes, elements and rows count from 1. Failures are errors rollcon:ERR_..., caveats are warnings.

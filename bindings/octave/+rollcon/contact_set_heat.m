@@ -2,14 +2,14 @@ function varargout = contact_set_heat(varargin)
 % CONTACT_SET_HEAT  rollcon.contact_set_heat(contact, which, conductivity, heat_capacity, temperature)
 %
 % Says what a body does with heat, for the surface temperatures of a solution
-% (rollcon.contact_get_temperatures_at, FIELD_TEMPERATURE) and for friction that depends on them. Both
-% bodies are to be told of; one of them may take up none.
+% (rollcon.contact_get_temperatures_at, FIELD_TEMPERATURE) and for friction that depends on them. The
+% call is needed for both bodies; one of them may take up no heat.
 %
 %   contact (contact)
 %   which (int32): 1 or 2: the body
 %   conductivity (real): >= 0, power/(length temperature)
 %   heat_capacity (real): >= 0, energy/(volume temperature): density times specific heat
-%   temperature (real): far from the contact
+%   temperature (real): temperature far from the contact
 %
 % Nodes, elements and rows count from 1. Failures are errors rollcon:ERR_..., caveats are warnings.
 % Generated from bindings/api.toml; do not edit.

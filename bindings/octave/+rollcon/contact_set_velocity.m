@@ -7,14 +7,14 @@ function varargout = contact_set_velocity(varargin)
 % rollcon.contact_get_motion returns them after a solve. Where bodies have profiles or meshes the
 % relative velocity is taken between their surfaces, node by node: rolling radius and spin vary over
 % the contact. The speed V follows from the velocity of the contact, less the mean of both bodies';
-% where that is not given it is as set by rollcon.contact_set_rolling, one of the two is needed. A
-% body that is not told of is at rest. What was set last counts: rollcon.contact_set_creep forgets all
-% velocities, rollcon.contact_prescribe replaces one creepage or the spin and leaves the rest of the
-% slip.
+% where that is not given it is the one set by rollcon.contact_set_rolling; one of the two is needed.
+% A body whose velocity is not given is at rest. What was set last counts: rollcon.contact_set_creep
+% forgets all velocities, rollcon.contact_prescribe replaces one creepage or the spin and leaves the
+% rest of the slip.
 %
 %   contact (contact)
 %   which (int32): 1 or 2: the body; 0: the contact, which travels over both
-%   velocity(3) (real): of its point at `point`, length/time
+%   velocity(3) (real): velocity of its point at `point`, length/time
 %   angular_velocity(3) (real): 1/time
 %   point(3) (real): in space, length
 %

@@ -2,9 +2,9 @@ function varargout = contact_write_body(varargin)
 % CONTACT_WRITE_BODY  rollcon.contact_write_body(contact, body, path)
 %
 % Writes the elements of a body of finite or boundary elements with displacements, smoothed stresses
-% (xx, yy, zz, xy, yz, xz, as ParaView counts them) and von Mises's stress at the nodes, under the
-% tractions of the last solve and the body's own loads, as a VTU file for ParaView and meshio.
-% Otherwise like rollcon.contact_get_body_fields_at.
+% (xx, yy, zz, xy, yz, xz, in ParaView's order) and von Mises's stress at the nodes, under the
+% tractions of the last solve and the body's own loads, as a VTU file for ParaView and meshio. The
+% call is otherwise like rollcon.contact_get_body_fields_at.
 %
 %   contact (contact)
 %   body (int32): 1 or 2

@@ -1,9 +1,9 @@
 function varargout = context_check(varargin)
 % CONTEXT_CHECK  status = rollcon.context_check(context)
 %
-% The first failure since the latch was set, whose text becomes the last error; without one the first
-% status > 0 (a solve that did not converge, ...); without either, or with the latch off, OK. Any
-% negative status may come.
+% Returns the first failure since the latch was set, whose text becomes the last error; without one
+% the first status > 0 (a solve that did not converge, ...); without either, or with the latch off,
+% OK. Any negative status may be returned.
 %
 %   context (context)
 %

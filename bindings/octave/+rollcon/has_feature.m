@@ -1,7 +1,7 @@
 function varargout = has_feature(varargin)
 % HAS_FEATURE  value = rollcon.has_feature(name)
 %
-% 1 if this build has the feature, 0 if not or if the name is unknown or [].
+% Returns 1 if this build has the feature, 0 if not or if the name is unknown or [].
 %
 %   name (text): one of the features listed in the reference
 %

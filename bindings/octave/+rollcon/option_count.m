@@ -1,7 +1,7 @@
 function varargout = option_count(varargin)
 % OPTION_COUNT  value = rollcon.option_count()
 %
-% Number of options.
+% Returns the number of options.
 %
 % Nodes, elements and rows count from 1. Failures are errors rollcon:ERR_..., caveats are warnings.
 % Generated from bindings/api.toml; do not edit.

@@ -1,7 +1,7 @@
 function varargout = option_doc(varargin)
 % OPTION_DOC  text = rollcon.option_doc(i)
 %
-% What an option means; for text options also the values allowed.
+% Returns what an option means, for text options also the values allowed.
 %
 %   i (row): 0 to rollcon.option_count() - 1
 %

@@ -1,7 +1,7 @@
 function varargout = option_info(varargin)
 % OPTION_INFO  [name, type, low, high, standard] = rollcon.option_info(i)
 %
-% Row of the table of options. For text options low, high and standard are 0.
+% Returns a row of the table of options. For text options low, high and standard are 0.
 %
 %   i (row): 0 to rollcon.option_count() - 1
 % Results:

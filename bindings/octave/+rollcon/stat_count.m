@@ -1,7 +1,7 @@
 function varargout = stat_count(varargin)
 % STAT_COUNT  value = rollcon.stat_count()
 %
-% Number of statistics.
+% Returns the number of statistics.
 %
 % Nodes, elements and rows count from 1. Failures are errors rollcon:ERR_..., caveats are warnings.
 % Generated from bindings/api.toml; do not edit.

@@ -1,7 +1,7 @@
 function varargout = stat_name(varargin)
 % STAT_NAME  text = rollcon.stat_name(i)
 %
-% Name of a statistic.
+% Returns the name of a statistic.
 %
 %   i (row): 0 to rollcon.stat_count() - 1
 %

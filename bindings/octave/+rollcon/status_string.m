@@ -1,7 +1,7 @@
 function varargout = status_string(varargin)
 % STATUS_STRING  text = rollcon.status_string(status)
 %
-% One line of text for a status; "unknown status" for other numbers.
+% Returns one line of text for a status; "unknown status" for other numbers.
 %
 %   status (int32): any number
 %

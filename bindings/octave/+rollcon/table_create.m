@@ -1,9 +1,9 @@
 function varargout = table_create(varargin)
 % TABLE_CREATE  table = rollcon.table_create(context)
 %
-% Makes a table without samples. Standard: semi-axes' ratios a / b 1/25 to 25 in 12 intervals, 18
-% magnitudes, 16 angles, 16 directions, frames as rollcon.table_set_frame(12, 10) makes them,
-% Poisson's ratios 0.28 and 0.3.
+% Makes a table without samples. The standard is semi-axes' ratios a / b 1/25 to 25 in 12 intervals,
+% 18 magnitudes, 16 angles, 16 directions, the frames of rollcon.table_set_frame(12, 10), Poisson's
+% ratios 0.28 and 0.3.
 %
 %   context (context)
 % Results:

@@ -1,16 +1,16 @@
 function varargout = table_evaluate(varargin)
 % TABLE_EVALUATE  results = rollcon.table_evaluate(table, inputs)
 %
-% Forces and spin moments on body 1 of n contacts, by the signs of rollcon.contact_get_resultant. |F|
-% is never above friction times load. Nothing is allocated. Inputs are those of a Hertzian contact:
-% shear modulus, Poisson's ratio, coefficient of friction, semi-axes along and across the rolling
-% direction, load, creepages along and across it, spin. The first entry that the table does not have
-% is ERR_ARGUMENT (ERR_NONFINITE) and ends the call; results before it are there. ERR_STATE: the table
-% is not made yet.
+% Returns forces and spin moments on body 1 of n contacts, by the signs of
+% rollcon.contact_get_resultant. |F| is never above friction times load. Nothing is allocated. Inputs
+% are those of a Hertzian contact: shear modulus, Poisson's ratio, coefficient of friction, semi-axes
+% along and across the rolling direction, load, creepages along and across it, spin. The first entry
+% that the table does not have is ERR_ARGUMENT (ERR_NONFINITE) and ends the call; results before it
+% are there. ERR_STATE: the table is not made yet.
 %
 %   table (table)
-%   inputs(n,9) (real): shear > 0, force/length^2; poisson, as the table has it; friction 0 to 10; a and
-%   b > 0, length; load >= 0, force; longitudinal and lateral creepage; spin, 1/length
+%   inputs(n,9) (real): shear > 0, force/length^2; poisson, within the table; friction 0 to 10; a and b
+%   > 0, length; load >= 0, force; longitudinal and lateral creepage; spin, 1/length
 % Results:
 %   results: force along t1 and t2; moment about n, force length
 %

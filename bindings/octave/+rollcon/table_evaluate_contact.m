@@ -1,13 +1,13 @@
 function varargout = table_evaluate_contact(varargin)
 % TABLE_EVALUATE_CONTACT  results = rollcon.table_evaluate_contact(table, contact, friction)
 %
-% Tangential forces and spin moment on body 1 of a solved contact, from the Hertzian contact that
-% stands for it (rollcon.contact_get_equivalent_ellipse): friction of a contact that was solved
+% Returns tangential forces and spin moment on body 1 of a solved contact, from the Hertzian contact
+% that stands for it (rollcon.contact_get_equivalent_ellipse): friction of a contact that was solved
 % without, at the price of its pressures. The moment is about the contact's origin. ERR_ARGUMENT: the
 % table does not have this ellipse, Poisson's ratio, friction, or pair of bodies; asked about unlike
 % bodies, a table of like ones adds the mean strain under the pressure to the longitudinal creepage.
-% ERR_STATE, ERR_UNSUPPORTED: as of rollcon.contact_get_equivalent_ellipse, or the table is not made
-% yet.
+% ERR_STATE, ERR_UNSUPPORTED: for the reasons of rollcon.contact_get_equivalent_ellipse, or the table
+% is not made yet.
 %
 %   table (table)
 %   contact (contact)

@@ -2,13 +2,13 @@ function varargout = table_evaluate_derivatives(varargin)
 % TABLE_EVALUATE_DERIVATIVES  [results, derivatives] = rollcon.table_evaluate_derivatives(table,
 %     inputs)
 %
-% The same with derivatives, which are continuous, by all inputs.
+% Does what rollcon.table_evaluate does, and returns derivatives by all inputs, which are continuous.
 %
 %   table (table)
-%   inputs(n,9) (real): as rollcon.table_evaluate takes them
+%   inputs(n,9) (real): those of rollcon.table_evaluate
 % Results:
-%   results: likewise
-%   derivatives: of each result by each input
+%   results: those of rollcon.table_evaluate
+%   derivatives: derivative of each result by each input
 %
 % Nodes, elements and rows count from 1. Failures are errors rollcon:ERR_..., caveats are warnings.
 % Generated from bindings/api.toml; do not edit.

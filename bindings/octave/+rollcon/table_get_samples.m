@@ -1,8 +1,8 @@
 function varargout = table_get_samples(varargin)
 % TABLE_GET_SAMPLES  samples = rollcon.table_get_samples(table)
 %
-% All samples; NaN where one is not solved yet. None of a table that was loaded, or before
-% rollcon.table_make.
+% Returns all samples; NaN where one is not solved yet. There are none in a table that was loaded, or
+% before rollcon.table_make.
 %
 %   table (table)
 %

@@ -1,7 +1,7 @@
 function varargout = version(varargin)
 % VERSION  value = rollcon.version()
 %
-% Version of the library: 10000 major + 100 minor + patch.
+% Returns the version of the library: 10000 major + 100 minor + patch.
 %
 % Nodes, elements and rows count from 1. Failures are errors rollcon:ERR_..., caveats are warnings.
 % Generated from bindings/api.toml; do not edit.

@@ -16,7 +16,7 @@ function varargout = wear_profile(varargin)
 %   smoothing (real): length of waves, >= 0; 0: none
 % Results:
 %   worn: may be yz
-%   taken: of the distance; []: not wanted
+%   taken: part of the distance that was taken; []: not wanted
 %
 % Nodes, elements and rows count from 1. Failures are errors rollcon:ERR_..., caveats are warnings.
 % Generated from bindings/api.toml; do not edit.

@@ -2,7 +2,7 @@ function varargout = wheelrail_find_conicity(varargin)
 % WHEELRAIL_FIND_CONICITY  [conicity, wavelength] = rollcon.wheelrail_find_conicity(left, right,
 %     amplitude)
 %
-% Finds equivalent conicities as EN 15302 defines them: of cones whose free wheelset has the same
+% Finds the equivalent conicities of EN 15302: those of cones whose free wheelset has the same
 % wavelength at the same amplitude of its kinematic motion, from the rolling-radius difference by
 % integration of y'' = -difference / (e r). Shifts count at the height of the rails.
 %

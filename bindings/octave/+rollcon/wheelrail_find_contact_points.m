@@ -11,7 +11,7 @@ function varargout = wheelrail_find_contact_points(varargin)
 %   right (wheelrail): made with RIGHT
 %   shift(n) (real): y of the wheelset's centre, length; such that both wheels find their rails
 % Results:
-%   points: a row for each shift; what is behind a shift that fails is left alone
+%   points: a row for each shift; what is behind a shift that fails is not written
 %
 % Nodes, elements and rows count from 1. Failures are errors rollcon:ERR_..., caveats are warnings.
 % Generated from bindings/api.toml; do not edit.

@@ -1,7 +1,7 @@
 function varargout = wheelrail_forget_table(varargin)
 % WHEELRAIL_FORGET_TABLE  rollcon.wheelrail_forget_table(wheelrail)
 %
-% Solves all patches in full again, as a new handle does.
+% Solves all patches in full again, like a new handle.
 %
 %   wheelrail (wheelrail)
 %

@@ -1,11 +1,11 @@
 function varargout = wheelrail_get_contact(varargin)
 % WHEELRAIL_GET_CONTACT  contact = rollcon.wheelrail_get_contact(wheelrail, patch)
 %
-% The contact of a patch: body 1 is the wheel, body 2 the rail, and all its results are in the axes of
-% the patch, t1 along the rolling direction. It is there to be read: calls that change a contact are
-% ERR_STATE, but rollcon.contact_set_progress and rollcon.contact_request_cancel. The next solve of
-% the wheel on its rail changes it. Both are one object to threads: while either is in use, so is the
-% other.
+% Returns the contact of a patch: body 1 is the wheel, body 2 the rail, and all its results are in the
+% axes contact of the patch, t1 along the rolling direction. It is there to be read: calls that change
+% a contact are ERR_STATE, except rollcon.contact_set_progress and rollcon.contact_request_cancel. The
+% next solve of the wheel on its rail changes it. Both are one object to threads: while either is in
+% use, so is the other.
 %
 %   wheelrail (wheelrail)
 %   patch (row): 0 to rollcon.wheelrail_get_patch_count - 1

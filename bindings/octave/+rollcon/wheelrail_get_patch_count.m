@@ -1,7 +1,7 @@
 function varargout = wheelrail_get_patch_count(varargin)
 % WHEELRAIL_GET_PATCH_COUNT  patches = rollcon.wheelrail_get_patch_count(wheelrail)
 %
-% Number of patches, from 0.
+% Returns the number of patches, from 0.
 %
 %   wheelrail (wheelrail)
 %

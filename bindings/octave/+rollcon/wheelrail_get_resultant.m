@@ -1,7 +1,7 @@
 function varargout = wheelrail_get_resultant(varargin)
 % WHEELRAIL_GET_RESULTANT  [force, moment] = rollcon.wheelrail_get_resultant(wheelrail, axes)
 %
-% Force of all patches on the wheel and its moment about the wheelset's centre.
+% Returns the force of all patches on the wheel and its moment about the wheelset's centre.
 %
 %   wheelrail (wheelrail)
 %   axes (int32, name or number: axes of the track, may be left out): IN_TRACK or IN_WHEELSET

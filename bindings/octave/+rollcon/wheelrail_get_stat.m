@@ -1,7 +1,7 @@
 function varargout = wheelrail_get_stat(varargin)
 % WHEELRAIL_GET_STAT  value = rollcon.wheelrail_get_stat(wheelrail, name)
 %
-% One number about the last solve: height, vertical force, frictional power, counts. Names:
+% Returns one number about the last solve: height, vertical force, frictional power, counts. Names:
 % rollcon.wheelrail_stat_name; meanings: docs/wheelrail.md.
 %
 %   wheelrail (wheelrail)

@@ -1,7 +1,7 @@
 function varargout = wheelrail_patch_stat_count(varargin)
 % WHEELRAIL_PATCH_STAT_COUNT  value = rollcon.wheelrail_patch_stat_count()
 %
-% Number of statistics of a patch.
+% Returns the number of statistics of a patch.
 %
 % Nodes, elements and rows count from 1. Failures are errors rollcon:ERR_..., caveats are warnings.
 % Generated from bindings/api.toml; do not edit.

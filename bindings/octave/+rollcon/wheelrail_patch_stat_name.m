@@ -1,7 +1,7 @@
 function varargout = wheelrail_patch_stat_name(varargin)
 % WHEELRAIL_PATCH_STAT_NAME  text = rollcon.wheelrail_patch_stat_name(i)
 %
-% Name of a statistic of a patch.
+% Returns the name of a statistic of a patch.
 %
 %   i (row): 0 to rollcon.wheelrail_patch_stat_count() - 1
 %

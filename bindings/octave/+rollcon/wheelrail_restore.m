@@ -1,10 +1,10 @@
 function varargout = wheelrail_restore(varargin)
 % WHEELRAIL_RESTORE  rollcon.wheelrail_restore(wheelrail, place)
 %
-% Goes back to what was kept: inputs, results, and later solves are as if nothing had been done since,
-% to the last bit. ERR_STATE: nothing was kept at this place, or track or wheelset have been set
-% since. What was kept stays. Contacts of patches that were new since then are no longer those of this
-% wheel.
+% Goes back to what was saved: inputs, results, and later solves are as if nothing had been done
+% since, to the last bit. ERR_STATE: nothing was saved at this place, or track or wheelset have been
+% set since. What was saved stays. Contacts of patches that were new since then are no longer those of
+% this wheel.
 %
 %   wheelrail (wheelrail)
 %   place (int32): 0 to 15

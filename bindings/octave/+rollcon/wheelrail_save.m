@@ -1,8 +1,8 @@
 function varargout = wheelrail_save(varargin)
 % WHEELRAIL_SAVE  rollcon.wheelrail_save(wheelrail, place)
 %
-% Keeps what is set and the last solution at a place within the wheel, for rollcon.wheelrail_restore:
-% integrators step back. Nothing is allocated where as much was kept before.
+% Saves what is set and the last solution at a place within the wheel, for rollcon.wheelrail_restore,
+% because integrators step back. Nothing is allocated where as much was saved before.
 %
 %   wheelrail (wheelrail)
 %   place (int32): 0 to 15

@@ -1,8 +1,8 @@
 function varargout = wheelrail_set_friction(varargin)
 % WHEELRAIL_SET_FRICTION  rollcon.wheelrail_set_friction(wheelrail, mu)
 %
-% Sets the coefficient of Coulomb's friction. Not needed where rollcon.wheelrail_set_friction_by_angle
-% gives it.
+% Sets the coefficient of Coulomb's friction. It is not needed where
+% rollcon.wheelrail_set_friction_by_angle gives it.
 %
 %   wheelrail (wheelrail)
 %   mu (real): 0 to 10

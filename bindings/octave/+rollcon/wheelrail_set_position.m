@@ -3,7 +3,7 @@ function varargout = wheelrail_set_position(varargin)
 %
 % Sets the position of the wheelset. z = 0 is where the tread's datum of a centred wheelset is at the
 % height of the rails' top; z is not used where a vertical force is prescribed (statistic "z" is what
-% was found), but as the start of the search.
+% was found), except as the start of the search.
 %
 %   wheelrail (wheelrail)
 %   position(6) (real): of the wheelset's centre: x, y, z, length; roll, yaw and pitch, radian; roll and

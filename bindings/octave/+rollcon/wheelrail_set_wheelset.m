@@ -4,9 +4,9 @@ function varargout = wheelrail_set_wheelset(varargin)
 % Sets the dimensions of the wheelset.
 %
 %   wheelrail (wheelrail)
-%   back_to_back (real): between the backs of the flanges, > 0, length
+%   back_to_back (real): distance between the backs of the flanges, > 0, length
 %   flange_back (real): y of the flange's back in the profile of the wheel, length
-%   radius (real): of the profile's z = 0, > 0, length; radius + z > 0 all along the profile
+%   radius (real): radius at the profile's z = 0, > 0, length; radius + z > 0 all along the profile
 %
 % Nodes, elements and rows count from 1. Failures are errors rollcon:ERR_..., caveats are warnings.
 % Generated from bindings/api.toml; do not edit.

@@ -2,22 +2,20 @@ function varargout = wheelrail_solve_many(varargin)
 % WHEELRAIL_SOLVE_MANY  [totals, status] = rollcon.wheelrail_solve_many(wheelrail, positions,
 %     velocities)
 %
-% Solves many positions on the threads of the context, each by itself from nothing, as after
+% Solves many positions on the threads of the context, each by itself from nothing, like after
 % rollcon.wheelrail_reset, with what else is set: results do not depend on the other positions, their
 % order, or the number of threads, to the last bit. A row of totals has force and moment on the wheel
 % in the track (rollcon.wheelrail_get_resultant), z, vertical force and frictional power. A position
-% that fails has its negative status and NaN and leaves the others alone; texts go to the log as
+% that fails has its negative status and NaN and does not affect the others; texts go to the log as
 % warnings. The status returned is the worst in the order that holds for all calls; CANCELLED says
-% that some were not solved. The wheel and its last solution stay as they are.
+% that some were not solved. The wheel and its last solution do not change.
 %
 %   wheelrail (wheelrail)
-%   positions(n,6) (real, may be left out): as rollcon.wheelrail_set_position takes them; [] only with n
-%   = 0
-%   velocities(n,6) (real, may be left out): as rollcon.wheelrail_set_velocity takes them; [] only with
-%   n = 0
+%   positions(n,6) (real, may be left out): those of rollcon.wheelrail_set_position; [] only with n = 0
+%   velocities(n,6) (real, may be left out): those of rollcon.wheelrail_set_velocity; [] only with n = 0
 % Results:
 %   totals: a row for each position; [] only with n = 0
-%   status: as rollcon.wheelrail_solve would return
+%   status: what rollcon.wheelrail_solve would return for each
 %
 % Nodes, elements and rows count from 1. Failures are errors rollcon:ERR_..., caveats are warnings.
 % Generated from bindings/api.toml; do not edit.

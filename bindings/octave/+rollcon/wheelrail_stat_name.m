@@ -1,7 +1,7 @@
 function varargout = wheelrail_stat_name(varargin)
 % WHEELRAIL_STAT_NAME  text = rollcon.wheelrail_stat_name(i)
 %
-% Name of a statistic of a wheel on its rail.
+% Returns the name of a statistic of a wheel on its rail.
 %
 %   i (row): 0 to rollcon.wheelrail_stat_count() - 1
 %

@@ -28,21 +28,21 @@ class ContextPlain:
         self._call("set_threads", n)
 
     def set_latch(self, on: int = 1) -> None:
-        """For programs that check once, at the end. While the latch is on, the first call that
-        fails on the context or on what was made from it is remembered, and every later one does
-        nothing and returns the same status, with the same last error. Release, retain,
-        request_cancel(), kind() and the calls of this latch work on. Outputs of calls that do
-        nothing keep the values that they had, handles to be made are None. Calls that have no
-        live handle belong to no context.
+        """Turns the latch on or off, for programs that check once, at the end. While the latch is
+        on, the first call that fails on the context or on what was made from it is remembered,
+        and every later one does nothing and returns the same status, with the same last error.
+        Release, retain, request_cancel(), kind() and the calls of this latch work on. Outputs of
+        calls that do nothing keep the values that they had, handles to be made are None. Calls
+        that have no live handle belong to no context.
 
         on: 1: on, 0: off (standard); either forgets what was remembered.
         """
         self._call("set_latch", on)
 
     def check(self) -> int:
-        """The first failure since the latch was set, whose text becomes the last error; without
-        one the first status > 0 (a solve that did not converge, ...); without either, or with the
-        latch off, OK. Any negative status may come.
+        """Returns the first failure since the latch was set, whose text becomes the last error;
+        without one the first status > 0 (a solve that did not converge, ...); without either, or
+        with the latch off, OK. Any negative status may be returned.
         """
         return self._call("check")
 
@@ -62,32 +62,34 @@ class BodyPlain:
 
     def prepare(self) -> None:
         """Checks that the body is complete and its mesh and supports sound, assembles and
-        factorises its equations, and freezes it. Optional: the first solve does it. Calling it
-        again does nothing. (Finite elements with many contact faces and no loads of their own are
-        factorised when a frame tells which part of the faces takes part.) ERR_MESH names the
-        offending elements or nodes: double nodes, degenerate or repeated elements, neighbours of
-        opposite orientation, and for elastic bodies open edges, normals that point inwards, more
-        than one outer shell; for finite elements turned elements, faces that meet without
-        matching, parts that share no face, tagged faces that are not on the boundary. A body
-        equal to one that is prepared in the same context (mesh, tags, material, supports, loads,
-        contact faces, options) shares its equations: nothing is assembled again. ERR_SINGULAR:
-        the supports leave the body free to move, and the text says how; hold it (three nodes not
-        on a line, or a hub), since what is held is also what approach and creepage move.
+        factorises its equations, and freezes it. The call is optional: the first solve does it.
+        Calling it again does nothing. (Finite elements with many contact faces and no loads of
+        their own are factorised when a frame tells which part of the faces takes part.) ERR_MESH
+        names the offending elements or nodes: double nodes, degenerate or repeated elements,
+        neighbours of opposite orientation, and for elastic bodies open edges, normals that point
+        inwards, more than one outer shell; for finite elements turned elements, faces that meet
+        without matching, parts that share no face, tagged faces that are not on the boundary. A
+        body equal to one that is prepared in the same context (mesh, tags, material, supports,
+        loads, contact faces, options) uses its equations: nothing is assembled again.
+        ERR_SINGULAR: the supports leave the body free to move, and the text says how; hold it
+        (three nodes not on a line, or a hub), since what is held is also what approach and
+        creepage move.
         """
         self._call("prepare")
 
     @property
     def kind(self) -> int:
-        """The model given to create()."""
+        """Returns the model given to create()."""
         kind = c_int32()
         self._call("get_kind", byref(kind))
         return kind.value
 
     def save(self, path: str | PathLike) -> None:
         """Writes the body, prepared if it was not, to a file: all that was given, the factors,
-        and the responses to frames that it keeps (option cache_bytes). The file appears whole or
-        not at all; an older one is replaced. Poses are the contacts'. Every library of the same
-        ABI number and format reads it, on any machine of the same byte order with IEEE numbers.
+        and the responses to frames that it has cached (option cache_bytes). The file appears
+        whole or not at all; an older one is replaced. Poses belong to contacts and are not
+        written. Every library of the same ABI number and format reads it, on any machine of the
+        same byte order with IEEE numbers.
 
         path: name of the file.
         """
@@ -116,8 +118,8 @@ class BodyPlain:
 
     def set_rotation(self, tag: int, density: float, origin: ArrayLike, rate: ArrayLike) -> None:
         """Prescribes the centrifugal forces of a steady rotation on the finite elements with a
-        tag, added to set_body_force(); replaces an earlier one. Stiffness is that of the body at
-        rest.
+        tag, added to set_body_force(); replaces an earlier one. The stiffness is that of the body
+        at rest.
 
         tag: of volume elements.
         density: mass/length^3, 0 to 1e100.
@@ -138,8 +140,8 @@ class BodyPlain:
         self._call("set_pressure", tag, pressure)
 
     def set_contact_faces(self, tags: ArrayLike) -> None:
-        """Says which faces may come into contact: on them gaps are computed and frames laid.
-        Standard: all faces that are neither held nor loaded.
+        """Says which faces may come into contact: gaps are computed and frames laid on them. The
+        standard is all faces that are neither held nor loaded.
 
         tags: each of some face (else ERR_ARGUMENT).
         """
@@ -147,13 +149,13 @@ class BodyPlain:
         self._call("set_contact_faces", len(tags), tags_at)
 
     def read_mesh(self, path: str | PathLike, part: str = "") -> None:
-        """Takes nodes, elements and names from a file, in place of all that the mesh was: of
-        Gmsh, where the name ends in .msh (versions 2 to 2.2 and 4.1, text or binary), of Abaqus
-        or CalculiX, where it ends in .inp. Linear and quadratic tetrahedra, wedges and hexahedra
-        for finite-element bodies, with the surface elements that have a name; triangles and
+        """Takes nodes, elements and names from a file, in place of the whole former mesh: a file
+        of Gmsh if the name ends in .msh (versions 2 to 2.2 and 4.1, text or binary), of Abaqus or
+        CalculiX if it ends in .inp. Linear and quadratic tetrahedra, wedges and hexahedra for
+        finite-element bodies, with the surface elements that have a name; triangles and
         quadrilaterals for all others. Orders of nodes are changed to those of rollcon; hexahedra
-        of 27 nodes and wedges of 18 give up those inside their faces. Nodes that no element has
-        are left out, the others keep the order of the file. Groups are Gmsh's physical groups
+        of 27 nodes and wedges of 18 lose those inside their faces. Nodes that no element has are
+        left out, the others keep the order of the file. Groups are Gmsh's physical groups
         (nameless ones: "surface 2", ...), Abaqus's sets and surfaces. An element's tag is its
         (first) physical group in Gmsh, else 0: tag_group(). ERR_IO names the file, the line (in
         binary files the byte) and what is wrong there; ERR_MESH: no element that the body could
@@ -170,20 +172,20 @@ class BodyPlain:
         names the faces all of whose nodes it has. Later calls win.
 
         group: name, in any case; ERR_ARGUMENT lists those that there are.
-        tag: as in rollcon_body_add_elements.
+        tag: that of rollcon_body_add_elements.
         """
         self._call("tag_group", c_text(group, "group"), tag)
 
     def group_count(self) -> int:
-        """How many groups the mesh's file has that name something of the body. 0 for a mesh that
-        was not read, and for a body that was saved and loaded.
+        """Returns how many groups of the mesh's file name something of the body; 0 for a mesh
+        that was not read, and for a body that was saved and loaded.
         """
         n = c_int32()
         self._call("get_group_count", byref(n))
         return n.value
 
     def group_name(self, i: int) -> str:
-        """The name of a group as the file has it.
+        """Returns the name of a group in the file's spelling.
 
         i: 0 to rollcon_body_get_group_count - 1.
         """
@@ -196,8 +198,8 @@ class BodyPlain:
         derivatives continuous, broken at kinks (turns of 30 degrees and more, three times as much
         as beside them). Points nearer to each other than a thousandth of the usual distance are
         dropped, and where the path goes back and forth again the two points are replaced by their
-        mean. Forgets the profile before and its place. ERR_ARGUMENT names the point at which the
-        path turns back.
+        mean. The former profile and its place are forgotten. ERR_ARGUMENT names the point at
+        which the path turns back.
 
         points: y and z of each, length.
         filter_length: 0: through the points; else they are smoothed before: waves of this length
@@ -214,7 +216,7 @@ class BodyPlain:
         going on in the direction in which the one before ends; "s1002" unit: the wheel, in
         lengths of which `unit` is a millimetre, the middle of the tread at (0, 0), z down, the
         flange at y < 0; "60e1" unit: the head of the rail, upright, its top at (0, 0), z down.
-        Forgets the profile before and its place.
+        The former profile and its place are forgotten.
 
         shape: line, arc, arcs, s1002 or 60e1.
         parameters: of the shape, in its order; radian, length.
@@ -224,25 +226,25 @@ class BodyPlain:
 
     def read_profile(self, path: str | PathLike, unit: float, mirror: int = 0,
                      filter_length: float = 0) -> None:
-        """Sets a profile through the points of a file, as set_profile() does: of Simpack, where
-        the name ends in .prr or .prw (its keys are obeyed but for smoothing), of Miniprof, where
-        it ends in .ban, .whl or .mpt, else columns, y and z (docs/profiles.md). Simpack's and
-        Miniprof's are millimetres. ERR_IO names the line of a file that cannot be read,
-        ERR_ARGUMENT that of a point at which the path turns back. z goes where the file says:
-        mirror it where the file counts upwards.
+        """Sets a profile through the points of a file, in the way of set_profile(): a file of
+        Simpack if the name ends in .prr or .prw (its keys are obeyed except for smoothing), of
+        Miniprof if it ends in .ban, .whl or .mpt, else columns, y and z (docs/profiles.md).
+        Simpack's and Miniprof's numbers are millimetres. ERR_IO names the line of a file that
+        cannot be read, ERR_ARGUMENT that of a point at which the path turns back. z goes where
+        the file says: mirror it where the file counts upwards.
 
         path: name of the file.
         unit: factor on its numbers: length of a millimetre, > 0.
         mirror: 0: no; 1: in y, 2: in z, 3: in both.
-        filter_length: as of rollcon_body_set_profile, length.
+        filter_length: that of rollcon_body_set_profile, length.
         """
         self._call("read_profile", c_path(path), unit, mirror, filter_length)
 
     def write_profile(self, path: str | PathLike, unit: float) -> None:
-        """Writes points of the profile to a file: of Simpack, where the name ends in .prr or
-        .prw, else two columns. Read again, a profile through points is the same, one in closed
-        form within 1e-9 of its size where its curvature is continuous. The file appears whole or
-        not at all.
+        """Writes points of the profile to a file: of Simpack if the name ends in .prr or .prw,
+        else two columns. A profile through points is the same when read again, one in closed form
+        within 1e-9 of its size where its curvature is continuous. The file appears whole or not
+        at all.
 
         path: name of the file.
         unit: divides its numbers: length of a millimetre, > 0.
@@ -250,8 +252,8 @@ class BodyPlain:
         self._call("write_profile", c_path(path), unit)
 
     def extrude_profile(self, origin: ArrayLike, along: ArrayLike, z_axis: ArrayLike) -> None:
-        """The profile, moved along a straight line without end, is the surface of the body: x of
-        the profile points along, z along z_axis, y along z_axis x along.
+        """Makes the profile, moved along a straight line without end, the surface of the body: x
+        of the profile points along `along`, z along z_axis, y along z_axis x along.
 
         origin: where the profile's point (0, 0) lies, length.
         along: direction, of any length but 0.
@@ -263,27 +265,27 @@ class BodyPlain:
         self._call("extrude_profile", origin_at, along_at, z_axis_at)
 
     def revolve_profile(self, origin: ArrayLike, axis: ArrayLike, radius: float) -> None:
-        """The profile, turned about an axis, is the surface of the body: its points lie at y
+        """Makes the profile, turned about an axis, the surface of the body: its points lie at y
         along the axis and at radius + z away from it. An axis of the opposite direction mirrors
         it in y.
 
         origin: point of the axis at which y is 0, length.
         axis: direction of y, of any length but 0.
-        radius: of z = 0, length; radius + z >= 0 all along the profile.
+        radius: radius at z = 0, length; radius + z >= 0 all along the profile.
         """
         origin, origin_at = vector(origin)
         axis, axis_at = vector(axis)
         self._call("revolve_profile", origin_at, axis_at, radius)
 
     def profile_length(self) -> float:
-        """Arc length of the profile. Works before prepare()."""
+        """Returns the arc length of the profile. It works before prepare()."""
         length = c_double()
         self._call("get_profile_length", byref(length))
         return length.value
 
     def profile_point(self, s: float) -> tuple[ndarray, ndarray, float]:
-        """Point, tangent and curvature of the profile at an arc length, counted from the end
-        where y is less. Works before prepare().
+        """Returns point, tangent and curvature of the profile at an arc length, counted from the
+        end where y is less. It works before prepare().
 
         s: 0 to rollcon_body_get_profile_length, length.
         point: y and z, length.
@@ -297,7 +299,8 @@ class BodyPlain:
 
     @property
     def size(self) -> tuple[int, int]:
-        """Nodes and elements given so far; 0 for bodies without a mesh. Works before prepare().
+        """Returns the nodes and elements given so far; 0 for bodies without a mesh. It works
+        before prepare().
         """
         nodes = c_int64()
         elements = c_int64()
@@ -305,9 +308,9 @@ class BodyPlain:
         return nodes.value, elements.value
 
     def reaction(self) -> tuple[ndarray, ndarray]:
-        """Resultant of the forces that the supports exert on the body under its own loads and
-        given displacements, and its moment about the origin of the body's axes. It balances the
-        loads up to the error of the discretisation: a measure of it.
+        """Returns the resultant of the forces that the supports exert on the body under its own
+        loads and given displacements, and its moment about the origin of the body's axes. It
+        balances the loads up to the error of the discretisation: a measure of it.
 
         force: force.
         moment: force x length.
@@ -318,11 +321,11 @@ class BodyPlain:
         return force, moment
 
     def stat(self, name: str) -> float:
-        """One number about a prepared body: unknowns, assemblies, factorisations, condition,
-        seconds, bytes; 0 for bodies without equations. Names: stat_name(). Counts are those of
-        the equations, which equal bodies of a context share: "shared" is 1 for a body for which
-        nothing was assembled because an equal one was prepared before, "loaded" for one from a
-        file.
+        """Returns one number about a prepared body: unknowns, assemblies, factorisations,
+        condition, seconds, bytes; 0 for bodies without equations. Names: stat_name(). Counts are
+        those of the equations, which equal bodies of a context have in common: "shared" is 1 for
+        a body for which nothing was assembled because an equal one was prepared before, "loaded"
+        for one from a file.
         """
         value = c_double()
         self._call("get_stat", c_text(name, "name"), byref(value))
@@ -333,8 +336,8 @@ class ContactPlain:
 
     def read_frame(self, path: str | PathLike, part: str = "") -> None:
         """Makes the surface elements of a mesh file the frame; replaces frame and all that was
-        given for its nodes. Files as of read_mesh(). Tags of elements are Gmsh's physical groups,
-        else 0.
+        given for its nodes. The files are those of read_mesh(). Tags of elements are Gmsh's
+        physical groups, else 0.
 
         path: name of the file, which ends in .msh or .inp.
         part: name of a group (in any case): only its elements; "": those of the whole file.
@@ -344,7 +347,7 @@ class ContactPlain:
     def frame_from_body(self, which: int, tag: int) -> None:
         """Makes the faces of a body that carry a tag the frame: replaces nodes and elements of
         the frame and forgets the gap array and the creep and friction fields. Its nodes are those
-        of the faces, in the order of their ids in the body, and follow the body's pose. Of
+        of the faces, in the order of their ids in the body, and follow the body's pose. For
         finite-element bodies with tri6 among these faces (tet10, the ends of wedge15) they are
         the corners alone, and the frame's elements linear: size() tells how many. Faces of body 2
         are turned over, so that the frame's normals point out of body 1.
@@ -356,26 +359,25 @@ class ContactPlain:
 
     def frame_rectangle(self, type: int | str, nx: int, ny: int, x_least: float, x_greatest: float,
                         y_least: float, y_greatest: float) -> None:
-        """Makes a rectangle in the plane of the axes, as they are now, the frame: nx by ny
-        elements of one size. Replaces nodes and elements of the frame and forgets the gap array
-        and the creep and friction fields. Nodes come line by line along t1, from the least y.
-        Linear quadrilaterals make a regular frame, which half-spaces solve by fast Fourier
-        transforms.
+        """Makes a rectangle in the present plane of the axes the frame: nx by ny elements of one
+        size. Replaces nodes and elements of the frame and forgets the gap array and the creep and
+        friction fields. Nodes come line by line along t1, from the least y. Linear quadrilaterals
+        make a regular frame, which half-spaces solve by fast Fourier transforms.
 
         type: TRI3, TRI6, QUAD4, QUAD8 or QUAD9.
         nx: elements along t1, 1 to 30000.
         ny: elements along t2, 1 to 30000.
         x_least: along t1 from the origin of the axes, length.
         x_greatest: > x_least.
-        y_least: along t2, likewise.
+        y_least: along t2 from the origin of the axes, length.
         y_greatest: > y_least.
         """
         self._call("frame_rectangle", type, nx, ny, x_least, x_greatest, y_least, y_greatest)
 
     def frame_ellipse(self, along: int, across: int, a: float, b: float, angle: float = 0) -> None:
-        """Makes an ellipse in the plane of the axes, as they are now, the frame: strips along the
-        rolling direction, as frame_strips() makes them, on lines that lie closer towards the
-        sides. It is meant to be the contact itself.
+        """Makes an ellipse in the present plane of the axes the frame: strips along the rolling
+        direction, like those of frame_strips(), on lines that lie closer towards the sides. It is
+        meant to be the contact itself.
 
         along: elements along each strip, 2 to 10000.
         across: strips, 2 to 10000.
@@ -389,8 +391,8 @@ class ContactPlain:
         """Makes strips along the rolling direction the frame: what the contact covers of lines at
         ascending y. Each has along + 1 nodes from end to end, close together near the ends, where
         tractions grow like the square root of the distance. Nodes come line by line. Replaces the
-        frame as frame_rectangle() does. Nodes on the outline carry no traction (EXCLUDED): bodies
-        that overlap there are told as RIM_CONTACT.
+        frame in the way of frame_rectangle(). Nodes on the outline carry no traction (EXCLUDED):
+        bodies that overlap there are reported as RIM_CONTACT.
 
         along: elements along each strip, 2 to 10000.
         lines: y of each line, ascending, and the least and greatest x that the contact covers of
@@ -401,14 +403,15 @@ class ContactPlain:
         self._call("frame_strips", along, len(lines), lines_at)
 
     def frame_automatic(self) -> None:
-        """Leaves the frame to the library, as in a new contact: solves then find the contact from
-        the gap (of the bodies' meshes and profiles, set_gap_quadratic(), set_gap_grid()) and from
-        load or approach, fit two frames of strips to the edge of each patch, one twice as fine as
-        the other, extrapolate their results, and take finer pairs until the option frame_accuracy
-        is met or INACCURATE says that it was not. Forces, moment, approach, creepages, their
-        sensitivities and the statistics contact_area and error_estimate are the extrapolated
-        ones; nodes and fields those of the finer frame, which the next solve may replace. The
-        error is that of the frame: what a body's own mesh adds is not counted.
+        """Leaves the frame to the library, which is the state of a new contact: solves then find
+        the contact from the gap (of the bodies' meshes and profiles, set_gap_quadratic(),
+        set_gap_grid()) and from load or approach, fit two frames of strips to the edge of each
+        patch, one twice as fine as the other, extrapolate their results, and take finer pairs
+        until the option frame_accuracy is met or INACCURATE says that it was not. Forces, moment,
+        approach, creepages, their sensitivities and the statistics contact_area and
+        error_estimate are the extrapolated ones; nodes and fields those of the finer frame, which
+        the next solve may replace. The error is that of the frame: what a body's own mesh adds is
+        not counted.
         """
         self._call("frame_automatic")
 
@@ -457,10 +460,10 @@ class ContactPlain:
         or a quadratic gap. A frame must lie within the cells that have a gap.
 
         nx: points along t1 of each line, 2 or more.
-        x_least: of the first point of a line, length.
-        x_greatest: of the last point, length.
-        y_least: of the first line, length.
-        y_greatest: of the last line, length.
+        x_least: x of the first point of a line, length.
+        x_greatest: x of the last point, length.
+        y_least: y of the first line, length.
+        y_greatest: y of the last line, length.
         gap: line by line, length.
         """
         gap, gap_at = reals(gap)
@@ -476,8 +479,8 @@ class ContactPlain:
 
     def set_creep(self, longitudinal: float = 0.0, lateral: float = 0.0, spin: float = 0.0) -> None:
         """Prescribes creepages and spin by motion: rigid slip c = V (longitudinal - spin y,
-        lateral + spin x) of body 1 relative to body 2. The same as three calls of prescribe(),
-        and forgets the velocities of set_velocity().
+        lateral + spin x) of body 1 relative to body 2. The call stands for three calls of
+        prescribe(), and forgets the velocities of set_velocity().
 
         longitudinal: creepage along t1, dimensionless.
         lateral: creepage along t2, dimensionless.
@@ -487,17 +490,18 @@ class ContactPlain:
 
     def set_step(self, kind: int | str, dt: float = 0.0) -> None:
         """Makes every solve from now on a step in time of length dt; STEADY makes it a steady
-        state again. ROLLING_STEP: the contact rolls on by V dt, creepages and spin are as in
-        steady rolling. SHIFT_STEP: no rolling; what is prescribed as creepages is the shift of
-        body 1 against body 2 in this step (longitudinal and lateral, length) and its turn (spin,
-        radians), and so it is in what motion() returns; velocities and creep fields count by dt.
-        Loads, motions, approach, friction and gap may change from step to step. The first step
-        starts from the steady state solved last, or from rest where there is none (reset()); a
-        step that fails leaves the one before as it was. A frame that follows its contact takes
-        the past along (half-spaces and rigid bodies; meshed bodies: ERR_STATE from the solve).
+        state again. ROLLING_STEP: the contact rolls on by V dt, creepages and spin mean what they
+        mean in steady rolling. SHIFT_STEP: no rolling; what is prescribed as creepages is the
+        shift of body 1 against body 2 in this step (longitudinal and lateral, length) and its
+        turn (spin, radians), and so it is in what motion() returns; velocities and creep fields
+        count by dt. Loads, motions, approach, friction and gap may change from step to step. The
+        first step starts from the steady state solved last, or from rest where there is none
+        (reset()); a step that fails does not change the one before. A frame that follows its
+        contact takes the past along (half-spaces and rigid bodies; meshed bodies: ERR_STATE from
+        the solve).
 
         kind: STEADY, ROLLING_STEP or SHIFT_STEP.
-        dt: > 0, time; counts for nothing where the kind is STEADY.
+        dt: > 0, time; ignored if the kind is STEADY.
         """
         self._call("set_step", kind, dt)
 
@@ -508,12 +512,12 @@ class ContactPlain:
         returns them after a solve. Where bodies have profiles or meshes the relative velocity is
         taken between their surfaces, node by node: rolling radius and spin vary over the contact.
         The speed V follows from the velocity of the contact, less the mean of both bodies'; where
-        that is not given it is as set by set_rolling(), one of the two is needed. A body that is
-        not told of is at rest. What was set last counts: set_creep() forgets all velocities,
-        prescribe() replaces one creepage or the spin and leaves the rest of the slip.
+        that is not given it is the one set by set_rolling(); one of the two is needed. A body
+        whose velocity is not given is at rest. What was set last counts: set_creep() forgets all
+        velocities, prescribe() replaces one creepage or the spin and leaves the rest of the slip.
 
         which: 1 or 2: the body; 0: the contact, which travels over both.
-        velocity: of its point at `point`, length/time.
+        velocity: velocity of its point at `point`, length/time.
         angular_velocity: 1/time.
         point: in space, length.
         """
@@ -540,8 +544,8 @@ class ContactPlain:
         solve. Forces act on body 1. A tilt turns body 1 against body 2 about t1 or t2 through the
         origin: at (x, y) of a flat frame it takes (tilt 1) y - (tilt 2) x from the gap. Its
         moment is that of the contact's tractions on body 1 about the same axis: a load F that
-        presses body 1 at (x, y) asks for the moments -F y (tilt 1) and F x (tilt 2). Standard:
-        all by motion, 0.
+        presses body 1 at (x, y) asks for the moments -F y (tilt 1) and F x (tilt 2). The standard
+        is all by motion, 0.
 
         direction: LONGITUDINAL, LATERAL, NORMAL, SPIN, TILT_1 or TILT_2.
         how: BY_MOTION or BY_FORCE.
@@ -556,9 +560,9 @@ class ContactPlain:
         mu/dt = -max(s, s0)/dc (mu - mu_s(s)), where mu_s is what the law without memory says;
         where surfaces come into contact mu is that at rest. Coefficients then follow the whole
         solution and are found by solves with given ones (statistics friction_rounds and
-        friction_change). Holds for whatever law is set, if it falls, else the solve ends with
-        ERR_STATE. Steady rolling only (steps in time: ERR_UNSUPPORTED from the solve); no
-        sensitivities (ERR_UNSUPPORTED).
+        friction_change). The memory holds for whatever law is set, if it falls, else the solve
+        ends with ERR_STATE. It is for steady rolling only (steps in time: ERR_UNSUPPORTED from
+        the solve), and there are no sensitivities (ERR_UNSUPPORTED).
 
         length: dc, length of slip, >= 0; 0: no memory.
         least_speed: s0 >= 0, slip speed, length/time.
@@ -579,9 +583,10 @@ class ContactPlain:
         """Lets the layer between the bodies (set_layer(), which may be stiff: flexibility 0) flow
         along the surface under a traction of stress + hardening times the flow since the surfaces
         came into contact. Where that is less than friction it bounds the traction, and what
-        friction would call slip is flow. For laws "coulomb", "temperature", and those that fall
-        with a memory, others end with ERR_UNSUPPORTED at the solve. Found by solves with given
-        coefficients as under set_friction_memory(): steady rolling only, no sensitivities.
+        friction would call slip is flow. It works with the laws "coulomb", "temperature", and
+        those that fall with a memory; others end with ERR_UNSUPPORTED at the solve. The flow is
+        found by solves with given coefficients in the way of set_friction_memory(): for steady
+        rolling only, without sensitivities.
 
         stress: >= 0, force/length^2; 0: never flows.
         hardening: force/length^3; negative: softening.
@@ -590,8 +595,8 @@ class ContactPlain:
 
     def set_friction_across(self, points: ArrayLike | None) -> None:
         """Sets friction coefficients along t2, linear between points and constant beyond them,
-        for frames of any maker: in place of the coefficient (the greatest) of set_friction(),
-        where set_friction_field() gives none.
+        for frames of any maker: they replace the (greatest) coefficient of set_friction(), where
+        set_friction_field() gives none.
 
         points: y along t2 from the origin of the axes, ascending, length, and mu >= 0.
         """
@@ -605,13 +610,13 @@ class ContactPlain:
     def set_heat(self, which: int, conductivity: float, heat_capacity: float,
                  temperature: float) -> None:
         """Says what a body does with heat, for the surface temperatures of a solution
-        (temperatures_at(), FIELD_TEMPERATURE) and for friction that depends on them. Both bodies
-        are to be told of; one of them may take up none.
+        (temperatures_at(), FIELD_TEMPERATURE) and for friction that depends on them. The call is
+        needed for both bodies; one of them may take up no heat.
 
         which: 1 or 2: the body.
         conductivity: >= 0, power/(length temperature).
         heat_capacity: >= 0, energy/(volume temperature): density times specific heat.
-        temperature: far from the contact.
+        temperature: temperature far from the contact.
         """
         self._call("set_heat", which, conductivity, heat_capacity, temperature)
 
@@ -636,37 +641,37 @@ class ContactPlain:
         self._call("request_cancel")
 
     def repeat_step(self) -> None:
-        """The next solve starts from where the last step did, as if that had not been: for a host
-        that tries loads or motions again before it goes on. Once after each step.
+        """Lets the next solve start from where the last step did, as if that had not been, for a
+        host that tries loads or motions again before it goes on. It works once after each step.
         """
         self._call("repeat_step")
 
     def restore_past(self, past: ArrayLike) -> None:
-        """The next step starts from what save_past() gave. Prepares bodies and frame where
-        nothing was solved yet. Numbers of another frame, or that were changed, are refused, and
-        the past stays as it was; results of the last solve are gone.
+        """Lets the next step start from what save_past() gave. Prepares bodies and frame where
+        nothing was solved yet. Numbers of another frame, or that were changed, are refused and do
+        not change the past; results of the last solve are gone.
 
-        past: as saved.
+        past: what rollcon_contact_save_past gave.
         """
         past, past_at = reals(past)
         self._call("restore_past", len(past), past_at)
 
     def reset(self) -> None:
-        """Forgets the solution, the warm start, the history and what was before a time step
+        """Forgets the solution, the warm start, the iteration log and what was before a time step
         (bodies are at rest); keeps the scene and all that was computed for the frame.
         """
         self._call("reset")
 
     @property
     def size(self) -> tuple[int, int]:
-        """Nodes and elements of the frame. Works before a solve."""
+        """Returns the nodes and elements of the frame. It works before a solve."""
         nodes = c_int64()
         elements = c_int64()
         self._call("get_size", byref(nodes), byref(elements))
         return nodes.value, elements.value
 
     def resultant(self, axes: int | str = _api.LOCAL) -> tuple[ndarray, ndarray]:
-        """Resultant force on body 1 and its moment about the origin of the axes.
+        """Returns the resultant force on body 1 and its moment about the origin of the axes.
 
         axes: LOCAL or GLOBAL.
         force: force.
@@ -678,7 +683,7 @@ class ContactPlain:
         return force, moment
 
     def motion(self) -> tuple[float, ndarray]:
-        """Approach, creepages and spin, as given or as found for prescribed forces.
+        """Returns approach, creepages and spin, given or found for prescribed forces.
 
         creep: longitudinal, lateral (dimensionless), spin (1/length).
         """
@@ -688,8 +693,8 @@ class ContactPlain:
         return approach.value, creep
 
     def tilt(self) -> ndarray:
-        """Rotations of body 1 against body 2 about t1 and t2, as given or as found for prescribed
-        moments (prescribe()).
+        """Returns rotations of body 1 against body 2 about t1 and t2, given or found for
+        prescribed moments (prescribe()).
 
         tilt: radian.
         """
@@ -698,23 +703,23 @@ class ContactPlain:
         return tilt
 
     def sensitivity(self, parameter: int | str) -> tuple[ndarray, ndarray, float, ndarray]:
-        """Derivatives of what resultant() (local axes) and motion() give, by one parameter. A
-        direction stands for the value last solved with there: creepage, spin or approach where
-        the motion was prescribed; force, spin moment or compressive load where the force was;
-        motions that were found then change with it. FRICTION stands for a factor, now 1, on every
-        friction coefficient: for d/dmu of a uniform mu divide by mu. They are those of Newton's
-        system at the solution, the state of every node held: at most one factorisation for all
-        parameters (one more for NORMAL where pressures stand alone) and one right side each; kept
-        until the next solve. After NO_CONTACT only a prescribed motion's derivative by itself is
-        not 0. ERR_STATE: no solution, one that did not converge, or the parameter is a tangential
-        force or spin moment without friction. ERR_SINGULAR: a load at the limit of friction.
-        ERR_UNSUPPORTED: friction follows the whole solution (of temperature, with a memory, of a
-        layer that flows).
+        """Returns the derivatives of what resultant() (local axes) and motion() give, by one
+        parameter. A direction stands for the value last solved with there: creepage, spin or
+        approach where the motion was prescribed; force, spin moment or compressive load where the
+        force was; motions that were found then change with it. FRICTION stands for a factor, now
+        1, on every friction coefficient: for d/dmu of a uniform mu divide by mu. They are those
+        of Newton's system at the solution, the state of every node held: at most one
+        factorisation for all parameters (one more for NORMAL where pressures stand alone) and one
+        right side each; kept until the next solve. After NO_CONTACT only a prescribed motion's
+        derivative by itself is not 0. ERR_STATE: no solution, one that did not converge, or the
+        parameter is a tangential force or spin moment without friction. ERR_SINGULAR: a load at
+        the limit of friction. ERR_UNSUPPORTED: friction follows the whole solution (of
+        temperature, with a memory, of a layer that flows).
 
         parameter: LONGITUDINAL, LATERAL, NORMAL, SPIN, FRICTION, TILT_1 or TILT_2.
-        force: of the force on body 1, local axes.
-        moment: of its moment about the origin, local axes.
-        creep: of longitudinal and lateral creepage and spin.
+        force: derivative of the force on body 1, local axes.
+        moment: derivative of its moment about the origin, local axes.
+        creep: derivatives of longitudinal and lateral creepage and spin.
         """
         force, force_at = room(3)
         moment, moment_at = room(3)
@@ -724,11 +729,11 @@ class ContactPlain:
         return force, moment, approach.value, creep
 
     def fatigue_index(self, shear_yield: float) -> float:
-        """Index of surface-initiated rolling contact fatigue, FI = sqrt(F1^2 + F2^2)/Fn - 2 A
-        k/(3 Fn), with the area A in contact (statistic contact_area; pi a b of an ellipse) and
-        the yield stress k in shear; positive where fatigue is to be expected. ERR_STATE: no
-        solution, or no normal force. The wear number T-gamma, force times creepage, is the
-        statistic t_gamma.
+        """Returns the index of surface-initiated rolling contact fatigue, FI = sqrt(F1^2 +
+        F2^2)/Fn - 2 A k/(3 Fn), with the area A in contact (statistic contact_area; pi a b for an
+        ellipse) and the yield stress k in shear; positive where fatigue is to be expected.
+        ERR_STATE: no solution, or no normal force. The wear number T-gamma, force times creepage,
+        is the statistic t_gamma.
 
         shear_yield: k, force/length^2, above 0.
         """
@@ -737,17 +742,17 @@ class ContactPlain:
         return index.value
 
     def equivalent_ellipse(self) -> tuple[ndarray, ndarray]:
-        """The Hertzian contact that stands for this one, as evaluate() takes it. The ellipse has
-        the area in contact (statistic contact_area) and, along over across, the second moments of
-        the pressures. Load, creepages and spin are those of the solution, the latter by least
-        squares weighted with pressure about its centre; the solution needs no friction. Friction
-        is the mean over the pressure, of falling laws at the speed of the rigid slip; inputs[2]
-        may be replaced. Elastic constants: mean values of 1/G and nu/G; where pressure strains
-        one body more than the other, the longitudinal creepage has the mean difference of these
-        strains on top. A moment about the contact's origin has center[0] F2 - center[1] F1 more
-        than one about the centre. ERR_STATE: no solution, no load, several patches far apart, or
-        a shift; ERR_UNSUPPORTED: a body has a mesh, a layer is between the bodies, or friction
-        depends on the direction.
+        """Returns the Hertzian contact that stands for this one, in the form of inputs of
+        evaluate(). The ellipse has the area in contact (statistic contact_area) and, along over
+        across, the second moments of the pressures. Load, creepages and spin are those of the
+        solution, the latter by least squares weighted with pressure about its centre; the
+        solution needs no friction. Friction is the mean over the pressure, for falling laws at
+        the speed of the rigid slip; inputs[2] may be replaced. Elastic constants: mean values of
+        1/G and nu/G; where pressure strains one body more than the other, the longitudinal
+        creepage has the mean difference of these strains on top. A moment about the contact's
+        origin has center[0] F2 - center[1] F1 more than one about the centre. ERR_STATE: no
+        solution, no load, several patches far apart, or a shift; ERR_UNSUPPORTED: a body has a
+        mesh, a layer is between the bodies, or friction depends on the direction.
 
         inputs: shear modulus, Poisson's ratio, friction, semi-axes along and across the rolling
           direction, load, longitudinal and lateral creepage, spin.
@@ -759,17 +764,18 @@ class ContactPlain:
         return inputs, center
 
     def stat(self, name: str) -> float:
-        """One number about the last solve: residuals, error estimates, iterations, areas, power,
-        seconds, bytes. Names: rollcon_stat_name; meanings: docs/theory.md, section 8. An error
-        estimate is computed when one of its numbers is asked for, at about the price of a solve.
+        """Returns one number about the last solve: residuals, error estimates, iterations, areas,
+        power, seconds, bytes. Names: rollcon_stat_name; meanings: docs/theory.md, section 8. An
+        error estimate is computed when one of its numbers is asked for, at about the price of a
+        solve.
         """
         value = c_double()
         self._call("get_stat", c_text(name, "name"), byref(value))
         return value.value
 
     def plan(self) -> str:
-        """How the last solve was done (sizes, schemes, linear solver and why), as text for
-        people.
+        """Returns how the last solve was done (sizes, schemes, linear solver and why), as text
+        for people.
         """
         status, text = read_text(lambda *a: lib.rollcon_contact_get_plan(self._handle, *a))
         check(status)
@@ -801,19 +807,19 @@ class WheelrailPlain:
     def set_wheelset(self, back_to_back: float, flange_back: float, radius: float) -> None:
         """Sets the dimensions of the wheelset.
 
-        back_to_back: between the backs of the flanges, > 0, length.
+        back_to_back: distance between the backs of the flanges, > 0, length.
         flange_back: y of the flange's back in the profile of the wheel, length.
-        radius: of the profile's z = 0, > 0, length; radius + z > 0 all along the profile.
+        radius: radius at the profile's z = 0, > 0, length; radius + z > 0 all along the profile.
         """
         self._call("set_wheelset", back_to_back, flange_back, radius)
 
     def set_rail_deviation(self, deviation: ArrayLike, rate: ArrayLike) -> None:
         """Sets the deviation of the rail from its place in the track and how it changes:
-        irregularities, and rails that give way. Standard: 0.
+        irregularities, and rails that give way. The standard is 0.
 
         deviation: along y and z, length; roll, radian, about the point where the gauge is
           measured, at the height of the rails' top, -0.5 to 0.5.
-        rate: of these, length/time and 1/time.
+        rate: rates of these, length/time and 1/time.
         """
         deviation, deviation_at = vector(deviation)
         rate, rate_at = vector(rate)
@@ -822,7 +828,7 @@ class WheelrailPlain:
     def set_position(self, position: ArrayLike) -> None:
         """Sets the position of the wheelset. z = 0 is where the tread's datum of a centred
         wheelset is at the height of the rails' top; z is not used where a vertical force is
-        prescribed (statistic "z" is what was found), but as the start of the search.
+        prescribed (statistic "z" is what was found), except as the start of the search.
 
         position: of the wheelset's centre: x, y, z, length; roll, yaw and pitch, radian; roll and
           yaw -0.5 to 0.5.
@@ -832,12 +838,12 @@ class WheelrailPlain:
 
     def set_roll_outside(self, on: int) -> None:
         """Says in which order positions turn a wheelset. A point of it is pitched about its axle;
-        then it is either yawed about z and rolled about x, as in CONTACT, or rolled and then
-        yawed, as in a new handle. Rates of roll and yaw are those of these angles. Counts from
-        the next solve, for positions that were set before, too. Both orders are the same without
-        roll or without yaw.
+        then it is either yawed about z and rolled about x, which is CONTACT's order, or rolled
+        and then yawed, which is that of a new handle. Rates of roll and yaw are those of these
+        angles. It counts from the next solve, also for positions that were set before. Both
+        orders agree without roll or without yaw.
 
-        on: 1: the roll outside the yaw; 0: the yaw outside the roll, as in a new handle.
+        on: 1: the roll outside the yaw; 0: the yaw outside the roll, the standard.
         """
         self._call("set_roll_outside", on)
 
@@ -851,35 +857,35 @@ class WheelrailPlain:
         self._call("set_velocity", velocity_at)
 
     def prescribe_vertical(self, how: int | str, force: float = 0) -> None:
-        """Prescribes the height of the wheelset by motion, as its position has it (standard), or
-        by the vertical force; z is then found by the solve.
+        """Prescribes the height of the wheelset by motion, from its position (standard), or by
+        the vertical force; z is then found by the solve.
 
         how: BY_MOTION or BY_FORCE.
-        force: of this wheel on its rail, along z of the track, >= 0; not looked at by motion.
+        force: force of this wheel on its rail, along z of the track, >= 0; ignored by motion.
         """
         self._call("prescribe_vertical", how, force)
 
     def set_friction(self, mu: float) -> None:
-        """Sets the coefficient of Coulomb's friction. Not needed where set_friction_by_angle()
-        gives it.
+        """Sets the coefficient of Coulomb's friction. It is not needed where
+        set_friction_by_angle() gives it.
 
         mu: 0 to 10.
         """
         self._call("set_friction", mu)
 
     def forget_table(self) -> None:
-        """Solves all patches in full again, as a new handle does."""
+        """Solves all patches in full again, like a new handle."""
         self._call("forget_table")
 
     def set_hertzian(self, on: int) -> None:
-        """With a creep-force table (set_table(); without one nothing changes): takes Hertz's
-        pressures on an ellipse that each patch's overlap gives, and solves for none. A step takes
+        """Takes Hertz's pressures on an ellipse that each patch's overlap gives, and solves for
+        none, with a creep-force table (set_table(); without one nothing changes). A step takes
         tens of microseconds instead of about a millisecond; docs/wheelrail.md has the errors.
-        Patches have their statistics; their contacts have no solution (ERR_STATE of what asks for
-        one). A patch that the table does not have is solved in full; statistic hertzian of the
-        patch is 0.
+        Patches have their statistics; their contacts have no solution (ERR_STATE from calls that
+        ask for one). A patch that the table does not have is solved in full; statistic hertzian
+        of the patch is 0.
 
-        on: 1: ellipses of the overlaps; 0: pressures are solved for, as in a new handle.
+        on: 1: ellipses of the overlaps; 0: pressures are solved for, the standard.
         """
         self._call("set_hertzian", on)
 
@@ -889,9 +895,9 @@ class WheelrailPlain:
         degrees within a patch. Its compliance is that of half-spaces on the frame unrolled
         (docs/theory.md, section 11), its operators are made anew at every position, so that a
         step takes tens of milliseconds, and derivatives of the totals are differences of solves.
-        Creep-force tables are left aside: statistic by_table of a patch is 0.
+        Creep-force tables are not used: statistic by_table of a patch is 0.
 
-        on: 1: along the profiles; 0: in a plane, as in a new handle.
+        on: 1: along the profiles; 0: in a plane, the standard.
         """
         self._call("set_conformal", on)
 
@@ -915,7 +921,7 @@ class WheelrailPlain:
         """Sets how accurate forces are to be: the frames of the patches are as fine as that
         takes.
 
-        accuracy: of tangential forces, as part of the limit of friction: 0.005 to 1, standard
+        accuracy: error of tangential forces over the limit of friction: 0.005 to 1, standard
           0.01.
         """
         self._call("set_accuracy", accuracy)
@@ -939,18 +945,18 @@ class WheelrailPlain:
         self._call("request_cancel")
 
     def save(self, place: int) -> None:
-        """Keeps what is set and the last solution at a place within the wheel, for restore():
-        integrators step back. Nothing is allocated where as much was kept before.
+        """Saves what is set and the last solution at a place within the wheel, for restore(),
+        because integrators step back. Nothing is allocated where as much was saved before.
 
         place: 0 to 15.
         """
         self._call("save", place)
 
     def restore(self, place: int) -> None:
-        """Goes back to what was kept: inputs, results, and later solves are as if nothing had
-        been done since, to the last bit. ERR_STATE: nothing was kept at this place, or track or
-        wheelset have been set since. What was kept stays. Contacts of patches that were new since
-        then are no longer those of this wheel.
+        """Goes back to what was saved: inputs, results, and later solves are as if nothing had
+        been done since, to the last bit. ERR_STATE: nothing was saved at this place, or track or
+        wheelset have been set since. What was saved stays. Contacts of patches that were new
+        since then are no longer those of this wheel.
 
         place: 0 to 15.
         """
@@ -964,13 +970,14 @@ class WheelrailPlain:
 
     @property
     def patch_count(self) -> int:
-        """Number of patches, from 0."""
+        """Returns the number of patches, from 0."""
         patches = c_int64()
         self._call("get_patch_count", byref(patches))
         return patches.value
 
     def resultant(self, axes: int | str = _api.IN_TRACK) -> tuple[ndarray, ndarray]:
-        """Force of all patches on the wheel and its moment about the wheelset's centre.
+        """Returns the force of all patches on the wheel and its moment about the wheelset's
+        centre.
 
         axes: IN_TRACK or IN_WHEELSET.
         force: force.
@@ -982,17 +989,17 @@ class WheelrailPlain:
         return force, moment
 
     def derivative(self, entry: int) -> tuple[ndarray, ndarray, float]:
-        """Derivatives of the totals of the last solve by one entry of its position or velocity:
-        of what resultant() gives in the track, and of the wheelset's z. Where the height was
-        found from a vertical force, that force stays and z follows; entry 2 has none then. They
-        are those of Newton's systems at the solutions of the patches, whose axes move with the
-        overlap; with a creep-force table, central differences of solves. The first call finds all
-        twelve and keeps them until the next solve. ERR_STATE: no solution, or one that did not
-        converge. ERR_SINGULAR: a patch begins or ends here.
+        """Returns the derivatives of the totals of the last solve by one entry of its position or
+        velocity: those of what resultant() gives in the track, and derivatives of the wheelset's
+        z. Where the height was found from a vertical force, that force stays and z follows; entry
+        2 has none then. They are those of Newton's systems at the solutions of the patches, whose
+        axes move with the overlap; with a creep-force table, central differences of solves. The
+        first call finds all twelve and keeps them until the next solve. ERR_STATE: no solution,
+        or one that did not converge. ERR_SINGULAR: a patch begins or ends here.
 
         entry: 0 to 5: of the position (rollcon_wheelrail_set_position); 6 to 11: of the velocity.
-        force: of the force on the wheel.
-        moment: of its moment about the wheelset's centre, which moves along.
+        force: derivative of the force on the wheel.
+        moment: derivative of its moment about the wheelset's centre, which moves along.
         """
         force, force_at = room(3)
         moment, moment_at = room(3)
@@ -1001,19 +1008,20 @@ class WheelrailPlain:
         return force, moment, z.value
 
     def stat(self, name: str) -> float:
-        """One number about the last solve: height, vertical force, frictional power, counts.
-        Names: stat_name(); meanings: docs/wheelrail.md.
+        """Returns one number about the last solve: height, vertical force, frictional power,
+        counts. Names: stat_name(); meanings: docs/wheelrail.md.
         """
         value = c_double()
         self._call("get_stat", c_text(name, "name"), byref(value))
         return value.value
 
     def profile_point(self, body: int, share: float) -> ndarray:
-        """Where a point of the wheel's or the rail's profile stood in the last solve, in the
-        track: for pictures. The wheel's profile is that in the plane of its axle, below it.
+        """Returns where a point of the wheel's or the rail's profile stood in the last solve, in
+        the track, for pictures. The wheel's profile is that in the plane of its axle, below it.
 
         body: 1: wheel, 2: rail.
-        share: 0 to 1: of the length of that body's profile, from the end where y is less.
+        share: fraction of the length of that body's profile, 0 to 1, from the end where y is
+          less.
         point: y and z, length.
         """
         point, point_at = room(2)
@@ -1021,8 +1029,8 @@ class WheelrailPlain:
         return point
 
     def patch_stat(self, patch: int, name: str) -> float:
-        """One number about a patch: position, angle, rolling radius, creepages, forces, status.
-        Names: patch_stat_name(); meanings: docs/wheelrail.md.
+        """Returns one number about a patch: position, angle, rolling radius, creepages, forces,
+        status. Names: patch_stat_name(); meanings: docs/wheelrail.md.
 
         patch: 0 to rollcon_wheelrail_get_patch_count - 1.
         """
@@ -1031,12 +1039,12 @@ class WheelrailPlain:
         return value.value
 
     def patch_axes(self, patch: int) -> tuple[ndarray, ndarray]:
-        """Origin and axes of the contact of a patch (contact()) in the track: a node at (x, y, z)
-        of the contact is at origin + x t1 + y t2 + z n. Those of a left wheel are a mirror image:
-        a left-handed triple.
+        """Returns origin and axes of the contact of a patch (contact()) in the track: a node at
+        (x, y, z) of the contact is at origin + x t1 + y t2 + z n. The axes of a left wheel are a
+        mirror image: a left-handed triple.
 
         patch: 0 to rollcon_wheelrail_get_patch_count - 1.
-        origin: the middle of its frame; x counts from the wheelset's, as the statistic, length.
+        origin: the middle of its frame; x counts from the wheelset's, like the statistic, length.
         axes: unit vectors t1 (the rolling direction), t2 (across), n (into the rail).
         """
         origin, origin_at = room(3)
@@ -1048,38 +1056,39 @@ class WheelrailPlain:
 class TablePlain:
 
     def set_ratios(self, intervals: int, least: float, greatest: float) -> None:
-        """Sets which ratios a / b of semi-axes the table has. Before the first sample (else
-        ERR_STATE).
+        """Sets which ratios a / b of semi-axes the table has. Call it before the first sample
+        (else ERR_STATE).
 
-        intervals: of the logarithm of the ratio, 4 to 100.
+        intervals: intervals of the logarithm of the ratio, 4 to 100.
         least: 0.01 or more.
         greatest: more than the least, at most 100.
         """
         self._call("set_ratios", intervals, least, greatest)
 
     def set_resolution(self, magnitudes: int, angles: int, directions: int) -> None:
-        """Sets how fine the table is in the creepages. Before the first sample (else ERR_STATE).
+        """Sets how fine the table is in the creepages. Call it before the first sample (else
+        ERR_STATE).
 
         magnitudes: intervals from none to vast creepages, 4 to 100.
         angles: intervals from pure spin to none, 4 to 100.
-        directions: of the translational creepage in half a turn, even, 4 to 32.
+        directions: directions of the translational creepage in half a turn, even, 4 to 32.
         """
         self._call("set_resolution", magnitudes, angles, directions)
 
     def set_frame(self, along: int, across: int) -> None:
         """Sets the coarser of the two frames of strips on which samples of circles are solved;
-        those of longer ellipses have more cells along their length and fewer across. Before the
-        first sample (else ERR_STATE).
+        those of longer ellipses have more cells along their length and fewer across. Call it
+        before the first sample (else ERR_STATE).
 
         along: elements along each strip, 6 to 100; the finer frame has twice as many.
-        across: strips, 4 to 100; likewise.
+        across: strips, 4 to 100; the finer frame has twice as many.
         """
         self._call("set_frame", along, across)
 
     def set_poissons(self, poissons: ArrayLike) -> None:
-        """Makes it a table of bodies of equal elastic constants, as a new one is, and sets its
-        Poisson's ratios; it is linear between two, cubic between more, and has none beyond.
-        Before the first sample (else ERR_STATE).
+        """Makes it a table of bodies of equal elastic constants, which a new one is, and sets its
+        Poisson's ratios; it is linear between two, cubic between more, and has none beyond. Call
+        it before the first sample (else ERR_STATE).
 
         poissons: ascending, -1 to 0.5.
         """
@@ -1094,10 +1103,10 @@ class TablePlain:
         poisson the mean values of the bodies (equivalent_ellipse()), and creepages without the
         strain under the pressure. Each coefficient of friction takes as long as two to three
         Poisson's ratios of like bodies. Bodies whose (1 - 2 nu)/(2 G) are the same make a table
-        of like bodies. Before the first sample (else ERR_STATE).
+        of like bodies. Call it before the first sample (else ERR_STATE).
 
         youngs: Young's moduli of bodies 1 and 2, in any unit; 0: rigid, not both.
-        poissons: -1 to 0.5; of a rigid body no matter.
+        poissons: -1 to 0.5; ignored for a rigid body.
         frictions: coefficients of friction, ascending, above 0 to 10.
         """
         youngs, youngs_at = vector(youngs, 2)
