@@ -31,7 +31,7 @@ constexpr Variant variants[] = {{"a", "a", false, false},          {"a, forces",
                                 {"b, on rigid", "b", true, false}, {"b, on rigid, forces", "b", true, true}};
 
 std::unique_ptr<RollingPair> make(const Runner& runner, const Variant& v, int n, const char* operators) {
-  // Half as stiff a body on a rigid one has the same contact.
+  // A body half as stiff on a rigid one has the same contact.
   const scenes::Elastic half{.shear = steady_rolling::steel.shear / 2, .poisson = steady_rolling::steel.poisson};
   auto pair = v.rigid ? std::make_unique<RollingPair>(half, std::nullopt, runner.threads)
                       : std::make_unique<RollingPair>(steady_rolling::steel, steady_rolling::steel, runner.threads);

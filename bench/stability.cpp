@@ -1,8 +1,8 @@
-// rollcon-bench stability [--quick] [--json FILE] [--scenes N] [--threads N]
+// Runs rollcon-bench stability [--quick] [--json FILE] [--scenes N] [--threads N].
 //
-// Named scenes and N random ones (5000), from nothing and from wildly different states; the published procedures on a
-// part of them. One record for every solve. Cases stability_named, stability_random, stability_forces (1000 scenes) and
-// stability_bodies are its parts.
+// The cases are named scenes and N random ones (5000), from nothing and from wildly different states; the published
+// procedures solve a part of them. Every solve has a record. Cases stability_named, stability_random, stability_forces
+// (1000 scenes) and stability_bodies are its parts.
 
 #include "stability.hpp"
 

@@ -62,8 +62,8 @@ rollcon_belongs("linalg/factored_matrix" FEM BEM PROCEDURES)
 rollcon_belongs("io/vtu" VTU)
 rollcon_stands_for(io/vtu_absent.cpp VTU)
 
-# Only files that use headers from outside see them: a build that is configured anew with other components compiles
-# little again.
+# The headers from outside are seen by the files alone that use them: a build that is configured anew with other
+# components compiles little again.
 macro(rollcon_sees _pattern _external)
   if(TARGET rollcon::${_external})
     get_target_property(_folder rollcon::${_external} INTERFACE_INCLUDE_DIRECTORIES)

@@ -115,7 +115,7 @@ static void write_crossing(FILE* file, const frame_results* r, int a, int b) {
   fprintf(file, " %.5e\n", r->gap[a] + s * (r->gap[b] - r->gap[a]));
 }
 
-/* Columns: x y p t1 t2 s1 s2 gap, and the node's status in the first two files.
+/* Writes the columns x y p t1 t2 s1 s2 gap, and the node's status in the first two files.
      STEM_nodes.txt    all nodes of the frame
      STEM_patches.txt  quadrilaterals (quadratic ones: their corners) in the form of pm3d
      STEM_section.txt  the line y = 0 */

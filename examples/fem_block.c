@@ -71,7 +71,7 @@ int main(void) {
   rollcon_contact* contact;
   int i, j, k, n;
 
-  /* 1 the block: nodes; six layers of elements are the base, two the tread */
+  /* Step 1 makes the block: nodes; six layers of elements are the base, two the tread. */
   must(rollcon_context_create(ROLLCON_ABI, &context));
   must(rollcon_body_create(context, ROLLCON_BODY_FEM, &block));
   for (k = 0; k < NZ; ++k)
@@ -88,7 +88,7 @@ int main(void) {
     must(rollcon_body_add_elements(block, ROLLCON_HEX8, LAYER, &element[0][0], 0, k < 6 ? BASE : TREAD));
   }
 
-  /* 2 materials by tag; the bottom's nodes are held; the top's nodes name the faces of contact */
+  /* Step 2 gives materials by tag, holds the bottom's nodes, and names the faces of contact by the top's nodes. */
   must(rollcon_body_set_elastic(block, BASE, 1e4, 0.3));
   must(rollcon_body_set_elastic(block, TREAD, 2e3, 0.45));
   for (n = 0; n < NX * NY; ++n) {
@@ -100,23 +100,23 @@ int main(void) {
   i = TOP;
   must(rollcon_body_set_contact_faces(block, 1, &i));
 
-  /* 3 the ball: rigid, its shape given as a gap; the frame: 12 x 12 elements laid on the block,
-     about as large as its faces */
+  /* Step 3 makes the ball, which is rigid, its shape given as a gap, and the frame: 12 x 12 elements laid on the block,
+     about as large as its faces. */
   must(rollcon_body_create(context, ROLLCON_BODY_RIGID, &ball));
   must(rollcon_contact_create(context, block, ball, &contact));
   must(rollcon_contact_frame_rectangle(contact, ROLLCON_QUAD4, ALONG, ALONG, -half, half, -half, half));
   must(rollcon_contact_set_gap_quadratic(contact, 1 / (2 * radius), 1 / (2 * radius), 0));
 
-  /* 4 friction, speed, loads: pressed and driven by forces */
+  /* Step 4 sets friction, speed and loads: the ball is pressed and driven by forces. */
   must(rollcon_contact_set_friction(contact, "coulomb", 1, &mu));
   must(rollcon_contact_set_rolling(contact, speed));
   must(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, load));
   must(rollcon_contact_prescribe(contact, ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE, 0.6 * mu * load));
 
-  /* 5 solve: assembles and factorises the block, condenses it to the frame, then iterates */
+  /* Step 5 solves: assembles and factorises the block, condenses it to the frame, then iterates. */
   status = must(rollcon_contact_solve(contact));
 
-  /* 6 results */
+  /* Step 6 reads the results. */
   must(rollcon_body_get_size(block, &sizes[0], &sizes[1]));
   must(rollcon_body_get_stat(block, "unknowns", &unknowns));
   must(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, force, NULL));

@@ -17,7 +17,7 @@ program fem_block
   integer(rc_int), allocatable :: state(:)
   integer :: element(8, (nx - 1)*(ny - 1)), i, j, k, n, nodes, elements, status
 
-  ! 1 the block: nodes; six layers of elements are the base, two the tread
+  ! Step 1 makes the block: nodes; six layers of elements are the base, two the tread.
   call context%create()
   call block%create(context, ROLLCON_BODY_FEM)
   do k = 1, nz
@@ -38,30 +38,31 @@ program fem_block
     call block%add_elements(ROLLCON_HEX8, element, tag=merge(base, tread, k <= 6))
   end do
 
-  ! 2 materials by tag; the bottom's nodes are held; the top's nodes name the faces of contact
+  ! Step 2 gives materials by tag, holds the bottom's nodes, and names the faces of contact by the top's nodes.
   call block%set_elastic(1e4_rc_real, 0.3_rc_real, tag=base)
   call block%set_elastic(2e3_rc_real, 0.45_rc_real, tag=tread)
   call block%set_support([(n, n=1, nx*ny)])
   call block%tag_faces_of_nodes([(n, n=1 + nx*ny*(nz - 1), nx*ny*nz)], top)
   call block%set_contact_faces([top])
 
-  ! 3 the ball: rigid, its shape given as a gap; the frame: 12 x 12 elements laid on the block, as large as its faces
+  ! Step 3 makes the ball, which is rigid, its shape given as a gap, and the frame: 12 x 12 elements laid on the block,
+  ! about as large as its faces.
   call ball%create(context, ROLLCON_BODY_RIGID)
   call contact%create(context, block, ball)
   call contact%frame_rectangle(ROLLCON_QUAD4, along, along, -half, half, -half, half)
   call contact%set_gap_quadratic(1/(2*radius), 1/(2*radius), 0.0_rc_real)
 
-  ! 4 friction, speed, loads: pressed and driven by forces
+  ! Step 4 sets friction, speed and loads: the ball is pressed and driven by forces.
   call contact%set_friction('coulomb', [mu])
   call contact%set_rolling(speed)
   call contact%prescribe(ROLLCON_NORMAL, ROLLCON_BY_FORCE, load)
   call contact%prescribe(ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE, 0.6_rc_real*mu*load)
 
-  ! 5 solve: assembles and factorises the block, condenses it to the frame, then iterates
+  ! Step 5 solves: assembles and factorises the block, condenses it to the frame, then iterates.
   call contact%solve(stat=status)
   if (status < 0) error stop 'no solution'
 
-  ! 6 results
+  ! Step 6 reads the results.
   call block%get_size(nodes, elements)
   call block%get_stat('unknowns', unknowns)
   call contact%get_resultant(force, moment)

@@ -18,43 +18,43 @@ def show(name, *values):
     print(f"{name:14s}" + "".join(fields))
 
 
-# 1 the block: nodes; six layers of elements are the base, two the tread
+# Step 1 makes the block: nodes; six layers of elements are the base, two the tread.
 context = rc.Context()
 block = rc.Body(context, rc.BODY_FEM)
 z, y, x = np.meshgrid(np.arange(NZ) - 8.0, np.arange(NY) - 8.0, np.arange(NX) - 8.0, indexing="ij")
 block.set_nodes(np.column_stack([x.ravel(), y.ravel(), z.ravel()]))
 node = np.arange(NX * NY * NZ).reshape(NZ, NY, NX)
 for k in range(NZ - 1):
-    # bottom face counter-clockwise seen from above, then the top face
+    # The bottom face comes first, counter-clockwise seen from above, then the top face.
     corners = [node[layer, j:j + NY - 1, i:i + NX - 1] for layer in (k, k + 1)
                for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))]
     block.add_elements(rc.HEX8, np.stack(corners, axis=-1).reshape(-1, 8),
                        tag=BASE if k < 6 else TREAD)
 
-# 2 materials by tag; the bottom's nodes are held; the top's nodes name the faces of contact
+# Step 2 gives materials by tag, holds the bottom's nodes, and names the faces of contact by the top's nodes.
 block.set_elastic(1e4, 0.3, tag=BASE)
 block.set_elastic(2e3, 0.45, tag=TREAD)
 block.set_support(node[0].ravel())
 block.tag_faces_of_nodes(node[-1].ravel(), TOP)
 block.set_contact_faces([TOP])
 
-# 3 the ball: rigid, its shape given as a gap; the frame: 12 x 12 elements laid on the block, about
-# as large as its faces
+# Step 3 makes the ball, which is rigid, its shape given as a gap, and the frame: 12 x 12 elements laid on the block,
+# about as large as its faces.
 ball = rc.Body(context, rc.BODY_RIGID)
 contact = rc.Contact(context, block, ball)
 contact.frame_rectangle(rc.QUAD4, ALONG, ALONG, -HALF, HALF, -HALF, HALF)
 contact.set_gap_quadratic(1 / (2 * RADIUS), 1 / (2 * RADIUS))
 
-# 4 friction, speed, loads: pressed and driven by forces
+# Step 4 sets friction, speed and loads: the ball is pressed and driven by forces.
 contact.set_friction(MU)
 contact.set_rolling(SPEED)
 contact.prescribe(rc.NORMAL, rc.BY_FORCE, LOAD)
 contact.prescribe(rc.LONGITUDINAL, rc.BY_FORCE, 0.6 * MU * LOAD)
 
-# 5 solve: assembles and factorises the block, condenses it to the frame, then iterates
+# Step 5 solves: assembles and factorises the block, condenses it to the frame, then iterates.
 status = contact.solve()
 
-# 6 results
+# Step 6 reads the results.
 force, _ = contact.resultant()
 approach, creep = contact.motion()
 t = contact.tractions()

@@ -161,7 +161,7 @@ int main(int argc, char** argv) {
   body_mesh ring_mesh, block_mesh;
   char path[1000];
 
-  /* 1 bodies: the ring by finite elements, the ground as a half-space or by boundary elements */
+  /* Step 1 makes the bodies: the ring by finite elements, the ground as a half-space or by boundary elements. */
   must(rollcon_context_create(ROLLCON_ABI, &context));
   must(rollcon_body_create(context, ROLLCON_BODY_FEM, &ring));
   must(rollcon_body_create(context, on_block ? ROLLCON_BODY_BEM : ROLLCON_BODY_HALFSPACE, &ground));
@@ -177,27 +177,26 @@ int main(int argc, char** argv) {
   }
   must(rollcon_contact_create(context, ring, ground, &contact));
 
-  /* 2 poses and frame: the zone of the ring; the gap is that of the ring's faces above the ground
-   */
+  /* Step 2 sets poses and frame: the zone of the ring; the gap is that of the ring's faces above the ground. */
   must(rollcon_contact_set_pose(contact, 1, upside_down, up));
   must(rollcon_contact_set_axes(contact, origin, rolling, normal));
   must(rollcon_contact_frame_from_body(contact, 1, 2));
   frame_of_tag(&r, &ring_mesh, 2);
 
-  /* 3 materials */
+  /* Step 3 sets the materials. */
   if (equal) young[0] = young[1] = 2 / (1 / young[0] + 1 / young[1]);
   must(rollcon_body_set_elastic(ring, 0, young[0], poisson[0]));
   must(rollcon_body_set_elastic(ground, 0, young[1], poisson[1]));
   must(rollcon_contact_set_friction(contact, "coulomb", 1, &mu));
   must(rollcon_contact_set_str(contact, "convection", scheme));
 
-  /* 4 loads, 5 solve: rolling freely, then driven; approach and creepage are unknown */
+  /* Steps 4 and 5 set loads and solve: rolling freely, then driven; approach and creepage are unknown. */
   must(rollcon_contact_set_rolling(contact, omega * radius));
   must(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, load));
   free_rolling = roll(0);
   driven = roll(ratio);
 
-  /* 6 results */
+  /* Step 6 reads the results. */
   read_results(&r, contact);
   printf("ring (radii %g and %g mm, width %g mm, E %g MPa) on %s (E %g MPa); nu %g; V %g mm/s\n", shape.inner, radius,
          width, young[0], on_block ? "a block" : "a half-space", young[1], poisson[0], omega * radius);

@@ -45,29 +45,29 @@ int main(void) {
   int32_t *state, count[4] = {0, 0, 0, 0}, status;
   int64_t nodes, i;
 
-  /* 1 bodies */
+  /* Step 1 makes the bodies. */
   must(rollcon_context_create(ROLLCON_ABI, &context));
   must(rollcon_body_create(context, ROLLCON_BODY_HALFSPACE, &sphere));
   must(rollcon_body_create(context, ROLLCON_BODY_RIGID, &plane));
 
-  /* 2 the gap between them; the library makes the mesh of the contact, its frame, to fit */
+  /* Step 2 gives the gap between them; the library makes the mesh of the contact, its frame, to fit. */
   must(rollcon_contact_create(context, sphere, plane, &contact));
   must(rollcon_contact_set_gap_quadratic(contact, 1 / (2 * radius), 1 / (2 * radius), 0));
 
-  /* 3 materials */
+  /* Step 3 sets the materials. */
   must(rollcon_body_set_elastic(sphere, 0, young, poisson));
   must(rollcon_contact_set_friction(contact, "coulomb", 1, &mu));
 
-  /* 4 creepages and loads */
+  /* Step 4 sets creepages and loads. */
   must(rollcon_contact_set_rolling(contact, speed));
   must(rollcon_contact_set_creep(contact, 0, 0, 0));
   must(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, load));
   must(rollcon_contact_prescribe(contact, ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE, traction_force));
 
-  /* 5 solve */
+  /* Step 5 solves. */
   status = must(rollcon_contact_solve(contact));
 
-  /* 6 results */
+  /* Step 6 reads the results. */
   must(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, force, moment));
   must(rollcon_contact_get_motion(contact, &approach, creep));
   must(rollcon_contact_get_size(contact, &nodes, NULL));

@@ -13,30 +13,30 @@ program six_steps
   integer(rc_int), allocatable :: state(:)
   integer :: status
 
-  ! 1 bodies; without the argument stat a failure ends the program with the library's own words
+  ! Step 1 makes the bodies; without the argument stat a failure ends the program with the library's own words.
   call context%create()
   call sphere%create(context, ROLLCON_BODY_HALFSPACE)
   call plane%create(context, ROLLCON_BODY_RIGID)
 
-  ! 2 the gap between them; the library makes the mesh of the contact, its frame, to fit
+  ! Step 2 gives the gap between them; the library makes the mesh of the contact, its frame, to fit.
   call contact%create(context, sphere, plane)
   call contact%set_gap_quadratic(1/(2*radius), 1/(2*radius), 0.0_rc_real)
 
-  ! 3 materials
+  ! Step 3 sets the materials.
   call sphere%set_elastic(young, poisson)
   call contact%set_friction('coulomb', [mu])
 
-  ! 4 creepages and loads
+  ! Step 4 sets creepages and loads.
   call contact%set_rolling(speed)
   call contact%set_creep(0.0_rc_real, 0.0_rc_real, 0.0_rc_real)
   call contact%prescribe(ROLLCON_NORMAL, ROLLCON_BY_FORCE, load)
   call contact%prescribe(ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE, traction_force)
 
-  ! 5 solve
+  ! Step 5 solves.
   call contact%solve(stat=status)
   if (status < 0) error stop 'no solution'
 
-  ! 6 results
+  ! Step 6 reads the results.
   call contact%get_resultant(force, moment)
   call contact%get_motion(approach, creep)
   call contact%get_tractions(t)

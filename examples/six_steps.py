@@ -14,29 +14,29 @@ def show(name, *values):
     print(f"{name:14s}" + "".join(fields))
 
 
-# 1 bodies; a failure raises rc.RollconError with the library's own words
+# Step 1 makes the bodies; a failure raises rc.RollconError with the library's own words.
 context = rc.Context()
 sphere = rc.Body(context, rc.BODY_HALFSPACE)
 plane = rc.Body(context, rc.BODY_RIGID)
 
-# 2 the gap between them; the library makes the mesh of the contact, its frame, to fit
+# Step 2 gives the gap between them; the library makes the mesh of the contact, its frame, to fit.
 contact = rc.Contact(context, sphere, plane)
 contact.set_gap_quadratic(1 / (2 * RADIUS), 1 / (2 * RADIUS))
 
-# 3 materials
+# Step 3 sets the materials.
 sphere.set_elastic(YOUNG, POISSON)
 contact.set_friction(MU)
 
-# 4 creepages and loads
+# Step 4 sets creepages and loads.
 contact.set_rolling(SPEED)
 contact.set_creep(0.0, 0.0, 0.0)
 contact.prescribe(rc.NORMAL, rc.BY_FORCE, LOAD)
 contact.prescribe(rc.LONGITUDINAL, rc.BY_FORCE, TRACTION_FORCE)
 
-# 5 solve
+# Step 5 solves.
 status = contact.solve()
 
-# 6 results
+# Step 6 reads the results.
 force, moment = contact.resultant()
 approach, creep = contact.motion()
 t = contact.tractions()

@@ -175,13 +175,13 @@ int main(int argc, char** argv) {
   measures smooth, free_rolling, driven;
   char path[1000];
 
-  /* 1 bodies */
+  /* Step 1 makes the bodies. */
   must(rollcon_context_create(ROLLCON_ABI, &context));
   must(rollcon_body_create(context, ROLLCON_BODY_HALFSPACE, &sphere));
   must(rollcon_body_create(context, ROLLCON_BODY_RIGID, &plane));
   must(rollcon_contact_create(context, sphere, plane, &contact));
 
-  /* 2 frame on the tangent plane, 1.3 times as wide as the contact, and the gap above it */
+  /* Step 2 lays the frame on the tangent plane, 1.3 times as wide as the contact, and gives the gap above it. */
   if (!make_disc_frame(&frame, type, 1.3 * 1.0063)) {
     fprintf(stderr, "frame '%s': tri3, tri6, quad4 or quad8 is wanted\n", type);
     return 1;
@@ -190,13 +190,13 @@ int main(int argc, char** argv) {
   must(rollcon_contact_add_frame_elements(contact, frame.type, frame.elements, frame.id, 0, 1));
   must(rollcon_contact_set_gap_quadratic(contact, 1 / (2 * radius), 1 / (2 * radius), 0));
 
-  /* 3 material, first without friction */
+  /* Step 3 sets the material, first without friction. */
   must(rollcon_body_set_elastic(sphere, 0, young, poisson));
   must(rollcon_contact_set_friction(contact, "coulomb", 1, &no_friction));
   must(rollcon_contact_set_str(contact, "convection", scheme));
 
-  /* 4 loads, 5 solve: pressed together, rolling freely, rolling under a tangential force. The
-     creepage is an unknown of the last two. */
+  /* Steps 4 and 5 set loads and solve: pressed together, rolling freely, rolling under a tangential force. The creepage
+     is an unknown of the last two. */
   must(rollcon_contact_set_rolling(contact, speed));
   must(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, load));
   smooth = solve();
@@ -206,7 +206,7 @@ int main(int argc, char** argv) {
   must(rollcon_contact_prescribe(contact, ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE, traction_force));
   driven = solve();
 
-  /* 6 results */
+  /* Step 6 reads the results. */
   must(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, MOST_NODES, &t[0][0]));
   must(rollcon_contact_get_field(contact, ROLLCON_FIELD_SLIP, ROLLCON_LOCAL, 2 * MOST_NODES, &slip[0][0], NULL));
   must(rollcon_contact_get_field(contact, ROLLCON_FIELD_AREA, ROLLCON_LOCAL, MOST_NODES, area, NULL));

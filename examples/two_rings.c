@@ -117,7 +117,7 @@ int main(int argc, char** argv) {
   body_mesh mesh;
   char path[1000];
 
-  /* 1 bodies: the same ring twice */
+  /* Step 1 makes the bodies: the same ring twice. */
   must(rollcon_context_create(ROLLCON_ABI, &context));
   must(rollcon_body_create(context, ROLLCON_BODY_BEM, &ring));
   if (!make_ring_mesh(&mesh, &shape, quadratic ? ROLLCON_QUAD8 : ROLLCON_QUAD4)) {
@@ -128,25 +128,25 @@ int main(int argc, char** argv) {
   must(rollcon_body_set_contact_faces(ring, 2, outside));
   must(rollcon_contact_create(context, ring, ring, &contact));
 
-  /* 2 poses and frame: the second ring stands upside down on the first, whose zone is the frame */
+  /* Step 2 sets poses and frame: the second ring stands upside down on the first, whose zone is the frame. */
   must(rollcon_contact_set_pose(contact, 1, as_meshed, here));
   must(rollcon_contact_set_pose(contact, 2, upside_down, above));
   must(rollcon_contact_set_axes(contact, origin, rolling, normal));
   must(rollcon_contact_frame_from_body(contact, 1, 2));
   frame_of_tag(&r, &mesh, 2);
 
-  /* 3 material */
+  /* Step 3 sets the material. */
   must(rollcon_body_set_elastic(ring, 0, young, poisson));
   must(rollcon_contact_set_friction(contact, "coulomb", 1, &mu));
   must(rollcon_contact_set_str(contact, "convection", scheme));
 
-  /* 4 loads, 5 solve: pressed together and driven by forces; approach and creepage are unknown */
+  /* Steps 4 and 5 set loads and solve: pressed together and driven by forces; approach and creepage are unknown. */
   must(rollcon_contact_set_rolling(contact, omega * radius));
   must(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, load));
   must(rollcon_contact_prescribe(contact, ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE, ratio * mu * load));
   must_solve(contact);
 
-  /* 6 results */
+  /* Step 6 reads the results. */
   read_results(&r, contact);
   printf("two rings (radii %g and %g mm, width %g mm, E %g MPa, nu %g); V %g mm/s\n", shape.inner, radius, width, young,
          poisson, omega * radius);

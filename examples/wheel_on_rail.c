@@ -149,7 +149,7 @@ int main(int argc, char** argv) {
   measures smooth, free_rolling, driven;
   char path[1000];
 
-  /* 1 bodies */
+  /* Step 1 makes the bodies. */
   must(rollcon_context_create(ROLLCON_ABI, &context));
   must(rollcon_body_create(context, ROLLCON_BODY_BEM, &wheel));
   must(rollcon_body_create(context, ROLLCON_BODY_RIGID, &rail));
@@ -162,21 +162,20 @@ int main(int argc, char** argv) {
   must(rollcon_body_set_contact_faces(wheel, 2, tread));
   must(rollcon_contact_create(context, wheel, rail, &contact));
 
-  /* 2 poses and frame: the zone of the wheel; the gap follows from both surfaces */
+  /* Step 2 sets poses and frame: the zone of the wheel; the gap follows from both surfaces. */
   must(rollcon_contact_set_pose(contact, 1, upside_down, up));
   must(rollcon_contact_set_pose(contact, 2, inclined, origin));
   must(rollcon_contact_set_axes(contact, origin, rolling, normal));
   must(rollcon_contact_frame_from_body(contact, 1, 2));
   frame_of_tag(&r, &wheel_mesh, 2);
 
-  /* 3 material, first without friction */
+  /* Step 3 sets the material, first without friction. */
   must(rollcon_body_set_elastic(wheel, 0, young, poisson));
   must(rollcon_contact_set_friction(contact, "coulomb", 1, &no_friction));
   must(rollcon_contact_set_str(contact, "convection", scheme));
 
-  /* 4 loads, 5 solve: pressed together, rolling freely, rolling under a tangential force.
-     Friction changes the normal force a little, since only one body is elastic: the tangential
-     force follows. */
+  /* Steps 4 and 5 set loads and solve: pressed together, rolling freely, rolling under a tangential force. Friction
+     changes the normal force a little, since only one body is elastic: the tangential force follows. */
   must(rollcon_contact_set_rolling(contact, omega * radius));
   must(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, depth));
   smooth = solve();
@@ -189,7 +188,7 @@ int main(int argc, char** argv) {
     driven = solve();
   }
 
-  /* 6 results */
+  /* Step 6 reads the results. */
   printf("wheel (R %g mm, cone 1:%g, E %g MPa, nu %g) on a rigid rail head (R %g mm); V %g mm/s\n", radius, 1 / cone,
          young, poisson, rail_radius, omega * radius);
   printf("wheel: %d nodes, %d quad4; frame: %d nodes, %d elements; %.0f nodes in contact; %s\n", wheel_mesh.nodes,

@@ -86,7 +86,7 @@ def nearest_of(room):
 def prepare(work, jobs):
     tree, build = work / "tree", work / "build"
     linker = "-fuse-ld=lld" if shutil.which("ld.lld") else ""
-    # What a mutant changed is compiled back from the cache.
+    # The cache gives back what a mutant changed.
     launcher = "ccache" if shutil.which("ccache") else ""
     os.environ.update(CCACHE_DIR=str(work / "ccache"))
     os.environ.pop("CCACHE_DISABLE", None)

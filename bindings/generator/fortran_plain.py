@@ -146,7 +146,7 @@ OPTION = """\
   end subroutine
 """
 
-# suffix, type, function of C
+# Each row has suffix, type, and function of C.
 VALUES = [("int32", "integer(c_int32_t)", "int"), ("int64", "integer(c_int64_t)", "int"),
           ("real", "real(rc_real)", "real"), ("text", "character(len=*)", "str")]
 

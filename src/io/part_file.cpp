@@ -45,7 +45,7 @@ int open_part(std::string& path, std::string& part) {
     file = open(part.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, there ? 0600 : 0666);
     if (file >= 0 || errno != EEXIST) break;
   }
-  // Only those who may read and write the file that is replaced may do so with the new one.
+  // The new file may be read and written by those who may do so with the file that is replaced.
   constexpr mode_t permissions = S_IRWXU | S_IRWXG | S_IRWXO;
   if (file >= 0 && there && fchmod(file, old.st_mode & permissions) != 0) {
     const int error = errno;

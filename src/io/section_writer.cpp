@@ -113,7 +113,7 @@ void SectionWriter::commit() {
   if (close(file) != 0) fail_here(errno);
   if (std::rename(part_.c_str(), path_.c_str()) != 0) fail_here(errno);
   part_.clear();
-  // Not all file systems can bring a folder to the disk; the file itself is whole in any case.
+  // Some file systems cannot bring a folder to the disk; the file itself is whole in any case.
   if (const int folder = open(folder_of(path_).c_str(), O_RDONLY | O_CLOEXEC); folder >= 0) {
     static_cast<void>(fsync(folder));
     close(folder);

@@ -64,7 +64,7 @@ bool Search::take_cell() {
   // The longer side tells the direction of both more sharply.
   Direction e{first.x / length[0], first.y / length[0]}, f{-e.y, e.x};
   if (length[1] > length[0]) f = {second.x / length[1], second.y / length[1]}, e = {f.y, -f.x};
-  // If two axes are equally close to t1, the one that leans towards t2 is taken.
+  // The axis that leans towards t2 is taken if two axes are equally close to t1.
   const double lean = std::abs(e.x) - std::abs(f.x);
   const bool tie = std::abs(lean) < 1e-6;
   if (tie ? e.x * e.y < 0 : lean < 0) {

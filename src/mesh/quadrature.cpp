@@ -53,7 +53,7 @@ PlaneRule triangle_rule(int degree) {
   PlaneRule rule;
   for (std::size_t i = 0; i < towards.x.size(); ++i)
     for (std::size_t j = 0; j < along.x.size(); ++j) {
-      // With xi = (1 + u)/2, eta = (1 - xi)(1 + v)/2, the Jacobian (1 - u)/8 is Gauss-Jacobi's weight.
+      // The Jacobian (1 - u)/8 is Gauss-Jacobi's weight with xi = (1 + u)/2, eta = (1 - xi)(1 + v)/2.
       const double xi = 0.5 * (1 + towards.x[i]);
       rule.xi.push_back(xi);
       rule.eta.push_back(0.25 * (1 - towards.x[i]) * (1 + along.x[j]));

@@ -76,8 +76,8 @@ VolumeRule tetrahedron_rule(int degree) {
     for (std::size_t i = 0; i < a.x.size(); ++i)
       for (std::size_t j = 0; j < b.x.size(); ++j)
         for (std::size_t k = 0; k < c.x.size(); ++k) {
-          // With x = (1 + u)/2, y = (1 - x)(1 + v)/2, z = (1 - x - y)(1 + w)/2, the Jacobian (1 - u)^2 (1 - v) / 64 is
-          // the rules' weight.
+          // The Jacobian (1 - u)^2 (1 - v) / 64 is the rules' weight with x = (1 + u)/2, y = (1 - x)(1 + v)/2, z = (1 -
+          // x - y)(1 + w)/2.
           const double x = 0.5 * (1 + a.x[i]), y = 0.25 * (1 - a.x[i]) * (1 + b.x[j]);
           const double z = 0.125 * (1 - a.x[i]) * (1 - b.x[j]) * (1 + c.x[k]);
           rule.point.push_back({x, y, z});

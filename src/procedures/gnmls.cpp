@@ -104,7 +104,7 @@ void Gnmls::linearise() {
     law = linearise_friction(p, given_, k, z_.lambda, p.rigid_slip1(i, z_.motion) + z_.slip[0][k],
                              p.rigid_slip2(i, z_.motion) + z_.slip[1][k], pressure, true);
     if (procedure_.jacobian == Jacobian::exact || procedure_.jacobian == Jacobian::b_derivative) continue;
-    // By (77)-(82) the direction of friction stays that of the last iterate.
+    // The direction of friction stays that of the last iterate, by (77)-(82).
     law.own[0][0] = law.own[1][1] = 1;
     law.own[0][1] = law.own[1][0] = 0;
     for (auto& row : law.slip) row[0] = row[1] = 0;

@@ -5,7 +5,7 @@
 namespace rollcon {
 namespace {
 
-/// Without UMFPACK, a matrix may be as large as LAPACK takes in bearable time (half a minute on two cores).
+/// A matrix may be as large without UMFPACK as LAPACK takes in bearable time (half a minute on two cores).
 constexpr std::int64_t largest_dense = 12000;
 
 bool prefers_dense(const ContactEquations& equations) {

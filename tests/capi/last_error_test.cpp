@@ -100,7 +100,7 @@ TEST_F(latch, returns_the_first_failure_at_once_and_at_the_end) {
 
   EXPECT_EQ(rollcon_contact_set_friction(contact, "static", 1, &before), ROLLCON_ERR_ARGUMENT);
   const std::string first = error();
-  // No call does anything any more, in no object of the context.
+  // Calls do nothing any more, in no object of the context.
   const auto check = [&](const char* name, bool at_any_time, std::int32_t status) {
     if (at_any_time) return;
     EXPECT_EQ(status, ROLLCON_ERR_ARGUMENT) << name;

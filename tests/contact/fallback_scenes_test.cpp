@@ -73,7 +73,7 @@ TEST(fallback_scenes, are_solved_when_solved_again) {
       if (!first.end.solved()) continue;  // the test before says so, where it is wrong
       const Ending again = extremes::solve(*first.pair, scene);
       EXPECT_EQ(again.status, first.end.status) << seed;
-      // At the tolerance itself rounding may ask for one step more.
+      // Rounding may ask for one step more at the tolerance itself.
       EXPECT_LE(again.iterations, first.end.residual < 0.99 * tolerance ? 0 : 1) << seed << ", tolerance " << tolerance;
       EXPECT_EQ(again.fallbacks, 0) << seed;
       if (again.iterations > 0) continue;

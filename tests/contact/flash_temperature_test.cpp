@@ -66,7 +66,7 @@ TEST(flash_temperature, uniform_strip) {
   }
 }
 
-// With the power q0 (1 - x^2/a^2) and d = a - x, the integral of q(x')/sqrt(x' - x) is a polynomial times sqrt(d).
+// The power q0 (1 - x^2/a^2) makes the integral of q(x')/sqrt(x' - x) a polynomial times sqrt(d), with d = a - x.
 TEST(flash_temperature, parabola_with_second_order) {
   const auto antiderivative = [](double x, double t) {
     const double r = std::sqrt(t);
@@ -91,7 +91,7 @@ TEST(flash_temperature, parabola_with_second_order) {
   }
 }
 
-// Without friction, both bodies have a common temperature in the contact, and behind it each returns to its own.
+// Both bodies have a common temperature in the contact without friction, and behind it each returns to its own.
 TEST(flash_temperature, bodies_of_unequal_temperature) {
   const Strip strip(ElementType::quad4, 12, [](double) { return 0.0; });
   BothHeats heat = steel;

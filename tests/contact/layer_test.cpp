@@ -175,7 +175,7 @@ TEST(layer, a_brush_that_flows) {
         worst = std::max(worst, std::abs(-t[3 * k] - size));
       }
     }
-    // What flows and what gives way elastically add up to the creepage, wherever in a cell the yield falls.
+    // The flow and the elastic slip add up to the creepage, wherever in a cell the yield falls.
     std::printf("hardening %.0e: %d nodes flow, %d slide, tractions off by %.1e (bound 1e-6), %g rounds\n", hardening,
                 flows, slides, worst, pair.contact->stat("friction_rounds"));
     EXPECT_GT(flows, 100);

@@ -83,7 +83,7 @@ TEST(adaptive_tolerance, begins_with_the_largest) {
 }
 
 TEST(adaptive_tolerance, follows_the_decrease_of_squared_residuals) {
-  // By (72), (73), 0.3 * 0.04 = 0.012; the safeguard 0.3 * 0.2^2 = 0.012 is below 0.1 and rests.
+  // The rules (72), (73) give 0.3 * 0.04 = 0.012; the safeguard 0.3 * 0.2^2 = 0.012 is below 0.1 and rests.
   EXPECT_DOUBLE_EQ(adaptive_tolerance(0.5, 0.08, 2, 0.2), 0.012);
   EXPECT_DOUBLE_EQ(adaptive_tolerance(0.5, 2e-6, 2, 0.2), 3e-7);
   EXPECT_EQ(adaptive_tolerance(0.5, 0, 2, 0.2), 0) << "solved";

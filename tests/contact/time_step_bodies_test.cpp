@@ -51,7 +51,7 @@ TEST(time_steps_of_bodies_long, shift_then_roll_to_the_steady_state) {
       double worst = worst_law(*steps);
       steps->creep(-0.01, 0.003, 0);  // over the distance that the steady scheme looks upstream
       ASSERT_EQ(rollcon_contact_set_step(c, ROLLCON_ROLLING_STEP, 0.12), ROLLCON_OK);
-      // What is left of the start falls by a factor of 50 to 60 in 20 steps, down to 3e-12 after 140.
+      // The rest of the start falls by a factor of 50 to 60 in 20 steps, down to 3e-12 after 140.
       for (int k = 0; k < 80; ++k) {
         ASSERT_GE(steps->solve(), 0);
         worst = std::max(worst, worst_law(*steps));

@@ -94,7 +94,7 @@ TEST(automatic_loads_long, spin_moments_lead_to_spins_that_lead_back) {
   const double limit = mu * hertz.load * e.arm();
   for (const double share : {0.3, 0.6, 0.8}) {
     RollingPair pair(steel, steel);
-    // Near the limit of friction the moment hardly grows with the spin.
+    // The moment hardly grows with the spin near the limit of friction.
     hertzian(pair, hertz).tangential_force(ROLLCON_SPIN, -share * limit).option("frame_accuracy", 0.002);
     ASSERT_EQ(pair.solve(), ROLLCON_OK);
     const auto given = pair.solution();

@@ -101,7 +101,7 @@ TEST_F(sparse_factor, no_unknown_at_all) {
   EXPECT_EQ(factor->size(), 0);
 }
 
-// There are more right sides than are solved at a time, and not a multiple of that.
+// The right sides are more than are solved at a time, and not a multiple of that.
 TEST_F(sparse_factor, many_right_sides) {
   const SparseMatrix a = springs(5, 3, 1);
   const std::int64_t count = 71;

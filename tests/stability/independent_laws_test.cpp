@@ -63,7 +63,7 @@ TEST(independent_laws, schemes_are_exact_for_linear_fields) {
   double worst = 0;
   int counted = 0;
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    // Inside the frame, v . grad (2 x + 3 y) = -2.
+    // The derivative v . grad (2 x + 3 y) is -2 inside the frame.
     if (std::abs(at.x[k]) > 0.7 || std::abs(at.y[k]) > 0.7) continue;
     double sum = 0;
     for (const laws::Difference& d : rows[k]) {

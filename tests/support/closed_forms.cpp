@@ -26,7 +26,7 @@ Shape shape(double m1) {
   const EllipticIntegrals e = elliptic_integrals(m1);
   const double m = 1 - m1;
   const double s = e.k_minus_e_over_k;
-  // (K - E)/m and (E/m1 - K)/m both tend to pi/4 as m -> 0.
+  // Both (K - E)/m and (E/m1 - K)/m tend to pi/4 as m -> 0.
   const double small = m < 1e-12 ? pi / 4 : e.k * s / m;
   const double large = m < 1e-12 ? pi / 4 : e.k * (m - s) / (m * m1);
   return {small / large, small, e.k};

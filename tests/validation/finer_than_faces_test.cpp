@@ -51,7 +51,7 @@ Pressed press(const MeshedBody& ring, double zone, bool given) {
   return found;
 }
 
-// With the gap measured from the facets, the pressure in the middle would be 27 % high, with ripples of 18 %.
+// The pressure in the middle would be 27 % high, with ripples of 18 %, with the gap measured from the facets.
 TEST(FinerThanFaces, boundary_elements) {
   const surfaces::Ring shape = example1::bem_ring(6);
   const MeshedBody ring = example1::ring_body(shape, ElementType::quad4);
@@ -63,8 +63,8 @@ TEST(FinerThanFaces, boundary_elements) {
   expect_error("measured beside given: middle", measured.middle - given.middle, 1e-3);
 }
 
-// With displacements that bend with the faces alone, it would be 81 % in the middle, with ripples of 12 %, under a
-// given gap.
+// The pressure in the middle would be 81 %, with ripples of 12 %, under a given gap if displacements bent with the
+// faces alone.
 TEST(FinerThanFaces, finite_elements) {
   const surfaces::Ring shape = example1::fem_ring(6);
   const MeshedBody ring = example1::ring_body(shape, VolumeType::hex8);

@@ -34,8 +34,8 @@ Pressed press(VolumeType type, double poisson) {
   return found;
 }
 
-// With tractions at midside nodes, too, the pressure in the middle would be 6.4 and 11 % low. The bound at 0.49 is
-// wider because hex20 of this size is 1 % off there itself.
+// The pressure in the middle would be 6.4 and 11 % low with tractions at midside nodes, too. The bound at 0.49 is wider
+// because hex20 of this size is 1 % off there itself.
 TEST(Tet10Faces, carry_the_pressure_of_hex20) {
   for (const auto& [poisson, bound] : {std::pair{0.3, 0.01}, {0.49, 0.015}}) {
     const Pressed tet = press(VolumeType::tet10, poisson), hex = press(VolumeType::hex20, poisson);

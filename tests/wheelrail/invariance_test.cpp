@@ -127,7 +127,7 @@ TEST(contact_search_elsewhere, wheel_turned_about_its_axle) {
   }
 }
 
-/// Where outlines cross does not depend on what is vertical: track and wheelset are rolled together.
+/// The place where outlines cross does not depend on what is vertical: track and wheelset are rolled together.
 TEST(contact_search_elsewhere, rolled_with_the_track) {
   constexpr double roll = 0.05;
   const double c = std::cos(roll), s = std::sin(roll);
