@@ -145,7 +145,7 @@ void run(Runner& runner) {
   }
 }
 
-/// Holds rolls and rates of rotation at shifts of 0, 0.5 .. 10 mm, found in the way of examples/manchester.c.
+/// Holds rolls and rates of rotation at shifts of 0, 0.5 .. 10 mm, found as in examples/manchester.c.
 struct Motion {
   double roll, rate;
 };

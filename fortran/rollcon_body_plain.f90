@@ -430,7 +430,7 @@ contains
       self%p, 'rc_body%set_profile_shape', stat, errmsg)
   end subroutine
 
-  !> Sets a profile through the points of a file, in the way of rollcon_body_set_profile: a file of Simpack if the name
+  !> Sets a profile through the points of a file, just as rollcon_body_set_profile does: a file of Simpack if the name
   !> ends in .prr or .prw (its keys are obeyed except for smoothing), of Miniprof if it ends in .ban, .whl or .mpt, else
   !> columns, y and z (docs/profiles.md). Simpack's and Miniprof's numbers are millimetres. ROLLCON_ERR_IO names the
   !> line of a file that cannot be read, ROLLCON_ERR_ARGUMENT that of a point at which the path turns back. z goes where

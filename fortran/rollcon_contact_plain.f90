@@ -319,7 +319,7 @@ contains
 
   !> Makes strips along the rolling direction the frame: what the contact covers of lines at ascending y. Each has along
   !> + 1 nodes from end to end, close together near the ends, where tractions grow like the square root of the distance.
-  !> Nodes come line by line. Replaces the frame in the way of rollcon_contact_frame_rectangle. Nodes on the outline
+  !> Nodes come line by line. Replaces the frame just as rollcon_contact_frame_rectangle does. Nodes on the outline
   !> carry no traction (ROLLCON_EXCLUDED): bodies that overlap there are reported as ROLLCON_RIM_CONTACT.
   subroutine contact_frame_strips(self, along, lines, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
@@ -564,7 +564,7 @@ contains
   !> surface under a traction of stress + hardening times the flow since the surfaces came into contact. Where that is
   !> less than friction it bounds the traction, and what friction would call slip is flow. It works with the laws
   !> "coulomb", "temperature", and those that fall with a memory; others end with ROLLCON_ERR_UNSUPPORTED at the solve.
-  !> The flow is found by solves with given coefficients in the way of rollcon_contact_set_friction_memory: for steady
+  !> The flow is found by solves with given coefficients, as with rollcon_contact_set_friction_memory: for steady
   !> rolling only, without sensitivities.
   subroutine contact_set_layer_yield(self, stress, hardening, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
@@ -633,10 +633,10 @@ contains
   !> iterate can be read. ROLLCON_COARSE says that no node in contact has all its neighbours in contact (with friction:
   !> fewer than 5 have); the solution is that of the frame, not of the bodies. Log and plan tell more. A failed solve
   !> does not change the scene but discards the last solution. Bodies that are not prepared are prepared first and may
-  !> fail like rollcon_body_prepare (ROLLCON_ERR_MESH, ROLLCON_ERR_SINGULAR); the text names the body. Creepages (whose
-  !> slip, times speed or stiffness, would come to 1e305) and approaches (to pressures of 1e150) that double precision
-  !> cannot calculate with are ROLLCON_ERR_ARGUMENT; the text names a node and what is allowed. Nodes that are never to
-  !> touch may have any gap, with the option "system" = monolithic up to that limit.
+  !> fail the way rollcon_body_prepare does (ROLLCON_ERR_MESH, ROLLCON_ERR_SINGULAR); the text names the body. Creepages
+  !> (whose slip, times speed or stiffness, would come to 1e305) and approaches (to pressures of 1e150) that double
+  !> precision cannot calculate with are ROLLCON_ERR_ARGUMENT; the text names a node and what is allowed. Nodes that are
+  !> never to touch may have any gap, with the option "system" = monolithic up to that limit.
   subroutine contact_solve(self, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     integer, intent(out), optional :: stat

@@ -62,7 +62,7 @@ contains
     self%p = p
   end subroutine
 
-  !> Adds a reference to the context that `id` names, in the count of the FORTRAN 77 layer.
+  !> Adds a reference to the context that `id` names, as counted by the FORTRAN 77 layer.
   subroutine from_id(self, id, stat, errmsg)
     class(rc_context), intent(inout) :: self
     integer, intent(in) :: id

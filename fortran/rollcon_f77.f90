@@ -567,7 +567,7 @@ subroutine rcbpsh(ibody, shape, n, par, ierr)
   ierr = rollcon_body_set_profile_shape(body_of(ibody), c_name(shape), int(n, c_int64_t), par)
 end subroutine
 
-!> Sets a profile through the points of a file, in the way of rollcon_body_set_profile.
+!> Sets a profile through the points of a file, just as rollcon_body_set_profile does.
 subroutine rcbprd(ibody, path, unit, mirror, filter_length, ierr)
   use rollcon_f77_support
   implicit none
@@ -1654,7 +1654,7 @@ subroutine rcwstp(iwr, ierr)
   ierr = rollcon_wheelrail_request_cancel(wheelrail_of(iwr))
 end subroutine
 
-!> Solves many positions on the threads of the context, each by itself from nothing, like after rollcon_wheelrail.
+!> Solves many positions on the threads of the context, each by itself from nothing, as after rollcon_wheelrail_r.
 subroutine rcwmny(iwr, n, positions, velocities, totals, istatus, ierr)
   use rollcon_f77_support
   implicit none

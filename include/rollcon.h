@@ -323,9 +323,9 @@ ROLLCON_API const char *ROLLCON_CALL rollcon_last_error(void);
 ROLLCON_API const char *ROLLCON_CALL rollcon_last_caveat(void);
 
 /*
- * Makes a text the thread's last error and tells log and latch of the object's context, in the
- * way of a failing function; it serves layers over this interface that check arguments of their
- * own. Returns the status.
+ * Makes a text the thread's last error and tells log and latch of the object's context, as a
+ * failing function does; it serves layers over this interface that check arguments of their own.
+ * Returns the status.
  *   handle   may be NULL; object that the caller was given; others: no log, no latch
  *   status   < 0; others stand for ROLLCON_ERR_ARGUMENT
  *   message  may be NULL; "name of the function: what is wrong"
@@ -493,7 +493,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_save(rollcon_body *body, co
 /*
  * Makes a prepared body from a file of rollcon_body_save: nothing is assembled or factorised, and
  * solves give the same tractions as with the body that was saved. Statistics count what is done
- * from here on. A body equal to one of this context uses its factors, like after
+ * from here on. A body equal to one of this context uses its factors, just as after
  * rollcon_body_prepare. ROLLCON_ERR_IO: the file cannot be read, is none of these, truncated or
  * changed; ROLLCON_ERR_UNSUPPORTED: it is of another ABI number, format or byte order, or of a
  * kind that this build does not have. The text names the file and what is wrong, where.
@@ -865,7 +865,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_profile_shape(rollcon_b
     const char *shape, int64_t n, const double *parameters);
 
 /*
- * Sets a profile through the points of a file, in the way of rollcon_body_set_profile: a file of
+ * Sets a profile through the points of a file, just as rollcon_body_set_profile does: a file of
  * Simpack if the name ends in .prr or .prw (its keys are obeyed except for smoothing), of
  * Miniprof if it ends in .ban, .whl or .mpt, else columns, y and z (docs/profiles.md). Simpack's
  * and Miniprof's numbers are millimetres. ROLLCON_ERR_IO names the line of a file that cannot be
@@ -1201,7 +1201,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_frame_ellipse(rollcon_co
  * Makes strips along the rolling direction the frame: what the contact covers of lines at
  * ascending y. Each has along + 1 nodes from end to end, close together near the ends, where
  * tractions grow like the square root of the distance. Nodes come line by line. Replaces the
- * frame in the way of rollcon_contact_frame_rectangle. Nodes on the outline carry no traction
+ * frame just as rollcon_contact_frame_rectangle does. Nodes on the outline carry no traction
  * (ROLLCON_EXCLUDED): bodies that overlap there are reported as ROLLCON_RIM_CONTACT.
  *   along    elements along each strip, 2 to 10000
  *   n        lines, 3 to 10001
@@ -1451,7 +1451,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_layer(rollcon_contac
  * surfaces came into contact. Where that is less than friction it bounds the traction, and what
  * friction would call slip is flow. It works with the laws "coulomb", "temperature", and those
  * that fall with a memory; others end with ROLLCON_ERR_UNSUPPORTED at the solve. The flow is
- * found by solves with given coefficients in the way of rollcon_contact_set_friction_memory: for
+ * found by solves with given coefficients, as with rollcon_contact_set_friction_memory: for
  * steady rolling only, without sensitivities.
  *   stress     >= 0, force/length^2; 0: never flows
  *   hardening  force/length^3; negative: softening
@@ -1626,11 +1626,12 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_request_cancel(rollcon_c
  * that no node in contact has all its neighbours in contact (with friction: fewer than 5 have);
  * the solution is that of the frame, not of the bodies. Log and plan tell more. A failed solve
  * does not change the scene but discards the last solution. Bodies that are not prepared are
- * prepared first and may fail like rollcon_body_prepare (ROLLCON_ERR_MESH, ROLLCON_ERR_SINGULAR);
- * the text names the body. Creepages (whose slip, times speed or stiffness, would come to 1e305)
- * and approaches (to pressures of 1e150) that double precision cannot calculate with are
- * ROLLCON_ERR_ARGUMENT; the text names a node and what is allowed. Nodes that are never to touch
- * may have any gap, with the option "system" = monolithic up to that limit.
+ * prepared first and may fail the way rollcon_body_prepare does (ROLLCON_ERR_MESH,
+ * ROLLCON_ERR_SINGULAR); the text names the body. Creepages (whose slip, times speed or
+ * stiffness, would come to 1e305) and approaches (to pressures of 1e150) that double precision
+ * cannot calculate with are ROLLCON_ERR_ARGUMENT; the text names a node and what is allowed.
+ * Nodes that are never to touch may have any gap, with the option "system" = monolithic up to
+ * that limit.
  * Also returns: ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
  *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_INACCURATE, ROLLCON_TOO_DEEP, ROLLCON_ERR_MESH,
  *   ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY, ROLLCON_ERR_OPTION,
@@ -2333,7 +2334,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_request_cancel(
     rollcon_wheelrail *wheelrail);
 
 /*
- * Solves many positions on the threads of the context, each by itself from nothing, like after
+ * Solves many positions on the threads of the context, each by itself from nothing, as after
  * rollcon_wheelrail_reset, with what else is set: results do not depend on the other positions,
  * their order, or the number of threads, to the last bit. A row of totals has force and moment on
  * the wheel in the track (rollcon_wheelrail_get_resultant), z, vertical force and frictional
@@ -2362,8 +2363,9 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_solve_many(
  * wheel over the rail. Depths are normal to the profiles, at points at equal arc lengths from end
  * to end (rollcon_body_get_profile_point); depth times the points' lengths of the profile adds up
  * to the volume. Patches of a wheel count with their weights. Positions without a solution wear
- * nothing, and are reported like by rollcon_wheelrail_solve_many. ROLLCON_ERR_STATE: something is
- * missing, or forces come from a table (rollcon_wheelrail_set_table), which knows of no slip.
+ * nothing, and are reported the way rollcon_wheelrail_solve_many reports them. ROLLCON_ERR_STATE:
+ * something is missing, or forces come from a table (rollcon_wheelrail_set_table), which knows of
+ * no slip.
  *   n_cases     1 to 100000
  *   positions   [n_cases][6]; those of rollcon_wheelrail_set_position
  *   velocities  [n_cases][6]; those of rollcon_wheelrail_set_velocity
@@ -2529,8 +2531,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_patch_stat_name(int32_
  * a node at (x, y, z) of the contact is at origin + x t1 + y t2 + z n. The axes of a left wheel
  * are a mirror image: a left-handed triple.
  *   patch      0 to rollcon_wheelrail_get_patch_count - 1
- *   origin     [3], out, may be NULL; the middle of its frame; x counts from the wheelset's, like
- *              the statistic, length
+ *   origin     [3], out, may be NULL; the middle of its frame; x counts from the wheelset's, as
+ *              in the statistic, length
  *   axes       [9], out, may be NULL; unit vectors t1 (the rolling direction), t2 (across), n
  *              (into the rail)
  * Also returns: ROLLCON_ERR_STATE.

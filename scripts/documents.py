@@ -31,7 +31,7 @@ def prose(text):
 
 
 def slug(title):
-    """Returns the anchor of a heading in the way of GitHub and MkDocs."""
+    """Returns the anchor that GitHub and MkDocs give a heading."""
     title = re.sub(r"[`*]|\[([^\]]*)\]\([^)]*\)", r"\1", title)
     return re.sub(r"\s+", "-", re.sub(r"[^\w\s-]", "", title.strip().lower()))
 

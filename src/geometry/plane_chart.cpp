@@ -11,7 +11,7 @@ namespace rollcon {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-/// The sine of the angle from which a corner of a polygon counts tells it from rounding of a straight line.
+/// A corner whose angle has a smaller sine is rounding of a straight line.
 constexpr double straight = 1e-13;
 
 /// Returns the number of nodes along the element's edge.

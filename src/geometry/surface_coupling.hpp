@@ -29,7 +29,7 @@ SurfaceCoupling couple_faces(const SurfaceMesh& mesh, std::span<const std::int64
 /// exactly the loads that the body's own faces would (the contact patch test: to rounding on flat meshes with straight
 /// sides, also distorted ones; on curved ones to second order). Parts of the layer that lie over no face go to the
 /// nearest one: the sum over i is always int N_j over the layer. Layer elements that are faces of the body, node for
-/// node, are coupled like couple_faces does it, and linear ones with the corners of a quadratic face over that face. No
+/// node, are coupled as couple_faces does, and linear ones with the corners of a quadratic face over that face. No
 /// faces give an empty matrix.
 SurfaceCoupling couple_layer(const SurfaceMesh& body, std::span<const std::int64_t> face, const SurfaceMesh& layer);
 

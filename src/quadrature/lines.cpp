@@ -42,7 +42,7 @@ Lines lines_across(const ElementGeometry& element, const CellShape& shape, int a
   const int degree = direction_degree(element.type, element.map);
   sinh_rule(span, 0.5 * std::numbers::pi, degree, 0, target, lines.points, lines.pieces);
 
-  // The map is checked across the lines, at their ends and past the foot; the point is farther away elsewhere.
+  // The ellipse across the lines is smallest at their ends or past the foot; the point is farther away elsewhere.
   double axis = 1e300;
   for (const double at : {-1.0, std::clamp(foot, -1.0, 1.0), 1.0}) {
     const double s = 0.5 * (1 - at), t = 0.5 * (1 + at);

@@ -50,7 +50,7 @@ class Error : public std::exception {
 /// Returns the one of two statuses that comes first in the order of docs/api.md; a failure counts as not_converged.
 Status worse(Status a, Status b);
 
-/// Throws Error; the message is formatted like printf does it, and holds whatever length is needed.
+/// Throws Error; the message is formatted as printf does, and holds whatever length is needed.
 [[noreturn]] void fail(Status status, const char* format, ...) __attribute__((format(printf, 2, 3)));
 
 /// Returns the text for an allocation that failed: "out of memory: this machine has free 1 GB". It belongs to the

@@ -37,7 +37,7 @@ struct MemoryNeed {
 
 /// Throws Error(err_memory) "<subject> 1.2 GB, this machine has free 1 GB: <remedy>" where this process cannot have
 /// that. Needs below 16 MiB pass unseen: the limits are not read for them. The subject includes its verb, and is
-/// formatted like printf does it.
+/// formatted as printf does.
 void require_memory(const MemoryNeed& need, const char* remedy, const char* subject, ...)
     __attribute__((format(printf, 3, 4)));
 

@@ -9,7 +9,7 @@ namespace rollcon::contact_test {
 
 enum : std::int32_t { rolling_step = 1, shift_step = 2 };
 
-/// Presses two equal spheres of radius 50 (R = 50 of the pair's curvature like in Cattaneo's example), G = 200, nu =
+/// Presses two equal spheres of radius 50 (the pair's curvature has R = 50, as in Cattaneo's example), G = 200, nu =
 /// 0.42, mu 0.4.
 struct Spheres {
   double g = 200, nu = 0.42, mu = 0.4, load = 9.1954;

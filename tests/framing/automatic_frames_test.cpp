@@ -185,7 +185,7 @@ TEST(automatic_frames, what_is_missing_is_told) {
             ROLLCON_ERR_STATE);
 }
 
-// Each case on frames of its own is solved like one by one, on any number of threads.
+// Each case is solved on frames of its own, with the results of single solves, on any number of threads.
 TEST(automatic_frames, lists_of_cases) {
   RollingPair pair(steel, steel);
   hertzian(pair, steady_rolling::hertz, 0.3).creep(0, 0, 2e-4).option("frame_accuracy", 0.01);

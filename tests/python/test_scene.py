@@ -68,7 +68,7 @@ class Results(Scene):
         cases = contact.solve_many([rc.LATERAL], [[0], [LOAD]])
         self.assertEqual((cases.worst, cases.status.tolist()), (rc.NOT_CONVERGED, [rc.OK, rc.ERR_LOAD]))
         self.assertTrue(np.isnan(cases.force[1]).all() and not np.isnan(cases.force[0]).any())
-        # Names are counted in the way of the library.
+        # Names are counted as the library counts them.
         many = contact.solve_many([rc.LATERAL], [[0.0]], names=["iterations " * 3])
         self.assertEqual(many.statistics.shape, (1, 3))
 

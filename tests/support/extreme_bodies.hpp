@@ -55,7 +55,7 @@ Scene scene_on_block(const std::string& group, const std::string& name, const Bl
 
 /// Describes a bore of radius 1 (its axis along x at height 1), or a pin for it; or a flat tread of length 1 that turns
 /// into such a bore: half_angle degrees to both sides (to one). It is held where the wall ends; tag 6 is the contact
-/// face, tangent to z = 0 at the origin. A pin looks up like it would as body 1.
+/// face, tangent to z = 0 at the origin. A pin looks up, as it would as body 1.
 struct ConformalShape {
   Model model = Model::fem;
   bool pin = false, flange = false;

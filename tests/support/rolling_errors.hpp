@@ -38,7 +38,7 @@ inline RollingAnswer found_forces(const Solution& s, double unit, double arm) {
 }
 
 /// Returns, where the longitudinal force is given, the creepage found, turned like the force, so that a lateral force
-/// which should not be there counts like it does among forces.
+/// which should not be there counts as it does among forces.
 inline RollingAnswer found_creepage(const Solution& s, double unit, double arm) {
   return {{s.creep[0], s.creep[0] * s.force[1] / s.force[0]}, s.moment[2] / (unit * arm)};
 }

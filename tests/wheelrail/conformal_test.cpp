@@ -133,7 +133,7 @@ TEST(conformal_pin, in_a_plate_as_in_closed_form) {
   }
 }
 
-// CONTACT's numbers have the half-space's influence along and across the curved surface like in a plane, which does not
+// CONTACT's numbers have the half-space's influence along and across the curved surface as in a plane, which does not
 // turn: the closed form above has its pressures 28 percent too high at 36 degrees.
 TEST_F(conformal_long, wheel_in_a_groove_beside_contact) {
   struct Reference {

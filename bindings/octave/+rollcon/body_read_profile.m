@@ -1,7 +1,7 @@
 function varargout = body_read_profile(varargin)
 % BODY_READ_PROFILE  rollcon.body_read_profile(body, path, unit, mirror, filter_length)
 %
-% Sets a profile through the points of a file, in the way of rollcon.body_set_profile: a file of
+% Sets a profile through the points of a file, just as rollcon.body_set_profile does: a file of
 % Simpack if the name ends in .prr or .prw (its keys are obeyed except for smoothing), of Miniprof if
 % it ends in .ban, .whl or .mpt, else columns, y and z (docs/profiles.md). Simpack's and Miniprof's
 % numbers are millimetres. ERR_IO names the line of a file that cannot be read, ERR_ARGUMENT that of a

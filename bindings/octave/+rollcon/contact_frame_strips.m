@@ -3,8 +3,8 @@ function varargout = contact_frame_strips(varargin)
 %
 % Makes strips along the rolling direction the frame: what the contact covers of lines at ascending y.
 % Each has along + 1 nodes from end to end, close together near the ends, where tractions grow like
-% the square root of the distance. Nodes come line by line. Replaces the frame in the way of
-% rollcon.contact_frame_rectangle. Nodes on the outline carry no traction (EXCLUDED): bodies that
+% the square root of the distance. Nodes come line by line. Replaces the frame just as
+% rollcon.contact_frame_rectangle does. Nodes on the outline carry no traction (EXCLUDED): bodies that
 % overlap there are reported as RIM_CONTACT.
 %
 %   contact (contact)

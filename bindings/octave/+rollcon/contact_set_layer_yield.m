@@ -5,8 +5,8 @@ function varargout = contact_set_layer_yield(varargin)
 % flow along the surface under a traction of stress + hardening times the flow since the surfaces came
 % into contact. Where that is less than friction it bounds the traction, and what friction would call
 % slip is flow. It works with the laws "coulomb", "temperature", and those that fall with a memory;
-% others end with ERR_UNSUPPORTED at the solve. The flow is found by solves with given coefficients in
-% the way of rollcon.contact_set_friction_memory: for steady rolling only, without sensitivities.
+% others end with ERR_UNSUPPORTED at the solve. The flow is found by solves with given coefficients,
+% as with rollcon.contact_set_friction_memory: for steady rolling only, without sensitivities.
 %
 %   contact (contact)
 %   stress (real): >= 0, force/length^2; 0: never flows

@@ -8,8 +8,8 @@ function varargout = wheelrail_find_wear(varargin)
 % over the rail. Depths are normal to the profiles, at points at equal arc lengths from end to end
 % (rollcon.body_get_profile_point); depth times the points' lengths of the profile adds up to the
 % volume. Patches of a wheel count with their weights. Positions without a solution wear nothing, and
-% are reported like by rollcon.wheelrail_solve_many. ERR_STATE: something is missing, or forces come
-% from a table (rollcon.wheelrail_set_table), which knows of no slip.
+% are reported the way rollcon.wheelrail_solve_many reports them. ERR_STATE: something is missing, or
+% forces come from a table (rollcon.wheelrail_set_table), which knows of no slip.
 %
 %   wheelrail (wheelrail)
 %   n_cases (int64): 1 to 100000

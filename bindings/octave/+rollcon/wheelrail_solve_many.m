@@ -2,7 +2,7 @@ function varargout = wheelrail_solve_many(varargin)
 % WHEELRAIL_SOLVE_MANY  [totals, status] = rollcon.wheelrail_solve_many(wheelrail, positions,
 %     velocities)
 %
-% Solves many positions on the threads of the context, each by itself from nothing, like after
+% Solves many positions on the threads of the context, each by itself from nothing, as after
 % rollcon.wheelrail_reset, with what else is set: results do not depend on the other positions, their
 % order, or the number of threads, to the last bit. A row of totals has force and moment on the wheel
 % in the track (rollcon.wheelrail_get_resultant), z, vertical force and frictional power. A position

@@ -226,7 +226,7 @@ class BodyPlain:
 
     def read_profile(self, path: str | PathLike, unit: float, mirror: int = 0,
                      filter_length: float = 0) -> None:
-        """Sets a profile through the points of a file, in the way of set_profile(): a file of
+        """Sets a profile through the points of a file, just as set_profile() does: a file of
         Simpack if the name ends in .prr or .prw (its keys are obeyed except for smoothing), of
         Miniprof if it ends in .ban, .whl or .mpt, else columns, y and z (docs/profiles.md).
         Simpack's and Miniprof's numbers are millimetres. ERR_IO names the line of a file that
@@ -391,7 +391,7 @@ class ContactPlain:
         """Makes strips along the rolling direction the frame: what the contact covers of lines at
         ascending y. Each has along + 1 nodes from end to end, close together near the ends, where
         tractions grow like the square root of the distance. Nodes come line by line. Replaces the
-        frame in the way of frame_rectangle(). Nodes on the outline carry no traction (EXCLUDED):
+        frame just as frame_rectangle() does. Nodes on the outline carry no traction (EXCLUDED):
         bodies that overlap there are reported as RIM_CONTACT.
 
         along: elements along each strip, 2 to 10000.
@@ -585,8 +585,8 @@ class ContactPlain:
         came into contact. Where that is less than friction it bounds the traction, and what
         friction would call slip is flow. It works with the laws "coulomb", "temperature", and
         those that fall with a memory; others end with ERR_UNSUPPORTED at the solve. The flow is
-        found by solves with given coefficients in the way of set_friction_memory(): for steady
-        rolling only, without sensitivities.
+        found by solves with given coefficients, as with set_friction_memory(): for steady rolling
+        only, without sensitivities.
 
         stress: >= 0, force/length^2; 0: never flows.
         hardening: force/length^3; negative: softening.
@@ -1044,7 +1044,8 @@ class WheelrailPlain:
         mirror image: a left-handed triple.
 
         patch: 0 to rollcon_wheelrail_get_patch_count - 1.
-        origin: the middle of its frame; x counts from the wheelset's, like the statistic, length.
+        origin: the middle of its frame; x counts from the wheelset's, as in the statistic,
+          length.
         axes: unit vectors t1 (the rolling direction), t2 (across), n (into the rail).
         """
         origin, origin_at = room(3)

@@ -174,7 +174,7 @@ class Contact(Settings, ContactPlain, Handle):
         if values.ndim != 2 or values.shape[1] != len(parameters):
             raise ValueError(f"expected values of shape (n, {len(parameters)}), got {values.shape}")
         n, p = values.shape
-        # Names are counted in the way of the library.
+        # Names are counted as the library counts them.
         names = tuple((names if isinstance(names, str) else " ".join(names)).split())
         shapes = {"force": (3,), "moment": (3,), "approach": (), "creep": (3,), "tilt": (2,)}
         if derivatives:
