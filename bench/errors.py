@@ -1,10 +1,10 @@
 """Says what the error of a record means. Rolling cases have that of the force vector, never negative, and that of
 the spin moment beside it; all others have one signed error."""
 
-MEANING = ("Errors of rolling cases are those of all components: of the force vector, |(dFx, dFy)| / |(Fx, Fy)|, and "
-           "beside it of the spin moment, |dMz| / (mu Fn sqrt(a b)), a and b the contact's semi-axes. Where a "
-           "longitudinal force is given, the creepage found stands for it, turned like the force, so that a lateral "
-           "force which should not be there counts. Other errors are signed; all are relative unless said otherwise.")
+MEANING = ("Rolling cases have two errors: that of the force vector, |(dFx, dFy)| / |(Fx, Fy)|, and that of the spin moment, "
+           "|dMz| / (mu Fn sqrt(a b)), where a and b are the semi-axes of the contact. Where a longitudinal force is "
+           "given, the creepage found takes its place. It is turned like the force, so a lateral force that should be "
+           "zero counts as an error. Other errors have a sign. All are relative unless the text says otherwise.")
 
 
 def rolling(r):

@@ -90,15 +90,11 @@ MODEL = {"model": lambda r: r["model"]}
 def reference_text(records):
     r = records[0]
     floor = floor_of(records)
-    text = f"Error of: {r['quantity']}; against: {r['against']}"
-    if floor > 0:
-        text += (f", which is uncertain by {100 * floor:.2g} % (grey line: below it a curve says "
-                 "nothing)")
-    if moment_error(r) is not None:
-        text += ". Plots: error of the force vector; table: that of the moment beside it"
-        if floor_of(records, "moment") > 0:
-            text += f", uncertain by {100 * floor_of(records, 'moment'):.2g} %"
-    return text + "."
+    uncertain = [f"{100 * floor:.2g} %"] if floor > 0 else []
+    if moment_error(r) is not None and floor_of(records, "moment") > 0:
+        uncertain.append(f"the moment by {100 * floor_of(records, 'moment'):.2g} %")
+    return (f"Error: {r['quantity']}. Reference: {r['against']}"
+            + (f" (uncertain by {', '.join(uncertain)})." if uncertain else "."))
 
 
 def section(title, records, image, note, columns, more=""):
@@ -116,7 +112,7 @@ def hertz(records, images):
     image = panels(f"{images}/precision_hertz.png", "relative error of the force",
                    [[Panel("time", TIME, curves(flat, wall)),
                      Panel("memory", MEMORY, curves(flat, megabytes))]])
-    text = section("Hertz, half-spaces", flat, image, "Circle, frictionless; size: nodes across.",
+    text = section("Hertz, half-spaces", flat, image, "Circle, without friction. Size: nodes across.",
                    ELEMENT)
     bem = [r for r in blocks if r["model"] == "BEM block"]
     fem = [r for r in blocks if r["model"] == "FEM block"]
@@ -126,9 +122,9 @@ def hertz(records, images):
                      for title, own in (("BEM block", bem), ("FEM block", fem))]
                     for x, label in ((wall, TIME), (megabytes, MEMORY))])
     return text + section("Hertz, blocks", blocks, image,
-                          "Rigid sphere on a block of 10 x 10 x 5 mm held at its bottom, "
-                          "frictionless; the frame is the block's own zone of 2.5 mm, so that body "
-                          "and contact refine together. Size: elements along the zone.",
+                          "A rigid sphere on a block of 10 x 10 x 5 mm that is held at its bottom, "
+                          "without friction. The frame is the block's own zone of 2.5 mm, so body "
+                          "and frame are refined together. Size: elements along the zone.",
                           MODEL | ELEMENT)
 
 
@@ -139,8 +135,8 @@ def lame(records, images):
                    [[Panel(kind, label, curves([r for r in found if r["model"] == kind], x))
                      for kind in kinds] for x, label in ((wall, TIME), (megabytes, MEMORY))])
     return section("Lame: thick walls under pressure", found, image,
-                   "Bodies by themselves, without contact: a quarter of a cylinder and a part of a "
-                   "sphere, inner radius 1, outer 2; boundary elements solid, finite elements dashed. "
+                   "Bodies alone, without contact: a quarter of a cylinder and a part of a sphere, inner "
+                   "radius 1, outer radius 2. Boundary elements solid, finite elements dashed. "
                    "Size: elements through the wall.",
                    {"wall": lambda r: r["model"], "by": lambda r: r["method"]} | ELEMENT)
 
@@ -166,9 +162,9 @@ def kalker(records, images):
     finest = max(finest, key=lambda r: r["extra"]["across"])["extra"]
     listed = ", ".join(f"{c} {finest[c]:.4g}" for c in ("C11", "C22", "C23", "C32", "C33"))
     return section("Kalker's coefficients", found, image,
-                   "Circle, nu = 1/4, creepages of 0.06 % of those at which all would slip; three "
-                   "solves on each frame (longitudinal creepage, lateral creepage, spin), the worst of their errors; "
-                   "the moment over what each carries at an arm of sqrt(a b). Finest tri6 rings: "
+                   "Circle, nu = 1/4, creepages of 0.06 % of those of full sliding. Each frame has three solves "
+                   "(longitudinal creepage, lateral creepage, spin), and the worst of their errors counts. The moment "
+                   "is relative to what each solve carries at an arm of sqrt(a b). Finest tri6 rings: "
                    f"{listed} (Kalker's table: 4.12, 3.67, 1.47, 1.47, 1.19). Size: nodes across.",
                    SCHEME | ELEMENT)
 
@@ -195,16 +191,15 @@ def steady_rolling(which):
                                 curves(one, lambda r: r["pairs"], warm,
                                        lambda r: r["method"].replace("_", " ")) | sizes)]])
         return section(f"Case ({which})", found, image,
-                       "Circle, identical half-spaces, longitudinal creepage"
-                       + (" and spin" if which == "b" else "")
-                       + ". CONTACT (black): its error of the force vector against its own limit and its warm time, "
-                       "N = 16 to 256, measured on one core of a machine of this kind; warm: solved "
-                       "again after 1 % of change in creepage. Size: nodes across.",
+                       "Circle, identical half-spaces, longitudinal creepage. Black: CONTACT's error of the force vector "
+                       "relative to its own limit, N = 16 to 256, and its warm time on one core of a machine of this kind. "
+                       "Warm: solved again after a change of creepage by 1 %. Size: nodes across." if which == "a" else
+                       "Circle, identical half-spaces, longitudinal creepage and spin. Everything else is as in case (a).",
                        SCHEME | ELEMENT,
                        f"![Case ({which}), growth]({growth})\n\n"
-                       "Time over nodes in contact. Published: wall seconds that come with CONTACT's "
-                       "performance tests (steady rolling, creepages given, SteadyGS, a workstation "
-                       "of 2016, by elements in slip); measured: its fastest solver, warm.\n\n")
+                       + ("Time over nodes in contact. CONTACT's published wall seconds come with its performance tests "
+                          "(steady rolling, creepages given, SteadyGS, a workstation of 2016, by elements in slip); its "
+                          "measured ones are of its fastest solver, warm.\n\n" if which == "a" else ""))
     return make
 
 
@@ -232,15 +227,15 @@ def case_e(records, images):
                               "CONTACT, published": PUBLISHED_STRIPS})]])
     return section("Case (e): Carter's strip beside CONTACT", found, image,
                    "Equidistant nodes, nine tenths of them in contact. rollcon rolls a strip of 40 "
-                   "half-widths in three dimensions, 11 lines of nodes; CONTACT solves the plane "
-                   "problem, which is why its times are so much shorter. Published: 50 strips, user "
-                   "guide. CONTACT's measured errors are against its own limit.", SCHEME)
+                   "half-widths in three dimensions, with 11 lines of nodes. CONTACT solves the plane "
+                   "problem, so its times are much shorter. Its published error is that of 50 strips (user "
+                   "guide); its measured errors are relative to its own limit.", SCHEME)
 
 
 def carter(records, images):
     return plain("carter", "Carter's strip", "carter", "relative error of the force",
-                 "Long strip of identical cylinders, force in the middle section; equidistant nodes "
-                 "and nodes graded to the contact's edges. Size: nodes across.")(records, images)
+                 "A long strip of identical cylinders, force in the middle section, with equidistant nodes "
+                 "and with nodes graded to the contact's edges. Size: nodes across.")(records, images)
 
 
 def bodies(case, title, note, second, second_label):
@@ -265,7 +260,7 @@ def bodies(case, title, note, second, second_label):
                          Panel("memory", MEMORY,
                                curves(one, megabytes, lambda r: error(r, second), named), floor)]])
         more = (f"![{title}, {second_label}]({other})\n\nThe {second_label} of the same runs "
-                f"(characteristic); its reference is uncertain by {100 * floor:.2g} %.\n\n")
+                f"(characteristic); the reference is uncertain by {100 * floor:.2g} %.\n\n")
         return section(title, found, image, note, (MODEL if several else {}) | SCHEME | ELEMENT,
                        more)
     return make
@@ -279,22 +274,22 @@ SECTIONS = [
     steady_rolling("b"),
     kalker,
     plain("creep_curve_meshes", "Creep-force curve", "creep_curve", "error of the force vector, worst of eleven",
-          "Eleven creepages from stick to slip on one frame, a/b = 1/2; time is that of the whole "
+          "Eleven creepages from stick to slip on one frame, a/b = 1/2. The time is that of the whole "
           "curve. Size: nodes across."),
     lame,
     bodies("example1", "Example 1: two rings",
            "BEM on BEM (solid), FEM on FEM (dashed), FEM on BEM (dotted). The frame is the rings' "
-           "own zone: where the contact's edge falls between its nodes decides the creepage more "
-           "than the elements do. Size: nodes across the contact.", "approach", "approach"),
+           "own zone. The creepage depends more on where the contact's edge falls between the nodes "
+           "than on the elements. Size: nodes across the contact.", "approach", "approach"),
     bodies("example2", "Example 2: a ring on a half-space or a block",
            "FEM ring on a half-space (dashed) and on a block of boundary elements (dotted). Pressure "
-           "stretches the ring and not the ground: the creepage needs the ring's strains. Size: "
+           "stretches the ring and not the ground, so the creepage depends on the ring's strains. Size: "
            "nodes across the contact.", "approach", "approach"),
     plain("example3", "Example 3: a sphere on a plane", "example3", "relative error of the creepage",
-          "The paper's four frames and others like them; rings are graded to the contact's edge. "
+          "The paper's four frames and others like them. Rings are graded to the contact's edge. "
           "Size: nodes across."),
     bodies("example4", "Example 4: a wheel on a rail",
-           "Wheel of boundary (solid) or finite elements (dashed) on a rigid rail head. Pressure "
-           "strains the wheel and not the rail: what is left of the creepage drives the force. "
+           "A wheel of boundary (solid) or finite elements (dashed) on a rigid rail head. Pressure "
+           "strains the wheel and not the rail; only the rest of the creepage drives the force. "
            "Size: nodes along the zone.", "normal_force", "normal force"),
 ]

@@ -113,22 +113,16 @@ def scheme_table(records):
 
 
 def cost(r):
-    return f"{seconds(r['seconds']['wall'])} and {r['peak_bytes'] / 1e6:.1f} MB"
+    return f"{seconds(r['seconds']['wall'])}, {r['peak_bytes'] / 1e6:.1f} MB"
 
 
-def compare(records, case, target, first, second, words):
-    """Fills the words, with {first} and {second}, with what the cheapest run of each sort costs."""
+def pair(records, case, target, first, second):
+    """Returns cells of the cheapest run of each sort, or nothing where there is neither."""
     found = of_case(records, case)
-    a, b = cheapest(found, target, first), cheapest(found, target, second)
-    if a is None and b is None:
-        return ""
-    def said(r):
-        return f"{cost(r)} ({what(r, False)}, error {error_text(r)})" if r else "no run"
-    return words.format(first=said(a), second=said(b), target=f"{100 * target:g} %") + " "
-
-
-def listed(said):
-    return "\n" + "".join(f"  - {text}\n" for text in said) + "\n"
+    runs = [cheapest(found, target, wanted) for wanted in (first, second)]
+    if not any(runs):
+        return None
+    return [f"{cost(r)}: {what(r, False)}, error {error_text(r)}" if r else "no run" for r in runs]
 
 
 def frames_text(records):
@@ -137,15 +131,16 @@ def frames_text(records):
         return "rings" in r["element"] and r["method"] == DEFAULT
     def grids(r):
         return "rings" not in r["element"] and r["method"] == DEFAULT
-    text = ("- **Frame on half-spaces.** With the default scheme fit it to the contact where its "
-            "outline is known: below {target}, rings of triangles graded to the contact's edge and "
-            "equal elements cost ").replace("{target}", "1 %")
-    said = []
+    rows = []
     for case, name in (("case_a", "case (a)"), ("case_b", "case (b)"), ("example3", "example 3")):
-        said.append(compare(records, case, 0.01, rings, grids,
-                            f"in {name} {{first}} and {{second}}").strip())
-    said = [t for t in said if t]
-    return text + "; ".join(said) + ".\n" if said else ""
+        cells = pair(records, case, 0.01, rings, grids)
+        if cells:
+            rows.append([name] + cells)
+    if not rows:
+        return ""
+    return ("**Frame on half-spaces.** Where the outline of the contact is known, fit the frame to it. Cheapest runs with the "
+            "default scheme and an error below 1 %:\n\n"
+            + table(["case", "rings of triangles graded to the contact's edge", "equal elements"], rows) + "\n")
 
 
 def finest(records, case, element, scheme, model=None):
@@ -158,31 +153,31 @@ def by_schemes(records, case, element, model=None):
     """Returns errors of the finest mesh by characteristic, least squares and Godunov."""
     runs = [finest(records, case, element, s, model)
             for s in ("characteristic", "least_squares", "godunov")]
-    return "; ".join(map(error_text, runs)) if all(runs) else None
+    return list(map(error_text, runs)) if all(runs) else None
 
 
 def schemes_text(records):
-    said = []
+    rows = []
     for case, title in (("case_a", "case (a)"), ("case_b", "case (b)"), ("kalker_meshes", "Kalker"),
                         ("example3", "example 3")):
         for element in ("tri3 rings", "quad4", "quad8"):
             errors = by_schemes(records, case, element)
             if errors:
-                said.append(f"{title}, {element}: {errors}")
-    if not said:
+                rows.append([title, element] + errors)
+    if not rows:
         return ""
-    return ("- **Scheme of convection.** Errors on the finest mesh by characteristic, least squares, Godunov:"
-            + listed(said) + "  The characteristic scheme is the one that goes on converging on "
-            "triangles fitted to the contact. On quadrilaterals along the flow Godunov's differences "
-            "and least squares are the same thing; on other meshes Godunov's seldom converge, "
-            "and are left out below. On coarse grids of quad8 least squares are the better choice. With spin "
-            "(case (b), Kalker) the force of the characteristic scheme is by far the nearer one on fitted triangles "
-            "and the farther one on grids, where its moment is the nearer one.\n")
+    return ("**Scheme of convection.** The characteristic scheme is the only one that keeps converging on triangles "
+            "fitted to the contact. On quadrilaterals along the flow Godunov's differences and least squares are the "
+            "same; on other meshes Godunov's differences seldom converge, and the tables of cheapest runs leave them "
+            "out. On coarse grids of quad8 take least squares. With spin (case (b), Kalker) the characteristic scheme "
+            "has by far the smaller error of the force on fitted triangles. On grids it has the larger one, and the "
+            "smaller error of the moment. Errors on the finest mesh:\n\n"
+            + table(["case", "elements", "characteristic", "least squares", "Godunov"], rows) + "\n")
 
 
 def examples_text(records):
     """Says what limits the paper's examples with meshed bodies."""
-    said = []
+    rows = []
     for case, title in (("example1", "example 1"), ("example2", "example 2"),
                         ("example4", "example 4")):
         def laid(r):
@@ -192,38 +187,37 @@ def examples_text(records):
         for target in (0.05, 0.03, 0.01):
             if target < floor:
                 continue
-            a = cheapest(found, target, laid)
-            b = cheapest(found, target, lambda r: not laid(r))
-            if a is None and b is None:
-                continue
-            costs = [f"{cost(r)} ({what(r, True)})" if r else "not reached" for r in (a, b)]
-            said.append(f"{title}, below {100 * target:g} %: frame laid on the bodies {costs[0]}, "
-                        f"the bodies' own faces {costs[1]}")
-    if not said:
+            runs = [cheapest(found, target, laid), cheapest(found, target, lambda r: not laid(r))]
+            if any(runs):
+                rows.append([title, f"{100 * target:g} %"]
+                            + [f"{cost(r)}: {what(r, True)}" if r else "not reached" for r in runs])
+    if not rows:
         return ""
-    return ("- **Rolling bodies with a mesh.** What limits creepage and force is how well the frame "
-            "meets the contact's edge, not the bodies' elements: their approach and normal force are "
-            "right to a per cent on meshes whose creepage is off by ten. A frame of its own, graded "
-            "to the contact's edge and laid on coarse quadratic bodies, mostly costs less. "
-            + "Cheapest runs:" + listed(said) + "  Where pressure strains one body only (examples 2 and 4) the slip "
-            "is a small difference of large strains: use quadratic elements, and see the curve of "
-            "your element before trusting a coarse mesh.\n")
+    return ("**Rolling bodies with a mesh.** The error of creepage and force depends on how well the frame meets the "
+            "contact's edge, and not on the bodies' elements: approach and normal force are right to one per cent on "
+            "meshes whose creepage is off by ten. A separate frame, graded to the contact's edge and laid on coarse "
+            "quadratic bodies, usually costs less. Where pressure strains one body only (examples 2 and 4), the slip is "
+            "a small difference of large strains: use quadratic elements, and look at the curve of your element before "
+            "you trust a coarse mesh. Cheapest runs:\n\n"
+            + table(["case", "error below", "frame laid on the bodies", "the bodies' own faces"], rows) + "\n")
 
 
 def bodies_text(records):
-    text = "- **Bodies.** "
-    for case, name, target in (("lame", "Thick walls", 0.003), ("hertz_block", "Sphere on a block",
-                                                                0.01)):
-        def boundary(r):
-            return r["method"] == "BEM" or r["model"].startswith("BEM")
-        text += compare(records, case, target, boundary, lambda r: not boundary(r),
-                        f"{name}, below {{target}}: boundary elements {{first}}, finite elements "
-                        "{second}.")
-        def quadratic(r):
-            return r["element"] in ("quad8", "quad9", "tri6", "hex20", "wedge15", "tet10")
-        text += compare(records, case, target, quadratic, lambda r: not quadratic(r),
-                        "Quadratic elements {first}, linear ones {second}.")
-    return text.rstrip() + "\n"
+    def boundary(r):
+        return r["method"] == "BEM" or r["model"].startswith("BEM")
+    def quadratic(r):
+        return r["element"] in ("quad8", "quad9", "tri6", "hex20", "wedge15", "tet10")
+    rows = []
+    for case, name, target in (("lame", "thick walls", 0.003), ("hertz_block", "sphere on a block", 0.01)):
+        kinds = [pair(records, case, target, wanted, lambda r, wanted=wanted: not wanted(r))
+                 for wanted in (boundary, quadratic)]
+        if all(kinds):
+            rows.append([name, f"{100 * target:g} %"] + kinds[0] + kinds[1])
+    if not rows:
+        return ""
+    return ("**Bodies.** Cheapest runs:\n\n"
+            + table(["case", "error below", "boundary elements", "finite elements", "quadratic elements",
+                     "linear elements"], rows) + "\n")
 
 
 def defaults_text(records):
@@ -231,20 +225,19 @@ def defaults_text(records):
     groups = (("rings graded to the contact", lambda e: "rings" in e),
               ("quad4 and tri3", lambda e: e in ("quad4", "tri3")),
               ("quad8 and tri6", lambda e: e in ("quad8", "tri6")))
-    said = []
+    rows = []
     for case, name in (("case_a", "case (a)"), ("case_b", "case (b)"), ("example3", "example 3")):
         for title, wanted in groups:
             elements = {r["element"] for r in of_case(records, case) if wanted(r["element"])}
             ratio = scheme_ratios(records, case, elements)[DEFAULT]
             if ratio[0]:
-                said.append(f"{name}, {title}: {ratio[0]:.2f} times the error for {ratio[1]:.2f} "
-                            "times the time")
-    if not said:
+                rows.append([name, title, f"{ratio[0]:.2f}", f"{ratio[1]:.2f}"])
+    if not rows:
         return ""
-    return ("- **Defaults.** The characteristic scheme beside least squares on the same meshes:"
-            + listed(said) + "  Re-solves cost a small part of a cold solve whatever the scheme "
-            "(warm rows of the plots). What the default procedure (condensed, exact Jacobian) saves "
-            "is measured in [procedures.md](procedures.md).\n")
+    return ("**Defaults.** The next table has the error and the time of the characteristic scheme over those of least "
+            "squares on the same meshes. With any scheme a second solve costs a small part of a cold one (warm curves "
+            "of the plots). [procedures.md](procedures.md) has what the default procedure (condensed, exact Jacobian) "
+            "saves.\n\n" + table(["case", "elements", "error", "time"], rows) + "\n")
 
 
 def choice(records):
@@ -253,9 +246,8 @@ def choice(records):
     return ("### Which method to choose when, and what the defaults cost and give\n\n"
             + frames_text(records) + schemes_text(records) + bodies_text(records)
             + examples_text(records) + defaults_text(records)
-            + "\nCheapest run of each case whose error, and that of all finer runs of its curve, is "
-            "below a bound; of rolling cases the larger one of the errors of force vector and moment "
-            "counts:\n\n" + cheapest_table(records)
-            + "\nSchemes on the same meshes, over least squares (geometric means over all meshes of "
-            "a case; the larger error of force vector and moment, at least the reference's uncertainty):\n\n"
+            + "**Cheapest runs** whose error, and that of all finer runs of the same curve, is below a bound. In rolling "
+            "cases the larger one of the errors of force vector and moment counts:\n\n" + cheapest_table(records)
+            + "\n**Schemes over least squares** on the same meshes: geometric means over all meshes of a case, of the "
+            "larger error of force vector and moment (at least the uncertainty of the reference):\n\n"
             + scheme_table(records) + "\n")

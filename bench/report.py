@@ -8,6 +8,7 @@ Writes the half-space part of DOCS_DIR/accuracy.md and DOCS_DIR/images/accuracy_
 
 import ctypes
 import ctypes.util
+import datetime
 import json
 import os
 import platform
@@ -27,10 +28,10 @@ def load(path):
 PARTS = ("work-precision", "estimates", "half-spaces")
 TITLE = f"""# Accuracy, time and memory
 
-First error over time and memory for every method, and which to choose; then the half-space scenes in
-detail. Bodies with a mesh in detail: [accuracy_bodies.md](accuracy_bodies.md) (boundary elements),
-[accuracy_fem.md](accuracy_fem.md) (finite elements). Times are of single runs on a shared machine: good to a few ten
-per cent where its load was below its cores, several times too long where it was above.
+This page has the error of every method over its time and memory, advice on which to choose, error estimates beside true
+errors, and the scenes of half-spaces in detail. Bodies with a mesh have pages of their own:
+[boundary elements](accuracy_bodies.md) and [finite elements](accuracy_fem.md). Times are those of single runs on a shared
+machine and may be several times too long.
 
 {errors.MEANING}
 """
@@ -76,9 +77,8 @@ def unfinished_text(records):
                  + "; ".join(f"{r['case']} {r['mesh']} {r['method']}" for r in unfinished) + ".\n\n")
     if coarse:
         cases = dict.fromkeys(r["case"] for r in coarse)
-        text += (f"In {len(coarse)} of {len(records)} solves, of {', '.join(cases)}, too few nodes touch for the "
-                 "solution to mean anything (`ROLLCON_COARSE`). Tables say so, plots and comparisons leave them "
-                 "out.\n\n")
+        text += (f"In {len(coarse)} of {len(records)} solves ({', '.join(cases)}) too few nodes touch for a meaningful "
+                 "solution (`ROLLCON_COARSE`). The tables mark them; plots and comparisons leave them out.\n\n")
     return text
 
 
@@ -167,7 +167,7 @@ def carter(records, docs):
     image = plot(f"{docs}/images/accuracy_carter.png", "Carter: F/(mu P) at given creepage",
                  "nodes across the contact", "relative error", series)
     return ("## Carter: long strip, frames aligned with the flow\n\n"
-            "Middle section of a strip 40 half-widths long; a plane problem has no spin moment. CONTACT "
+            "The middle section of a strip 40 half-widths long. A plane problem has no spin moment. CONTACT "
             "with 50 strips: force 1.25 %, traction 1.54 %.\n\n"
             + table(["nodes across", "scheme", "force", "traction L2", "iterations", "cold"], rows)
             + f"\n![Carter]({image})\n")
@@ -188,10 +188,11 @@ def kalker(records, _docs):
                     + [f"{errors.percent(r['error'])}, {errors.percent(r['moment_error'])}"
                        for r in (along, across, spin)])
     return ("## Kalker's creepage coefficients\n\nRings of tri6, characteristic scheme. "
-            "C32 is C23 by the moment of lateral creepage; the two are equal in theory. Then, for each motion by "
-            "itself, errors of force vector and moment against Kalker's table, which has three digits; zeros by "
-            "symmetry. As hardly anything slips, not mu Fn but what is carried counts: the moment is over "
-            "F sqrt(a b), F the force (with spin the force or the moment over sqrt(a b), whichever is more).\n\n"
+            "C32 is C23 found from the moment of lateral creepage; in theory both are equal. The last columns have, for "
+            "each motion by itself, the errors of force vector and moment relative to Kalker's table, which has three "
+            "digits, with zeros by symmetry. Hardly anything slips, so the moment is relative to what is carried and "
+            "not to mu Fn: to F sqrt(a b), F the force (with spin the greater of the force and the moment over "
+            "sqrt(a b)).\n\n"
             + table(["a/b", "nu", "C11", "C22", "C23", "C32", "C33", "longitudinal creepage: force, moment",
                      "lateral creepage", "spin"], rows))
 
@@ -204,7 +205,7 @@ def creep_curve(records, _docs):
     if not rows:
         return ""
     return ("## Creep-force curve\n\nDifference of the force vector from CONTACT's longitudinal force, which is 1.5 % "
-            "above linear theory at the smallest creepage; lateral force and moment vanish by symmetry.\n\n"
+            "above linear theory at the smallest creepage. Lateral force and moment vanish by symmetry.\n\n"
             + table(["creepage", "F/(mu P)", "CONTACT 44 x 48", "force differs by", "moment by", "iterations", "time"],
                     rows))
 
@@ -254,16 +255,15 @@ def steady_rolling(records, docs):
                       f"Case ({which}): error of the force vector over time of a warm solve",
                       "seconds", "relative error", by_time)
         text += (f"## Case ({which}) beside CONTACT\n\n"
-                 "Circle, identical bodies, longitudinal creepage"
-                 + (" and spin" if which == "b" else "")
-                 + "; grids of N x N nodes, 90 % filled, and rings of triangles fitted to the "
-                 "contact. Force: error of the force vector; moment: of the spin moment over mu Fn a. Warm: solved "
-                 "again after 1 % of change in creepage. CONTACT's error is that of the force vector as "
-                 "well"
-                 + (" (its lateral force vanishes by symmetry), at N = 16, 32, 64, 128 and 256"
-                    if which == "a" else ", at N = 20, 40, 80, 112 and 224; that of its moment is not published")
-                 + "; * marks first-order interpolation between those. Its warm time was measured on a machine of the "
-                 "same kind.\n\n"
+                 + ("Circle, identical bodies, longitudinal creepage. Frames are grids of N x N nodes, 90 % filled, and "
+                    "rings of triangles fitted to the contact. The error of the moment is relative to mu Fn a. Warm: "
+                    "solved again after a change of creepage by 1 %. CONTACT's error is that of the force vector (its "
+                    "lateral force vanishes by symmetry) at N = 16, 32, 64, 128 and 256; * marks first-order "
+                    "interpolation between these. Its warm time was measured on a machine of the same kind.\n\n"
+                    if which == "a" else
+                    "Circle, identical bodies, longitudinal creepage and spin; frames, errors and times are as in case "
+                    "(a). CONTACT's error is that of the force vector at N = 20, 40, 80, 112 and 224; that of its moment "
+                    "is not published.\n\n")
                  + table(["frame", "scheme", "in contact", "force", "moment", "CONTACT's force", "ratio", "iterations",
                           "cold", "warm", "CONTACT warm", "time ratio"], rows)
                  + f"\n![nodes]({first})\n\n![time]({second})\n\n")
@@ -286,10 +286,9 @@ def example3(records, _docs):
         return ""
     uncertain = max(r["extra"]["uncertainty"] for r in of_case(records, "example3"))
     return ("## Example 3: sphere on a rigid plane, Ft = 0.75 mu Fn\n\n"
-            "Error of the creepage, turned like the force, against what frames graded to the contact's "
-            f"edge extrapolate to (uncertain by {100 * uncertain:.2g} %), and of the spin moment, zero by "
-            "symmetry. Cold: from arrays to tractions. Warm: creepage "
-            "given, changed by 1 %.\n\n"
+            "Error of the creepage, turned like the force, relative to the extrapolated limit of frames graded to the "
+            f"contact's edge (uncertain by {100 * uncertain:.2g} %), and of the spin moment, which is zero by symmetry. "
+            "Cold: from arrays to tractions. Warm: creepage given, changed by 1 %.\n\n"
             + table(["frame", "scheme", "creepage", "error", "moment", "p0, MPa", "iterations", "cold",
                      "of it compliance", "memory", "warm", "iterations", "allocations"], rows))
 
@@ -331,8 +330,7 @@ def blas_kernels():
 
 
 def processor():
-    load = os.getloadavg()[2]
-    return f"{processor_name()}{blas_kernels()}, {os.cpu_count()} cores under a load of {load:.1f}"
+    return f"{processor_name()}{blas_kernels()}, {os.cpu_count()} cores, {datetime.date.today()}"
 
 
 def processor_name():

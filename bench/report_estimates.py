@@ -43,7 +43,7 @@ def row(records):
 HEAD = ["runs", "median effectivity", "nine in ten", "below the true error", "time over the solve's"]
 
 
-def estimates(records, docs):
+def estimates(records, docs, command):
     found = [r for r in of_case(records, "effectivity") if usable(r)]
     if not found:
         return ""
@@ -65,8 +65,9 @@ def estimates(records, docs):
                 rows.append([quantity.replace("error of the ", ""), scheme.replace("_", " ")]
                             + row(own))
     return ("## Error estimates beside true errors\n\n"
-            "Effectivity: the estimate that the library offers as a statistic over the true error, "
-            "on scenes whose answer is known; 1 is perfect, above 1 is on the safe side.\n\n"
+            f"Made by `{command}` on {processor()}.\n\n"
+            "The effectivity is the library's estimate (a statistic of the solve) over the true error, on scenes whose "
+            "answer is known. 1 is perfect; above 1 the estimate is on the safe side.\n\n"
             f"![estimates]({image})\n\n" + table(["quantity", "scheme"] + HEAD, rows))
 
 
@@ -75,13 +76,12 @@ def main():
         sys.exit(__doc__)
     docs = sys.argv[2]
     os.makedirs(f"{docs}/images", exist_ok=True)
-    text = estimates(load(sys.argv[1]), docs)
+    text = estimates(load(sys.argv[1]), docs, sys.argv[3])
     if text:
         by_scene = os.path.join(os.path.dirname(os.path.abspath(__file__)), "report_effectivity.py")
         tables = subprocess.run([sys.executable, by_scene, sys.argv[1]], capture_output=True,
                                 text=True, check=True).stdout
         text += f"\n<details><summary>By scene and frame</summary>\n\n{tables}\n</details>\n"
-        text += f"\nMade by `{sys.argv[3]}` on {processor()}.\n"
         write_part(f"{docs}/accuracy.md", "estimates", text)
 
 

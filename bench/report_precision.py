@@ -22,14 +22,14 @@ def main():
     records = [r for path in sys.argv[3:] for r in load(path)]
     threads = "/".join(map(str, sorted({r["threads"] for r in records})))
     text = ("## Error over time and over memory\n\n"
-            f"Made by `{command}` on {processor()}, {threads} thread(s). One curve for each method "
-            "(scheme of convection, element, model of the bodies), one point for each element size; "
-            "time from arrays to results, the fastest of up to five runs while they take less than a quarter of a second together; "
-            "memory as the library counts it, bodies included. Where no closed form and no published "
-            "limit is at hand, the reference is extrapolated from finer runs, and its uncertainty "
-            "stands beside it. Solution procedures (Newton's variants, monolithic systems) are "
-            "compared in [procedures.md](procedures.md); the plots here are made with the standard "
-            "one.\n\n" + unfinished_text(records) + choice(records))
+            f"Made by `{command}` on {processor()}, {threads} thread(s).\n\n"
+            "Each curve is one method (scheme of convection, element, model of the bodies), each point one element size. "
+            "Time is from the caller's arrays to the results: the fastest of up to five runs, as long as they take less "
+            "than a quarter of a second together. Memory is what the library counts, bodies included. Where there is "
+            "neither a closed form nor a published limit, the reference is extrapolated from finer runs. A grey line "
+            "marks its uncertainty: below it a curve says nothing. Plots of rolling cases show the error of the force "
+            "vector; tables add that of the moment. All runs use the standard solution procedure; "
+            "[procedures.md](procedures.md) compares the others.\n\n" + unfinished_text(records) + choice(records))
     text += "".join(make(records, images) for make in SECTIONS)
     write_part(f"{docs}/accuracy.md", "work-precision", text)
 
