@@ -66,14 +66,14 @@ def lattice(records, docs):
     bytes_image = plot(f"{docs}/images/speed_lattice_memory.png", "Memory of a contact", "nodes", "MB",
                        memory)
     return ("## Regular frames on half-spaces\n\n"
-            + paragraph("""The table is for cases (a) (longitudinal creepage) and (b) (with spin) of
-                [accuracy.md](accuracy.md) on grids of N x N nodes, to a tolerance of 1e-6. Cold times are from the
-                caller's arrays to the solution, with operators and coarser grids; warm times are after a change of
-                creepage by 1 %. "On rigid" means that one body has all of the compliance, so normal and tangential
-                problem are coupled. "Forces" means that longitudinal and lateral force are given instead of the
-                creepages; the column "forces / creepages" has the ratio of both times. "Applications" are those of
-                an operator to a vector of tractions. CONTACT's times are for its fastest solver, warm, on a core of
-                this kind. It takes about 3 times as long for unlike bodies, and about 9 times for given forces.""")
+            + paragraph("""The table has cases (a) (longitudinal creepage) and (b) (with spin) of
+[accuracy.md](accuracy.md) on grids of N x N nodes, solved to a tolerance of 1e-6. A cold time is from the caller's
+arrays to the solution, with operators and coarser grids; a warm time is that of a second solve after a change of
+creepage by 1 %. "On rigid" means that one body has all of the compliance, so the normal and the tangential problem
+are coupled. "Forces" means that the longitudinal and the lateral force are given instead of the creepages; the column
+"forces / creepages" has the ratio of both times. "Applications" counts how often an operator was applied to a vector
+of tractions. CONTACT's times are warm times of its fastest solver on a core of this kind. It takes about 3 times as
+long for unlike bodies, and about 9 times for given forces.""")
             + table(["case", "grid", "operators", "cold", "warm", "forces / creepages", "CONTACT", "Newton iterations",
                      "applications", "memory", "bytes per node"], rows)
             + (f"\n![Time over nodes]({image})\n" if image else "")
@@ -86,10 +86,10 @@ def resolve(records):
         return ""
     steps = [r for r in found if "newton_ms" in r["extra"]]
     derived = [r for r in found if "sensitivity_ms" in r["extra"]]
-    text = "## Solving again\n\n" + paragraph("""These are warm solves after a change of creepage, with dense
-        operators and without prediction. "Pairs" are those in contact. "GMRES" and "factorisations" are the linear
-        iterations and the LU factorisations of a solve; means over many, like Newton's iterations. LAPACK is the
-        time of dgetrf and dgetrs of the system of one Newton iteration before sliding unknowns are eliminated.""")
+    text = "## Solving again\n\n" + paragraph("""The table has warm solves after a change of creepage, with dense
+operators and without prediction. "Pairs" are the pairs of nodes in contact. Iterations of Newton and GMRES and LU
+factorisations are means over many solves. "LAPACK" is the time of dgetrf and dgetrs for the system of one Newton
+iteration before the sliding unknowns are eliminated.""")
     text += rows_of(steps, {
         "scene": lambda r: r["model"], "frame": lambda r: r["mesh"],
         "change": lambda r: r["quantity"].replace("seconds of a re-solve after ", ""),
@@ -98,8 +98,8 @@ def resolve(records):
         "factorisations": extra("factorizations_mean"), "LAPACK": milliseconds("lapack_ms"),
         "iteration / LAPACK": extra("iteration_over_lapack", 2)})
     if derived:
-        text += "\n" + paragraph("""The next table compares the time of all five derivatives after such a solve with
-            that of one Newton iteration:""")
+        text += "\n" + paragraph("""The next table compares the time for all five derivatives after such a solve with
+the time of one Newton iteration:""")
         text += rows_of(derived, {
             "scene": lambda r: r["model"], "frame": lambda r: r["mesh"],
             "time": milliseconds("sensitivity_ms"), "one Newton iteration": milliseconds("iteration_ms"),
@@ -112,10 +112,9 @@ def tables(records):
     text = ""
     found = of_case(records, "table")
     if found:
-        text += "## A table of 3000 creepages\n\n" + paragraph("""Longitudinal and lateral creepage and spin on a
-            grid, solved one after the other, warm. "Turning" goes through the grid to and fro, so that neighbours
-            differ in one creepage; "rewinding" begins each line at the same end. Iterations of Newton and of GMRES
-            are means of a scene.""")
+        text += "## A table of 3000 creepages\n\n" + paragraph("""The cases form a grid of longitudinal creepage,
+lateral creepage and spin, and are solved one after the other, warm. "Turning" goes through the grid to and fro, so
+that neighbours differ in one creepage; "rewinding" begins each line at the same end. Iterations are means per case.""")
         text += rows_of(found, {
             "bodies": lambda r: r["model"], "frame": lambda r: r["mesh"], "order": lambda r: r["method"],
             "tolerance": lambda r: r["quantity"].rsplit(" ", 1)[-1], "per scene": lambda r: f"{r['value']:.3g} ms",
@@ -124,8 +123,7 @@ def tables(records):
     found = of_case(records, "many")
     if found:
         text += "## A list of cases in one call\n\n" + paragraph("""The table compares `rollcon_contact_solve_many`
-            with a loop of solves. The cases of a grid list are neighbours, those of a scattered list are drawn at
-            random.""")
+with a loop of solves. The cases of a grid list are neighbours; those of a scattered list are drawn at random.""")
         text += rows_of(found, {
             "list": lambda r: r["mesh"], "method": lambda r: r["method"], "threads": lambda r: r["threads"],
             "cases": extra("cases", 5), "per case": lambda r: f"{r['value']:.3g} ms",
@@ -138,11 +136,11 @@ def loops(records):
     text = ""
     found = of_case(records, "time_loop")
     if found:
-        text += "## The time loop of a vehicle\n\n" + paragraph("""In a wheelset's oscillation the load (±30 %),
-            lateral creepage and spin vary slowly; creepages or the traction are given. Numbers are those after 2000
-            steps. "First, last tenth" is the time of a solve in the first and in the last tenth of the loop; "most"
-            are the iterations of the slowest solve; "fallbacks" counts what was tried beyond Newton's plain
-            iteration; "allocations" and "growth" are what the loop took from memory.""")
+        text += "## The time loop of a vehicle\n\n" + paragraph("""The load (±30 %), the lateral creepage and the spin
+vary slowly, as in the oscillation of a wheelset; creepages or the traction are given. Numbers are those after 2000
+steps. "First, last tenth" is the time of a solve in the first and in the last tenth of the loop; "most" is the number
+of iterations of the slowest solve; "fallbacks" counts what was tried beyond Newton's plain iteration; "allocations"
+and "growth" are what the loop took from memory.""")
         text += rows_of(found, {
                      "drive": lambda r: r["model"], "elements": lambda r: r["mesh"], "solves": extra("solves", 6),
                      "per solve": milliseconds("milliseconds_per_solve"),
@@ -162,7 +160,7 @@ def loops(records):
     found = of_case(records, "curve")
     if found:
         text += "## Creep curve of the paper's two rings\n\n" + paragraph("""The creepage goes from one end of the
-            curve to the other in 100 warm solves; iterations and factorisations are means of one.""")
+curve to the other in 100 warm solves. Iterations and factorisations are means per solve.""")
         text += rows_of(found, {
             "bodies": lambda r: r["model"], "mesh": lambda r: r["mesh"], "method": lambda r: r["method"],
             "100 points": lambda r: seconds(r["seconds"]["wall"]), "Newton iterations": extra("iterations_mean"),
@@ -175,11 +173,10 @@ def stresses(records):
     if not found:
         return ""
     return ("## Stresses inside half-spaces\n\n"
-            + paragraph("""The table is for stresses and displacements to the standard accuracy, 1e-5 of the largest
-                traction, below a solved contact of radius 1 whose frame reaches to 1.1. `rollcon-bench run
-                stresses` alone makes it. Blocks of points that have the places of a regular frame, layer by layer,
-                are computed by FFT. "Points x nodes under load" and "points x elements" are how many pairs of both
-                are dealt with in a second.""")
+            + paragraph("""The table (`rollcon-bench run stresses`) has the times of stresses and displacements to the
+standard accuracy, 1e-5 of the largest traction, below a solved contact of radius 1 whose frame reaches to 1.1. Blocks
+of points in layers, at the places of a regular frame, are computed by FFT. The last two columns have the pairs of a
+point and a loaded node, and of a point and an element, that are computed in a second.""")
             + rows_of(found, {
                 "frame": lambda r: r["mesh"], "points": lambda r: r["model"], "number": extra("points", 7),
                 "time": lambda r: seconds(r["seconds"]["wall"]),
@@ -194,8 +191,8 @@ def saved(records):
         return ""
     names = sorted({k for r in found for k in r["extra"]})
     return ("## Prepared bodies as files\n\n"
-            + paragraph(""""Prepared" is after `rollcon_body_prepare`; "after a solve" a body also holds what its
-                contact has asked of it.""")
+            + paragraph(""""Prepared" means after `rollcon_body_prepare`. After a solve a body also holds the
+responses that its contact has asked for.""")
             + table(["", *(f"{r['model']}, {r['mesh']}" for r in found)],
                     [[name.replace("_", " "), *(number(r["extra"].get(name), 4) for r in found)] for name in names])
             + "\n")
@@ -206,9 +203,9 @@ def main():
     records = load(path)
     os.makedirs(f"{docs}/images", exist_ok=True)
     text = ("# Regular frames and repeated solves: time and memory\n\n"
-            + paragraph(f"""This page is made by `{command}` on one core of {processor()}. Times are of single runs
-                or the least of a few, on a shared machine, and good to a few ten per cent. Ratios are within one
-                run. What each shortcut saves by itself is in [thrift.md](thrift.md).""")
+            + paragraph(f"""Made by `{command}` on one core of {processor()}. Times are those of single runs or the
+least of a few, on a shared machine, and good to a few ten per cent. Both times of a ratio are from one run.
+[thrift.md](thrift.md) has what each shortcut saves by itself.""")
             + lattice(records, docs) + stresses(records) + resolve(records) + tables(records) + loops(records)
             + saved(records))
     with open(f"{docs}/speed.md", "w", encoding="utf-8") as out:

@@ -109,10 +109,10 @@ def procedures(records, docs):
                  "set key inside bottom right; unset logscale y; set format y '%g'; set yrange [0:100]; set xrange [1:500]")
     picture = f"\n![iterations]({image})\n" if image else ""
     return ("## The paper's procedures on the same scenes\n\n"
-            "Success: solved with the laws kept to 1e-8, or ended with the status that is right. Scenes of up to 300 nodes: the\n"
-            "named ones, and every twentieth random one; all procedures condensed, from zero tractions, with 500 iterations at most\n"
-            "and no fallbacks ([procedures.md](procedures.md) says what they are). `reduced` cannot take the characteristic scheme: its scenes have\n"
-            "`godunov` instead.\n\n" + table(["group", "scenes", *ways], rows) + picture + "\n")
+            "The table has the per cent of scenes that are solved or rightly refused, of the named scenes and "
+            "every twentieth random scene with up to 300 nodes. All procedures ([procedures.md](procedures.md)) are "
+            "condensed and start from zero tractions, with 500 iterations at most and no fallbacks. `reduced` "
+            "cannot use the characteristic scheme; its scenes have `godunov` instead.\n\n" + table(["group", "scenes", *ways], rows) + picture + "\n")
 
 
 def quoted(text):
@@ -146,20 +146,21 @@ def limits(records):
     return text
 
 
-LIMITS = """- *Several solutions.* Between unlike bodies (or on a rigid one) the contact problem with large friction may have several solutions,
-  or none that a discrete frame can hold; a coefficient of 1 and more, and Poisson's ratios near -1, where pressure pulls the surface
-  sideways most, are where the iteration fails most. A discrete problem may have several even for like bodies: slivers and the characteristic scheme.
-- *Rounding decides a few of those.* With friction disturbed in its last digits (twelve times each) scenes 1369, 1442, 2514 and 3981, solved
-  above, fail one to three times, and 368, which failed, is solved six times; of eight others of the list one is solved and
-  one refused, once each. So another
-  processor's list may have other members: one without AVX-512 fails at 1442 and 3981.
-- *Small steps of the characteristic scheme* make slip nearly blind to a node's own traction; so does contact that reaches the rim of
-  a regular frame where material leaves it ([theory](theory.md), section 5): enlarge the frame, or take `least_squares`.
-- *Contact up to a body's own edges*, flat along the path. All laws are kept, but creep forces depend much on scheme and mesh: with a conformal pin as stiff
-  and as wide as its bore the longitudinal force over the load was 0.02 and 0.05 (characteristic; bore of finite, of boundary elements) and 0.16 and 0.15
-  (least squares) on a mesh refined once.
-- *The size of numbers.* Gaps and displacements are differences: an approach is resolved to rounding of the least gap. Contacts shallower than
-  1e-16 of it are as flat as their gaps' last digit.
+LIMITS = """- *Several solutions.* Between unlike bodies, or on a rigid one, the contact problem with large friction may have several
+  solutions, or none that a discrete frame can represent. The iteration fails most often with coefficients of 1 and more, and
+  with Poisson's ratios near -1, where pressure pulls the surface sideways most. A discrete problem may have several solutions
+  even for like bodies: with slivers and the characteristic scheme.
+- *Rounding.* Some scenes depend on the last digits. If friction is disturbed in its last digits, twelve times each, the solved
+  scenes 1369, 1442, 2514 and 3981 fail one to three times, and scene 368 of the list is solved six times; of eight others of the list one is solved and one
+  refused, once each. So another processor may have another list: one without AVX-512 fails at 1442 and 3981.
+- *Small steps of the characteristic scheme* make slip nearly independent of a node's own traction. So does contact that reaches
+  the rim of a regular frame where material leaves it ([theory](theory.md), section 5). Enlarge the frame, or take
+  `least_squares`.
+- *Contact up to a body's own edges*, flat along the path. All laws hold, but creep forces depend strongly on scheme and mesh.
+  For a conformal pin as stiff and as wide as its bore, on a mesh refined once, the longitudinal force over the load is 0.02
+  (finite elements) and 0.05 (boundary elements) with the characteristic scheme, and 0.16 and 0.15 with least squares.
+- *The size of numbers.* Gaps and displacements are differences, so an approach is resolved to the rounding of the least gap. A
+  contact shallower than 1e-16 of it is no more precise than the last digit of its gaps.
 
 """
 
@@ -167,23 +168,25 @@ LIMITS = """- *Several solutions.* Between unlike bodies (or on a rigid one) the
 def says(records):
     refused = [r for r in records if r["method"] == "refused"]
     rows = [[r["model"], quoted(r["note"])] for r in refused]
-    text = ("## What the library says at its limits\n\nTexts of `rollcon_last_error` when this was asked for:\n\n"
+    text = ("## What the library says at its limits\n\nThe texts are those of `rollcon_last_error`:\n\n"
             + table(["asked for", "said"], rows))
     warned = [("the contact reaches the rim of the frame", 4), ("the bodies do not touch", 2),
               ("the iteration does not converge", 1)]
     rows = [[what, f"`ROLLCON_{STATUS[status]}`", sum(r["status"] == status for r in records if r["method"] == "cold")]
             for what, status in warned]
-    return text + ("\nStatuses above 0 have no text of their own; results can be read:\n\n"
+    return text + ("\nWith statuses above 0 results can be read:\n\n"
                    + table(["when", "status", "in this suite, cold"], rows) + "\n")
 
 
 RUNGS = """## What each fallback saves
 
-Of 12,812 solves (the random and named scenes above on frames of up to 300 nodes, from nothing and from another
-state; forces near what friction carries; friction raised to 0.6 to 10; creepages of 10 to 1e6; small steps of a sequence; small loads
-on quadratic elements; forces given under friction of 1e-6 to 0.1 between unlike bodies) 28 did not converge. A fallback
-(docs/theory.md, section 6) was *tried* in so many, and *solved* so many. Each of those solves was repeated in a copy of the library with that fallback alone switched off: *lost* are solves that then did not converge (fallbacks after it are tried in its place), *gained* those that did
-only then, as iterations were left for others; the last column is the processor time of all of them with it and without it.
+The table counts the fallbacks of [theory](theory.md), section 6, in 12,812 solves, of which 28 did not converge: the random
+and named scenes above on frames of up to 300 nodes, from nothing and from another state; forces near what friction carries;
+friction raised to 0.6 to 10; creepages of 10 to 1e6; small steps of a sequence; small loads on quadratic elements; forces
+given under friction of 1e-6 to 0.1 between unlike bodies. *Tried* and *solved* are numbers of solves. Each solve in which a
+fallback was tried was repeated with this fallback alone switched off, so that the fallbacks after it took its place. *Lost*
+are solves that then did not converge, *gained* those that converged only then, because iterations were left for others. The
+last column is the processor time of all these solves.
 
 | fallback | tried | solved | lost without it | gained | seconds with, without |
 | --- | --- | --- | --- | --- | --- |
@@ -199,28 +202,32 @@ only then, as iterations were left for others; the last column is the processor 
 | loads 5 % beyond sliding refused at once | 278 | 278 | 0 | 0 | 0.9, 13.4 |
 | loads beyond sliding refused in the end | 106 | 106 | 106 | 0 | 5.4, 5.2 |
 
-Searches for one creepage and for several are first of all quick: under small friction (1377 solves) those that they solve take 2.0
-and 1.6 times as long without them, and without the first of them and friction lowered from above together 53 are lost. Bracketing the approach of
-coupled problems was tried 103 times and solved three, none of them lost without it: it is gone.
+The searches for one creepage and for several save time: of 1377 solves under small friction, those that they solve
+take 2.0 and 1.6 times as long without them. Without both the first of them and friction lowered from above, 53 are
+lost.
 
 """
 
-HEAD = """Scenes that are stiff, extreme or degenerate, each judged by laws of contact that are recomputed from what the caller
-gave and what the public functions return, not by the solver's own residuals: displacements at nodes and upstream points by
-`rollcon_contact_get_displacements_at` (from tractions, not from the solver's matrices), gaps from them, the gap of the undeformed bodies
-and the approach, slip from them by the schemes of [theory](theory.md), section 5, written once more in the tests, forces by integrals of
-the shape functions. With p0 the largest pressure, q0 the largest mu p, u0 the largest normal displacement or overlap, and s0 the largest slip velocity in contact (rigid,
-elastic, or what tractions of the size found cause), the error is the greatest of
+HEAD = """This page has the results of scenes that are stiff, extreme or degenerate. The solver's own residuals do not count: each
+solution is judged by the laws of contact, recomputed from what the caller gave and what the public functions return.
+Displacements at nodes and upstream points come from `rollcon_contact_get_displacements_at` (integrals of the tractions,
+not the solver's matrices). Gaps follow from them, from the gap of the undeformed bodies and from the approach. Slip follows
+by the schemes of [theory](theory.md), section 5, which the tests implement independently. Forces are integrals of the
+shape functions. Let p0 be the largest pressure, q0 the largest mu p, u0 the largest normal displacement or overlap, and s0
+the largest slip velocity in contact (rigid, elastic, or what tractions of the size found cause). The error is the greatest
+of
 
-- tension -p / p0; penetration -gap / u0; the lesser of p / p0 and gap / u0, which stands for pressure times gap;
-- (|q| - mu p) / q0, at slipping nodes its magnitude;
-- slip of sticking nodes, and slip across or along the traction at slipping ones, over s0, or the change of traction over q0 that would put it right if that is less;
-- sums of tractions against resultants and prescribed forces; motions against those prescribed.
+- tension -p / p0; penetration -gap / u0; the lesser of p / p0 and gap / u0, in place of pressure times gap;
+- (|q| - mu p) / q0, and its magnitude at slipping nodes;
+- the slip of sticking nodes, and the slip of slipping nodes across their traction or along it: either over s0, or the change
+  of traction over q0 that would correct it, whichever is less;
+- the difference of sums of tractions from resultants and prescribed forces, and of motions from prescribed ones.
 
-**Solved**: the library says so (`OK`, `RIM_CONTACT`, `COARSE`, `NO_CONTACT`), this status is right for the scene, and that error is at most 1e-8.
-**Refused**: it ended with an error, rightly (a tangential load that friction cannot carry under the pressures of the scene).
-**Wrong**: neither, whatever the library says. All settings are standard but `accuracy` on regular grids (1e-10: operators come from tables there, the
-check from integrals).
+A scene is *solved* if the library says so (`OK`, `RIM_CONTACT`, `COARSE`, `NO_CONTACT`), if this status is right for the
+scene, and if the error is at most 1e-8. It is *refused* if the library rightly ends with an error (a tangential load that
+friction cannot carry under the pressures of the scene). Otherwise it is *not converged* if the library says so, and *wrong*
+if not. All settings are standard except `accuracy` on regular grids: it is 1e-10, because operators come from tables there
+and the check from integrals.
 
 """
 
@@ -234,15 +241,18 @@ def main():
     named = [r for r in cold if not r["model"].startswith("random")]
     warm = [r for r in records if r["method"] == STANDARD[1]]
     statuses = Counter(STATUS.get(r["status"], str(r["status"])) for r in random)
-    text = (f"# Stability\n\nMade by `{command}` on one core of {processor()}; times on a shared machine, for their order of magnitude.\n\n"
+    text = (f"# Stability\n\nMade by `{command}` on one core of {processor()}. Times show orders of magnitude only.\n\n"
             + HEAD
-            + f"## Named scenes, from nothing\n\nGreatest error of the laws, residual that the iteration stopped at, Newton iterations (mean and most, of those solved),\n"
-            "greatest estimated condition of Newton's system at the solution, mean time of a solve.\n\n" + suite_table(named)
-            + "\n## Random scenes, from nothing\n\nFixed seeds; every scene draws bodies, frame, gap, loads, friction, scheme and operators over the ranges of the named ones and wider. "
-            "Statuses: " + ", ".join(f"{n} {s}" for s, n in statuses.most_common()) + f". Success: {share(random)}.\n\n" + suite_table(random)
-            + "\n## From another state\n\nAfter a solve of the same bodies and frame with everything else wildly different: pressed three times as deep with mu = 3 and a thousand times the creepage\n"
-            "backwards; with a thousandth of the approach or load, mu = 1e-3 and large spin; with the gap tilted. Difference: of tractions from those found from nothing, over the largest "
-            "(several solutions may exist where friction is large between unlike bodies).\n\n" + warm_table(warm) + "\n"
+            + f"## Named scenes, from nothing\n\nThe columns have the greatest error of the laws, the residual at "
+            "which the iteration stopped, Newton iterations (mean and most of the solved scenes), the greatest "
+            "estimated condition of Newton's system at the solution, and the mean time of a solve.\n\n" + suite_table(named)
+            + "\n## Random scenes, from nothing\n\nEach scene draws bodies, frame, gap, loads, friction, scheme "
+            "and operators from the ranges of the named scenes and wider ones, with fixed seeds. Statuses: " + ", ".join(f"{n} {s}" for s, n in statuses.most_common()) + f". Success: {share(random)}.\n\n" + suite_table(random)
+            + "\n## From another state\n\nEach scene is solved after another one of the same bodies and frame: "
+            "pressed three times as deep, with mu = 3 and a thousand times the creepage backwards; with a "
+            "thousandth of the approach or load, mu = 1e-3 and large spin; or with the gap tilted. The last column "
+            "is the difference of the tractions from those found from nothing, over the largest of them. Where "
+            "friction is large between unlike bodies, several solutions may exist.\n\n" + warm_table(warm) + "\n"
             + RUNGS + procedures(records, docs) + limits(records) + says(records))
     with open(f"{docs}/stability.md", "w", encoding="utf-8") as out:
         out.write(text.rstrip() + "\n")
