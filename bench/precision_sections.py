@@ -225,7 +225,7 @@ def case_e(records, images):
                                                     for r in found
                                                     if r["method"] == "characteristic"],
                               "CONTACT, published": PUBLISHED_STRIPS})]])
-    return section("Case (e): Carter's strip beside CONTACT", found, image,
+    return section("Case (e): Carter's strip compared with CONTACT", found, image,
                    "Equidistant nodes, nine tenths of them in contact. rollcon rolls a strip of 40 "
                    "half-widths in three dimensions, with 11 lines of nodes. CONTACT solves the plane "
                    "problem, so its times are much shorter. Its published error is that of 50 strips (user "

@@ -28,7 +28,7 @@ def load(path):
 PARTS = ("work-precision", "estimates", "half-spaces")
 TITLE = f"""# Accuracy, time and memory
 
-This page has the error of every method over its time and memory, advice on which to choose, error estimates beside true
+This page has the error of every method over its time and memory, advice on which to choose, error estimates and true
 errors, and the scenes of half-spaces in detail. Bodies with a mesh have pages of their own:
 [boundary elements](accuracy_bodies.md) and [finite elements](accuracy_fem.md). Times are those of single runs on a shared
 machine and may be several times too long.
@@ -254,7 +254,7 @@ def steady_rolling(records, docs):
         second = plot(f"{docs}/images/accuracy_case_{which}_time.png",
                       f"Case ({which}): error of the force vector over time of a warm solve",
                       "seconds", "relative error", by_time)
-        text += (f"## Case ({which}) beside CONTACT\n\n"
+        text += (f"## Case ({which}) compared with CONTACT\n\n"
                  + ("Circle, identical bodies, longitudinal creepage. Frames are grids of N x N nodes, 90 % filled, and "
                     "rings of triangles fitted to the contact. The error of the moment is relative to mu Fn a. Warm: "
                     "solved again after a change of creepage by 1 %. CONTACT's error is that of the force vector (its "

@@ -64,7 +64,7 @@ def estimates(records, docs, command):
             if own:
                 rows.append([quantity.replace("error of the ", ""), scheme.replace("_", " ")]
                             + row(own))
-    return ("## Error estimates beside true errors\n\n"
+    return ("## Error estimates and true errors\n\n"
             f"Made by `{command}` on {processor()}.\n\n"
             "The effectivity is the library's estimate (a statistic of the solve) over the true error, on scenes whose "
             "answer is known. 1 is perfect; above 1 the estimate is on the safe side.\n\n"

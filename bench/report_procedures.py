@@ -76,9 +76,9 @@ def figure16a(records, docs):
         return ""
     text = (f"## Example 3: time of each way of solving (the paper's figure 16)\n\n"
             f"Sphere on a rigid plane, {rows[0]['mesh']}, Ft = 0.75 mu Fn, from zero tractions "
-            "(exact condensed: from a Hertzian pressure). Seconds without compliance and "
-            "convection, which are the same for all. Difference: of tractions from those of the "
-            f"standard procedure, the first row; above {SAME:g} it is not the same solution.\n\n")
+            "(exact condensed: from a Hertzian pressure). Seconds are without compliance and convection, which are "
+            f"the same for all. The last column is the difference of the tractions from those of the standard "
+            f"procedure, the first row; above {SAME:g} it is not the same solution.\n\n")
     images, cells = [], []
     for system in ("condensed", "monolithic"):
         groups = {}
@@ -136,8 +136,8 @@ def figure16b(records, docs):
     for method in list(METHODS.values())[1:4]:
         heading += [f"{method}: iterations", "time"]
     return ("### Over the density of the mesh\n\n"
-            "Linear quadrilaterals, condensed system; entries for LU / GMRES / adaptive GMRES "
-            "(the paper's figure 16(b): time relative to LU).\n\n"
+            "The frames are linear quadrilaterals, the system is condensed, and entries are for LU / GMRES / "
+            "adaptive GMRES (the paper's figure 16(b): time relative to LU).\n\n"
             f"![density]({image})\n\n" + table(heading, cells))
 
 
@@ -147,9 +147,9 @@ def figure21(records, docs):
         return ""
     text = (f"## Example 4: error function over iterations and time (the paper's figure 21)\n\n"
             f"Wheel on a rigid rail head, {rows[0]['mesh']}, {rows[0]['pairs']} nodes in contact. "
-            "The error function is relative to that of the start. The standard solves a "
-            "frictionless problem first and the whole one then: its curve falls twice. Systems by "
-            "LU, GMRES and adaptive GMRES take nearly the same path.\n\n")
+            "The error function is relative to that of the start. The standard procedure solves a frictionless "
+            "problem first and then the whole one, so its curve falls twice. LU, GMRES and adaptive GMRES take "
+            "nearly the same path.\n\n")
     pictures = {"condensed": ("exact", "B-derivative", "simplified", "reduced, Jacobi"),
                 "monolithic": ("exact", "B-derivative", "simplified", "reduced, Jacobi")}
     cells = []
@@ -259,19 +259,17 @@ def speed(records, _docs):
                            else ""))
             lu += [f"{example}: {r['value'] / standard['value']:.0f} times" for r in rivals
                    if parts(r)[2] == "lu"]
-    return ("## The standard beside the best monolithic procedure\n\n"
-            "Cold: from arrays to tractions, bodies included. Re-solve: after the creepage, given "
-            "in both, changed by 1 %; the fastest of several. Memory: of the process. "
-            "Preconditioner of GMRES: matrices of the bodies, factorised once. The standard is "
-            "faster than the best monolithic procedure, by example: " + "; ".join(best) + ".\n\n"
-            "Cold it cannot be faster by much: both assemble the bodies and factorise their "
-            "matrices once, which is most of the standard's time. Condensation adds triangular "
-            "solves for the unknowns of the frame, all at once and as fast as matrix products; "
-            "GMRES passes over the same factors in every one of its iterations. What LU of the "
-            "whole system in every step costs, as in the paper: "
-            + ("; ".join(lu) or "not measured") + " the standard's cold time (dense "
-            "bodies of this size were left out). A re-solve of the standard touches the nodes in "
-            "contact alone.\n\n"
+    return ("## The standard and the best monolithic procedure\n\n"
+            "Cold times are from arrays to tractions, bodies included. A re-solve is after a change of the "
+            "creepage, which is given in both, by 1 %; the fastest of several. Memory is that of the process. GMRES "
+            "has the factorised matrices of the bodies as preconditioner. The standard procedure is faster than the "
+            "best monolithic one by these factors: " + "; ".join(best) + ".\n\n"
+            "In a cold solve the gain is limited: both assemble the bodies and factorise their matrices once, "
+            "which is most of the standard's time. Condensation adds triangular solves for the unknowns of the "
+            "frame, all at once and as fast as matrix products, while GMRES uses the same factors in every one of "
+            "its iterations. LU of the whole system in every step, as in the paper, costs for "
+            + ("; ".join(lu) or "not measured") + " the standard's cold time (dense bodies of this size were left "
+            "out). A re-solve of the standard works on the nodes in contact alone.\n\n"
             + table(["example", "procedure", "unknowns", "iterations", "Krylov", "cold", "ratio",
                      "re-solve", "ratio", "memory", "difference"], cells))
 
@@ -281,10 +279,9 @@ def preconditioners(records, docs):
     if not rows:
         return ""
     text = ("## Preconditioners of GMRES\n\n"
-            "Krylov iterations per linear system, relative tolerance 1e-6, B-derivative. diagonal: "
-            "each unknown's own entry; bodies: their matrices factorised once, and pairs as if on "
-            "half-spaces; kept LU: factors of an earlier iteration, made anew when they no longer "
-            "serve. 2000 iterations are the most; the system is then given to LU.\n\n")
+            "The tables have the Krylov iterations per linear system at a relative tolerance of 1e-6, with "
+            "`b_derivative`; in brackets the time of the whole solve. After 2000 iterations the system is given to "
+            "LU.\n\n")
     for name in dict.fromkeys(r["model"] for r in rows):
         one = [r for r in rows if r["model"] == name]
         kinds = list(dict.fromkeys(parts(r)[3] for r in one))
@@ -299,7 +296,7 @@ def preconditioners(records, docs):
             for k, r in line.items():
                 if converged(r):
                     series[k.replace("_", " ")].append((int(mesh.split()[1]), r["value"]))
-        text += (f"{name} (in brackets: seconds of the whole solve):\n\n"
+        text += (f"{name}:\n\n"
                  + table(["mesh", "unknowns"] + [k.replace("_", " ") for k in kinds], cells) + "\n")
         image = curves(f"{docs}/images/procedures_krylov_"
                        + "".join(c if c.isalnum() else "_" for c in name.lower()) + ".png",
@@ -337,10 +334,10 @@ def random_scenes(records, _docs):
                          / len(good)) if good else "-"]
         cells.append(line)
     return (f"## {len({r['model'] for r in rows})} random contacts of half-spaces\n\n"
-            "Ellipses, equal, different or rigid bodies, friction from 0.05 to 0.6; loads or "
-            "approaches, creepages and spin or a longitudinal force, drawn from fixed seeds. "
-            f"Solved: within 600 iterations to tractions within {SAME:g} of the standard's. Hardly "
-            "a pair sticks: less than 2 % of those in contact in the solution.\n\n"
+            "The contacts are ellipses of equal, different or rigid bodies with friction from 0.05 to 0.6. Loads "
+            "or approaches, and creepages and spin or a longitudinal force, are drawn from fixed seeds. A contact "
+            f"is solved if it has, within 600 iterations, tractions within {SAME:g} of the standard's. Hardly a pair "
+            "sticks where less than 2 % of the pairs in contact do so in the solution.\n\n"
             + table(["system", "Jacobian", "solver"] + list(kinds)
                     + ["another solution", "iterations (median)", "most", "worst difference",
                        "mean time"], cells))
@@ -352,8 +349,8 @@ def main():
     os.makedirs(f"{sys.argv[2]}/images", exist_ok=True)
     records, docs, command = load(sys.argv[1]), sys.argv[2], sys.argv[3]
     text = ["# Solution procedures\n",
-            f"Made by `{command}` on {processor()}; one thread, times of single runs (below 0.3 s "
-            "the faster of two), on a shared machine good to a few ten per cent.\n", OPTIONS,
+            f"Made by `{command}` on {processor()}, one thread. Times are those of single runs (below "
+            "0.3 s the faster of two) on a shared machine, good to a few ten per cent.\n", OPTIONS,
             CHOICE]
     for section in (figure16a, figure16b, figure21, combinations, speed, preconditioners,
                     random_scenes):

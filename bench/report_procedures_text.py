@@ -1,9 +1,9 @@
 """Says in docs/procedures.md what is not in numbers."""
 
-OPTIONS = """The standard procedure eliminates the bodies' unknowns once and solves the contact by an
-exact semismooth Newton iteration with a start and fallbacks of its own ([theory](theory.md)). The
-procedures of Rodriguez-Tembleque and Abascal (Int. J. Solids Struct. 47, 2010, section 11; numbers in
-brackets are its equations) are options of a contact:
+OPTIONS = """The standard procedure eliminates the bodies' unknowns once and solves the contact by an exact semismooth Newton iteration
+with a start and fallbacks of its own ([theory](theory.md), section 6). The procedures of Rodriguez-Tembleque and Abascal (Int.
+J. Solids Struct. 47, 2010, section 11; numbers in brackets are its equations) are options of a contact. [Theory](theory.md),
+section 12, describes them:
 
 | option | value | what it is |
 | --- | --- | --- |
@@ -24,50 +24,40 @@ brackets are its equations) are options of a contact:
 | | `kept_lu` | factors of an earlier iteration, made anew when they no longer serve; condensed only, its `auto` |
 | `line_search` | `armijo`, `off` | section 11.1 (III); `auto`: armijo |
 
-Combinations that make no sense are refused with the reason. With directions of friction frozen
-(`simplified`, `reduced`) nothing in the system depends on an unknown creepage once every pair slides,
-and the matrix is singular; such a step takes all pairs in contact for sticking instead.
-
-### Error function
-
-`rollcon_contact_get_error_function` gives the error function of every iteration and when it was
-reached: half the sum of the squared residuals of the contact laws over all nodes, each over the
-largest pressure or tangential traction of the iterate, and of the squared relative errors of the
-loads, times the nodes in contact.
+Combinations that make no sense are refused with the reason. `rollcon_contact_get_error_function` gives the error function
+of every iteration and the time at which it was reached.
 """
 
 CHOICE = """## Which to choose
 
-- The default (condensed, exact). It converges in about ten iterations from nothing and in two or three
-  after a small change, needs no parameter, and is the only one with fallbacks. What it costs: the
-  compliance of the bodies, once for a pair of meshes; after that a solve works on the nodes in contact
-  alone.
-- `b_derivative` takes a few iterations more for want of a start, and was as reliable here.
-- `simplified` and `reduced` converge linearly: the direction of friction (and the slip of sticking
-  pairs) is always one iterate old. They take tens to hundreds of iterations, more on finer meshes.
-  Their systems are smaller and better conditioned, which GMRES with adaptive tolerance turns to
-  account; it does not make up for their number.
-- **Where they fail:** a tangential load given, and hardly a pair sticks. Frozen directions then leave
-  the creepage undetermined (above), and the iteration goes to and fro between full stick and full
-  slip. With creepages given they never failed here.
-- `reduced` hands the news of a sticking particle's displacement from node to node, one iteration each,
-  and a shift of the whole sticking zone decays only by as much as the node ahead of it stays behind.
-  Where bodies give way as a whole, that is little: the rings of example 1 take a thousand iterations, parts
-  of them, held at their ends, a hundred and fifty.
-- `pseudo_temporal` uses one time step for all nodes, that of the fastest passed; nodes on larger cells
-  relax slowly, and with least squares the sphere's frame did not converge. The paper's step of 0.15,
-  whose unit it does not give, is too small in units of the shortest passing time (no convergence within
-  thousands of iterations); here it is 1. `extrapolation` saves up to a sixth of Jacobi's iterations.
-- Adaptive tolerance: while the outer iteration converges linearly, (73) stays near its bound
-  `linear_tolerance`, and an error of that part of the residual is fed back. With a bound of 0.5
-  `reduced` needs twice the iterations or does not converge; the default is 0.01.
-- `monolithic` needs no compliance of the bodies, and with GMRES, adaptive tolerance and the bodies'
-  factors a cold solve costs a few times what the standard's does. It was never faster here, and every
-  re-solve costs it nearly as much as the first.
-- Preconditioners: without one GMRES needs hundreds to thousands of iterations for the monolithic system,
-  because stiffness, tractions and gaps differ by orders. The bodies' own factors make the number of
-  iterations independent of the mesh; factors of an earlier iteration of the whole took 1.7 to 3.3 times as long on
-  every mesh, as they had to be made anew when the contact changed, and are left to the condensed
-  system. In that the number without preconditioner grows like the nodes across the contact, with kept
-  factors hardly.
+- The default (condensed, exact) converges in about ten iterations from nothing and in two or three after a small change,
+  needs no parameter, and is the only procedure with fallbacks. It costs the compliance of the bodies, once for a pair of
+  meshes; after that a solve works on the nodes in contact alone.
+- `b_derivative` takes a few iterations more, because it has no start of its own, and was as reliable here.
+- `simplified` and `reduced` converge linearly, because the direction of friction (and the slip of sticking pairs) is always
+  one iterate old. They take tens to hundreds of iterations, more on finer meshes. Their systems are smaller and better
+  conditioned. GMRES with adaptive tolerance benefits from this, but it does not make up for the number of iterations.
+- Both fail where a tangential load is given and hardly a pair sticks. With frozen directions of friction, nothing in the
+  system depends on an unknown creepage once every pair slides, and the matrix is singular; such a step takes all pairs in
+  contact for sticking instead. The iteration then alternates between full stick and full slip. With creepages given they
+  never failed here.
+- `reduced` passes the displacement of a sticking particle on from node to node, one iteration each. A shift of the whole
+  sticking zone decays only by as much as the node ahead of it stays behind. Where bodies give way as a whole, this is little:
+  the rings of example 1 take a thousand iterations, parts of them that are held at their ends a hundred and fifty.
+- `pseudo_temporal` uses one time step for all nodes: the shortest time in which a particle passes one. Nodes on larger cells
+  relax slowly, and with least squares the sphere's frame did not converge. The paper's step of 0.15, whose unit it does not
+  give, is too small in units of this time (no convergence within thousands of iterations); here it is 1. `extrapolation`
+  saves up to a sixth of Jacobi's iterations.
+- Adaptive tolerance: while the outer iteration converges linearly, (73) stays near its bound `linear_tolerance`, and an error
+  of this fraction of the residual is fed back. With a bound of 0.5 `reduced` needs twice the iterations or does not converge;
+  the default is 0.01.
+- `monolithic` needs no compliance of the bodies. With GMRES, adaptive tolerance and the bodies' factors a cold solve costs a
+  few times as much as that of the standard procedure. It was never faster here, and every re-solve costs nearly as much as
+  the first solve.
+- Preconditioners: without one GMRES needs hundreds to thousands of iterations for the monolithic system, because stiffness,
+  tractions and gaps differ by orders of magnitude. The bodies' own factors make the number of iterations independent of the
+  mesh. Factors of an earlier iteration of the whole system (`kept_lu`) are for the condensed system alone; on the monolithic
+  one they took 1.7 to 3.3 times as long on every mesh, because they had to be made anew when the contact changed. In the
+  condensed system the number of iterations grows like the nodes across the contact without a preconditioner, and hardly with
+  these factors.
 """
