@@ -32,11 +32,12 @@ def kernel(records, _docs):
         return ""
     sets = sorted({name for of in rates.values() for name in of}, key=["baseline", "avx2", "avx512"].index)
     return ("## Kernel\n\n"
-            "Millions of point evaluations a second on one core: T and U at a quadrature point with "
-            "all shape functions, far from the element, by the instructions of the processor.\n\n"
+            "The table has millions of point evaluations a second on one core, by the instructions of the "
+            "processor. An evaluation is T and U at a quadrature point far from the element, with all shape "
+            "functions.\n\n"
             + table(["element"] + sets, [[e] + [of.get(name, "") for name in sets]
                                          for e, of in rates.items()])
-            + "\nThe same while a body is assembled, near field, choice of rules and all:\n\n"
+            + "\nThe next table has evaluations during the assembly of a body, with near field and choice of rules:\n\n"
             + table(["mesh", "millions a second", "millions", "assembly"], assembly))
 
 
@@ -61,12 +62,12 @@ def ring_loads(records, docs):
                   "Ring under loads on a patch (nu = 0.3)", "seconds, arrays to displacements",
                   "worst relative error", by_time)
     return ("## A ring under loads on a patch\n\n"
-            "The ring of example 1 by itself, hub held, 100 MPa on |s| <= 1 as pressure, as shear "
-            "along the circumference, or along the axle; elements along and across the patch. Displacements at "
-            "(s, y) = (0, 0), (1, 0), (2, 0), (0, 2), (0, 3.9) and (0, 4), and their mean over the patch, "
-            "in all directions that do not vanish, against a Fourier series in the angle: the "
-            "worst of 12 (pressure), 9 (shear), 10 (axial) or 6 (pressure, nu = 0.49) values. Components along "
-            "the load relative to themselves, others to the largest displacement.\n\n"
+            "The ring of example 1 alone, with its hub held, has 100 MPa on |s| <= 1 as pressure, as shear along "
+            "the circumference, or along the axle. Meshes are named by the elements along and across this patch. "
+            "Displacements at (s, y) = (0, 0), (1, 0), (2, 0), (0, 2), (0, 3.9) and (0, 4), and their mean over the "
+            "patch, are compared with a Fourier series in the angle, in all directions in which they do not vanish. "
+            "The table has the worst of 12 (pressure), 9 (shear), 10 (axial) or 6 (pressure, nu = 0.49) values. "
+            "Errors of components along the load are relative to themselves, others to the largest displacement.\n\n"
             + table(["elements", "nodes", "unknowns", "load", "nu", "error", "assembly", "LU",
                      "in all", "memory"], rows)
             + f"\n![nodes]({first})\n\n![time]({second})\n")
@@ -92,12 +93,11 @@ def rings(records, docs):
                  "Two rings: error of the creepage", "nodes of a ring",
                  "relative difference", by_size)
     return ("## Example 1: two equal rings\n\n"
-            "Creepage at Ft = 0.6271 mu Fn and peak pressure in the mid-plane, beside those of a "
-            "fine mesh of finite elements (36 x 12 hex20 in the zone, 148,716 unknowns a ring): "
-            "-1.505e-3 and 106.45 MPa. Other fine meshes (hex8 36 x 16 and 48 x 12, hex20 32 x 8 "
-            "and 48 x 8) are within 1.6 and 0.1 % of it. The plane problem (Carter, Hertz: "
-            "-1.472e-3, 103.87 MPa) is another one: rings as wide as these, with free sides, have "
-            "2.5 % more pressure. Warm: solved again after 1 % of change in creepage."
+            "The creepage at Ft = 0.6271 mu Fn and the peak pressure in the mid-plane are compared with those of a "
+            "fine mesh of finite elements (36 x 12 hex20 in the zone, 148,716 unknowns a ring): -1.505e-3 and "
+            "106.45 MPa. Other fine meshes (hex8 36 x 16 and 48 x 12, hex20 32 x 8 and 48 x 8) are within 1.6 and "
+            "0.1 % of it. The plane problem (Carter, Hertz: -1.472e-3, 103.87 MPa) differs: rings as wide as these, "
+            "with free sides, have 2.5 % more pressure. Warm: solved again after a change of creepage by 1 %."
             "\n\n"
             + table(["mesh", "scheme", "creepage", "p0, MPa", "p0", "iterations",
                      "assembly", "LU",
@@ -114,8 +114,8 @@ def wheel(records, _docs):
     if not rows:
         return ""
     return ("## Example 4: wheel on a rigid rail head\n\n"
-            "Force at an approach of 0.015 mm beside the paper's 457 N; the profile is ours "
-            "([examples](examples.md)).\n\n"
+            "The force at an approach of 0.015 mm is compared with the paper's 457 N. The paper does not give the "
+            "profiles; [examples](examples.md) has those used here.\n\n"
             + table(["mesh", "force", "difference", "p0, MPa", "iterations", "assembly", "LU",
                      "condensation", "cold", "memory", "warm"], rows))
 
@@ -165,8 +165,8 @@ def main():
     os.makedirs(f"{sys.argv[2]}/images", exist_ok=True)
     records, docs, command = load(sys.argv[1]), sys.argv[2], sys.argv[3]
     text = ["# Bodies with a mesh: accuracy, time and memory\n",
-            f"Made by `{command}` on {processor()}; one thread unless said otherwise, times of single "
-            "runs, on a shared machine good to a few ten per cent.\n"]
+            f"Made by `{command}` on {processor()}, one thread unless said otherwise. Times are "
+            "those of single runs on a shared machine, good to a few ten per cent.\n"]
     for section in (kernel, ring_loads, rings, wheel, growth):
         text.append(section(records, docs))
     with open(f"{docs}/accuracy_bodies.md", "w", encoding="utf-8") as out:

@@ -22,9 +22,9 @@ def growth(records, docs):
     if not rows:
         return ""
     text = ("## Growth with size\n\n"
-            "Blocks of hex8, held at the bottom, 400 contact nodes on top (1200 unknowns; their "
-            "neighbours on the surface are condensed as well). Nothing else is solved for: the "
-            "condensed stiffness is the end of the factor.\n\n")
+            "The table has blocks of hex8, held at the bottom, with 400 contact nodes on top (1200 unknowns; their "
+            "neighbours on the surface are condensed as well). The condensed stiffness is the end of the factor, so "
+            "nothing else is solved for.\n\n")
     time, memory = defaultdict(list), defaultdict(list)
     cells, exponents = [], []
     for r in rows:
@@ -71,10 +71,9 @@ def ring_loads(records, docs):
                   "Ring under a patch of pressure (nu = 0.3)", "seconds, arrays to displacements",
                   "worst relative error", by_time)
     return ("## A ring under loads on a patch\n\n"
-            "The ring of example 1 by itself, hub held, 100 MPa on |s| <= 1 as pressure or as shear; the "
-            "worst of the listed displacements, but those at s = 2, where these meshes have no "
-            "nodes. Boundary elements (tri, quad; they judge s = 2 too) beside finite ones in the "
-            "plots; their table is in [accuracy_bodies](accuracy_bodies.md).\n\n"
+            "The ring, the loads (pressure and shear) and the displacements are those of the same table for "
+            "boundary elements in [accuracy_bodies](accuracy_bodies.md), without the displacements at s = 2, where "
+            "these meshes have no nodes. The plots have finite and boundary elements (tri, quad; with s = 2).\n\n"
             + table(["elements", "nodes", "unknowns", "load", "nu", "error", "assembly", "factorisation",
                      "in all", "memory"], rows)
             + f"\n![unknowns]({first})\n\n![time]({second})\n")
@@ -97,9 +96,9 @@ def same_block(records, docs):
                   "One block by finite and by boundary elements", "seconds",
                   "approach, relative difference", by_time)
     return ("## One block by finite and by boundary elements\n\n"
-            "A block of 10 x 10 x 5 mm, held at its bottom, under a rigid sphere; one frame of 449 "
-            "nodes is laid on every mesh, so that nothing but the body's compliance differs. "
-            "Reference: 12 x 12 quad8 (boundary elements) in the zone of 2.5 mm.\n\n"
+            "A block of 10 x 10 x 5 mm is held at its bottom, under a rigid sphere. The same frame of 449 nodes is "
+            "laid on every mesh, so only the body's compliance differs. Reference: 12 x 12 quad8 (boundary "
+            "elements) in the zone of 2.5 mm.\n\n"
             + table(["mesh", "unknowns", "approach, mm", "difference", "p0, MPa", "difference",
                      "seconds"], rows)
             + f"\n![approach]({first})\n\n![time]({second})\n")
@@ -115,12 +114,11 @@ def ring_pairs(records, _docs):
     if not rows:
         return ""
     return ("## Example 1 by finite and by boundary elements\n\n"
-            "Two equal rings, creepage at Ft = 0.6271 mu Fn and peak pressure in the mid-plane, "
-            "beside those of a fine mesh of finite elements (36 x 12 hex20 in the zone: "
-            "-1.505e-3, 106.45 MPa; other fine meshes are within 1.6 and 0.1 % of it). Least "
-            "squares. Twins cancel the slip that pressure causes; a finite-element ring on one of "
-            "boundary elements leaves the difference of their errors in it, which falls as the "
-            "mesh is refined: a tenth of the creepage is 3 % of the strain under the pressure."
+            "Creepage and peak pressure of two equal rings, by least squares, are compared with the fine mesh of "
+            "[accuracy_bodies](accuracy_bodies.md) (-1.505e-3, 106.45 MPa). Between two rings with the same mesh "
+            "the slip that pressure causes cancels. Between a finite-element ring and a boundary-element ring the "
+            "difference of their errors in this slip remains. It falls as the mesh is refined: a tenth of the "
+            "creepage is 3 % of the strain under the pressure."
             "\n\n"
             + table(["pair", "mesh", "unknowns 1", "unknowns 2", "p0, MPa", "p0", "creepage",
                      "difference", "iterations", "seconds"], rows))
@@ -137,14 +135,13 @@ def example2(records, _docs):
     if not rows:
         return ""
     return ("## Example 2: a ring of finite elements on a half-space\n\n"
-            "The paper: p0 near 107.9 MPa, half-width near 0.99 mm (both Hertz, plane problem), "
-            "greatest gap 0.0086 mm and slip velocity 0.0139 mm/s in its zone, whose length it does "
-            "not state (here 3 mm, which gives example 1 its greatest gap). Creepage at "
-            "Ft = 0.5373 mu Fn beside that of the plane problem of the two materials: pressure "
-            "stretches the ring and not the ground, and adds -4.3e-3 to Carter's -6.3e-4. The "
-            "paper's slip velocity is that of a contact without this coupling (equal materials: "
-            "0.014 to 0.02). Godunov's differences are made for linear faces. The block of boundary "
-            "elements has 288 quadrilaterals on its top.\n\n"
+            "The paper has p0 near 107.9 MPa, a half-width near 0.99 mm (both Hertz, plane problem), and a "
+            "greatest gap of 0.0086 mm and slip velocity of 0.0139 mm/s in its zone. It does not state the length "
+            "of this zone (here 3 mm, which gives example 1 its greatest gap). The creepage at Ft = 0.5373 mu Fn is "
+            "compared with that of the plane problem of the two materials: pressure stretches the ring and not the "
+            "ground, and adds -4.3e-3 to Carter's -6.3e-4. The paper's slip velocity is that of a contact without "
+            "this coupling (equal materials: 0.014 to 0.02). Godunov's differences are made for linear faces. The "
+            "block of boundary elements has 288 quadrilaterals on its top.\n\n"
             + table(["pair", "mesh", "scheme", "p0, MPa", "p0", "half-width, mm", "creepage",
                      "difference", "gap, mm", "slip, mm/s", "iterations", "seconds"], rows))
 
@@ -165,8 +162,8 @@ def main():
     os.makedirs(f"{sys.argv[2]}/images", exist_ok=True)
     records, docs, command = load(sys.argv[1]), sys.argv[2], sys.argv[3]
     text = ["# Finite-element bodies: accuracy, time and memory\n",
-            f"Made by `{command}` on {processor()}; one thread unless said otherwise, times of "
-            "single runs, on a shared machine good to a few ten per cent.\n"]
+            f"Made by `{command}` on {processor()}, one thread unless said otherwise. Times are "
+            "those of single runs on a shared machine, good to a few ten per cent.\n"]
     for section in (growth, ring_loads, same_block, ring_pairs, example2, location):
         text.append(section(records, docs))
     with open(f"{docs}/accuracy_fem.md", "w", encoding="utf-8") as out:
