@@ -1,10 +1,11 @@
 """Says what the error of a record means. Rolling cases have that of the force vector, never negative, and that of
 the spin moment beside it; all others have one signed error."""
 
-MEANING = ("Rolling cases have two errors: that of the force vector, |(dFx, dFy)| / |(Fx, Fy)|, and that of the spin moment, "
-           "|dMz| / (mu Fn sqrt(a b)), where a and b are the semi-axes of the contact. Where a longitudinal force is "
-           "given, the creepage found takes its place. It is turned like the force, so a lateral force that should be "
-           "zero counts as an error. Other errors have a sign. All are relative unless the text says otherwise.")
+MEANING = ("Rolling cases have two errors: that of the force vector, |(dFx, dFy)| / |(Fx, Fy)|, and that of the "
+           "spin moment, |dMz| / (mu Fn sqrt(a b)), where a and b are the semi-axes of the contact. Where a "
+           "longitudinal force is given, the creepage found takes its place. It is turned like the force, so a "
+           "lateral force that should be zero counts as an error. Other errors have a sign. All are relative unless "
+           "the text says otherwise.")
 
 
 def rolling(r):

@@ -191,15 +191,16 @@ def steady_rolling(which):
                                 curves(one, lambda r: r["pairs"], warm,
                                        lambda r: r["method"].replace("_", " ")) | sizes)]])
         return section(f"Case ({which})", found, image,
-                       "Circle, identical half-spaces, longitudinal creepage. Black: CONTACT's error of the force vector "
-                       "relative to its own limit, N = 16 to 256, and its warm time on one core of a machine of this kind. "
-                       "Warm: solved again after a change of creepage by 1 %. Size: nodes across." if which == "a" else
-                       "Circle, identical half-spaces, longitudinal creepage and spin. Everything else is as in case (a).",
+                       "Circle, identical half-spaces, longitudinal creepage. Black: CONTACT's error of the force "
+                       "vector relative to its own limit, N = 16 to 256, and its warm time on one core of a machine "
+                       "of this kind. Warm: solved again after a change of creepage by 1 %. Size: nodes across." if which == "a" else
+                       "Circle, identical half-spaces, longitudinal creepage and spin. Everything else is as in "
+                       "case (a).",
                        SCHEME | ELEMENT,
                        f"![Case ({which}), growth]({growth})\n\n"
-                       + ("Time over nodes in contact. CONTACT's published wall seconds come with its performance tests "
-                          "(steady rolling, creepages given, SteadyGS, a workstation of 2016, by elements in slip); its "
-                          "measured ones are of its fastest solver, warm.\n\n" if which == "a" else ""))
+                       + ("Time over nodes in contact. CONTACT's published wall seconds come with its performance "
+                          "tests (steady rolling, creepages given, SteadyGS, a workstation of 2016, by elements in "
+                          "slip); its measured ones are of its fastest solver, warm.\n\n" if which == "a" else ""))
     return make
 
 

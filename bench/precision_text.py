@@ -138,8 +138,8 @@ def frames_text(records):
             rows.append([name] + cells)
     if not rows:
         return ""
-    return ("**Frame on half-spaces.** Where the outline of the contact is known, fit the frame to it. Cheapest runs with the "
-            "default scheme and an error below 1 %:\n\n"
+    return ("**Frame on half-spaces.** Where the outline of the contact is known, fit the frame to it. Cheapest "
+            "runs with the default scheme and an error below 1 %:\n\n"
             + table(["case", "rings of triangles graded to the contact's edge", "equal elements"], rows) + "\n")
 
 
@@ -193,12 +193,12 @@ def examples_text(records):
                             + [f"{cost(r)}: {what(r, True)}" if r else "not reached" for r in runs])
     if not rows:
         return ""
-    return ("**Rolling bodies with a mesh.** The error of creepage and force depends on how well the frame meets the "
-            "contact's edge, and not on the bodies' elements: approach and normal force are right to one per cent on "
-            "meshes whose creepage is off by ten. A separate frame, graded to the contact's edge and laid on coarse "
-            "quadratic bodies, usually costs less. Where pressure strains one body only (examples 2 and 4), the slip is "
-            "a small difference of large strains: use quadratic elements, and look at the curve of your element before "
-            "you trust a coarse mesh. Cheapest runs:\n\n"
+    return ("**Rolling bodies with a mesh.** The error of creepage and force depends on how well the frame meets "
+            "the contact's edge, and not on the bodies' elements: approach and normal force are right to one per "
+            "cent on meshes whose creepage is off by ten. A separate frame, graded to the contact's edge and laid "
+            "on coarse quadratic bodies, usually costs less. Where pressure strains one body only (examples 2 and "
+            "4), the slip is a small difference of large strains: use quadratic elements, and look at the curve of "
+            "your element before you trust a coarse mesh. Cheapest runs:\n\n"
             + table(["case", "error below", "frame laid on the bodies", "the bodies' own faces"], rows) + "\n")
 
 
@@ -246,8 +246,8 @@ def choice(records):
     return ("### Which method to choose when, and what the defaults cost and give\n\n"
             + frames_text(records) + schemes_text(records) + bodies_text(records)
             + examples_text(records) + defaults_text(records)
-            + "**Cheapest runs** whose error, and that of all finer runs of the same curve, is below a bound. In rolling "
-            "cases the larger one of the errors of force vector and moment counts:\n\n" + cheapest_table(records)
+            + "**Cheapest runs** whose error, and that of all finer runs of the same curve, is below a bound. In "
+              "rolling cases the larger one of the errors of force vector and moment counts:\n\n" + cheapest_table(records)
             + "\n**Schemes over least squares** on the same meshes: geometric means over all meshes of a case, of the "
             "larger error of force vector and moment (at least the uncertainty of the reference):\n\n"
             + scheme_table(records) + "\n")

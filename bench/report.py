@@ -30,8 +30,8 @@ TITLE = f"""# Accuracy, time and memory
 
 This page has the error of every method over its time and memory, advice on which to choose, error estimates and true
 errors, and the scenes of half-spaces in detail. Bodies with a mesh have pages of their own:
-[boundary elements](accuracy_bodies.md) and [finite elements](accuracy_fem.md). Times are those of single runs on a shared
-machine and may be several times too long.
+[boundary elements](accuracy_bodies.md) and [finite elements](accuracy_fem.md). Times are those of single runs on a
+shared machine and may be several times too long.
 
 {errors.MEANING}
 """
@@ -187,12 +187,11 @@ def kalker(records, _docs):
         rows.append([f"{ratio:g}", f"{nu:g}"] + [f"{c:.4g}" for c in found]
                     + [f"{errors.percent(r['error'])}, {errors.percent(r['moment_error'])}"
                        for r in (along, across, spin)])
-    return ("## Kalker's creepage coefficients\n\nRings of tri6, characteristic scheme. "
-            "C32 is C23 found from the moment of lateral creepage; in theory both are equal. The last columns have, for "
-            "each motion by itself, the errors of force vector and moment relative to Kalker's table, which has three "
-            "digits, with zeros by symmetry. Hardly anything slips, so the moment is relative to what is carried and "
-            "not to mu Fn: to F sqrt(a b), F the force (with spin the greater of the force and the moment over "
-            "sqrt(a b)).\n\n"
+    return ("## Kalker's creepage coefficients\n\nRings of tri6, characteristic scheme. C32 is C23 found from the "
+            "moment of lateral creepage; in theory both are equal. The last columns have, for each motion by "
+            "itself, the errors of force vector and moment relative to Kalker's table, which has three digits, with "
+            "zeros by symmetry. Hardly anything slips, so the moment is relative to what is carried and not to mu "
+            "Fn: to F sqrt(a b), F the force (with spin the greater of the force and the moment over sqrt(a b)).\n\n"
             + table(["a/b", "nu", "C11", "C22", "C23", "C32", "C33", "longitudinal creepage: force, moment",
                      "lateral creepage", "spin"], rows))
 
@@ -255,15 +254,16 @@ def steady_rolling(records, docs):
                       f"Case ({which}): error of the force vector over time of a warm solve",
                       "seconds", "relative error", by_time)
         text += (f"## Case ({which}) compared with CONTACT\n\n"
-                 + ("Circle, identical bodies, longitudinal creepage. Frames are grids of N x N nodes, 90 % filled, and "
-                    "rings of triangles fitted to the contact. The error of the moment is relative to mu Fn a. Warm: "
-                    "solved again after a change of creepage by 1 %. CONTACT's error is that of the force vector (its "
-                    "lateral force vanishes by symmetry) at N = 16, 32, 64, 128 and 256; * marks first-order "
-                    "interpolation between these. Its warm time was measured on a machine of the same kind.\n\n"
+                 + ("Circle, identical bodies, longitudinal creepage. Frames are grids of N x N nodes, 90 % filled, "
+                    "and rings of triangles fitted to the contact. The error of the moment is relative to mu Fn a. "
+                    "Warm: solved again after a change of creepage by 1 %. CONTACT's error is that of the force "
+                    "vector (its lateral force vanishes by symmetry) at N = 16, 32, 64, 128 and 256; * marks "
+                    "first-order interpolation between these. Its warm time was measured on a machine of the same "
+                    "kind.\n\n"
                     if which == "a" else
-                    "Circle, identical bodies, longitudinal creepage and spin; frames, errors and times are as in case "
-                    "(a). CONTACT's error is that of the force vector at N = 20, 40, 80, 112 and 224; that of its moment "
-                    "is not published.\n\n")
+                    "Circle, identical bodies, longitudinal creepage and spin; frames, errors and times are as in "
+                    "case (a). CONTACT's error is that of the force vector at N = 20, 40, 80, 112 and 224; that of "
+                    "its moment is not published.\n\n")
                  + table(["frame", "scheme", "in contact", "force", "moment", "CONTACT's force", "ratio", "iterations",
                           "cold", "warm", "CONTACT warm", "time ratio"], rows)
                  + f"\n![nodes]({first})\n\n![time]({second})\n\n")
@@ -287,8 +287,8 @@ def example3(records, _docs):
     uncertain = max(r["extra"]["uncertainty"] for r in of_case(records, "example3"))
     return ("## Example 3: sphere on a rigid plane, Ft = 0.75 mu Fn\n\n"
             "Error of the creepage, turned like the force, relative to the extrapolated limit of frames graded to the "
-            f"contact's edge (uncertain by {100 * uncertain:.2g} %), and of the spin moment, which is zero by symmetry. "
-            "Cold: from arrays to tractions. Warm: creepage given, changed by 1 %.\n\n"
+            f"contact's edge (uncertain by {100 * uncertain:.2g} %), and of the spin moment, which is zero by "
+            "symmetry. Cold: from arrays to tractions. Warm: creepage given, changed by 1 %.\n\n"
             + table(["frame", "scheme", "creepage", "error", "moment", "p0, MPa", "iterations", "cold",
                      "of it compliance", "memory", "warm", "iterations", "allocations"], rows))
 

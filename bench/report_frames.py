@@ -10,23 +10,23 @@ from report import load, magnitude, of_case, processor, table
 
 TEXT = """# Frames made by the library: errors and times
 
-This page has errors and times of contacts whose caller gave no frame ([theory.md](theory.md), section 4). It is made by
-`{command}` on {processor}, one thread, on which dgemm does {speed:.0f} Gflop/s. Times are processor times for
-everything from the first call to the resultants; other work ran on the machine.
+This page has the errors and times of contacts without a frame from the caller ([theory.md](theory.md), section 4).
+Made by `{command}` on {processor}, one thread, on which dgemm does {speed:.0f} Gflop/s. Times are processor times for
+everything from the first call to the resultants.
 
-Errors are |(ΔFx, ΔFy)| over μFn and |ΔMz| over μFn √(ab), compared with the same scene on the library's finest frames.
-The finest frames are 0.16 % and 0.20 % of the force off the limits that CONTACT extrapolates to in cases (a) and (b) of
-[accuracy.md](accuracy.md), the standard frames 0.01 % and 0.24 %. Where bodies are unlike, the finest frames differ
-from fine lattices by 0.05 to 0.08 % on average ([theory.md](theory.md), section 4). Where the tables show less than 0.2
-%, they show how well frames agree, not how well they are known to be right. Where the friction force is far below μFn,
-its error relative to itself is larger.
+Errors are |(ΔFx, ΔFy)| over μFn and |ΔMz| over μFn √(ab), relative to the same scene on the library's finest frames.
+In cases (a) and (b) of [accuracy.md](accuracy.md) the force on the finest frames is 0.16 % and 0.20 % off CONTACT's
+extrapolated limits, that on the standard frames 0.01 % and 0.24 %. Between unlike bodies the finest frames differ
+from fine lattices by 0.05 to 0.08 % on average ([theory.md](theory.md), section 4). So numbers below 0.2 % show how
+well frames agree, not how well they are known to be right. Where the friction force is far below μFn, its error
+relative to itself is larger.
 
 ## Cells and shape
 
-Where the pole of sliding lies on the longer axis of an ellipse that is wider than long, forces depend on how many
-strips lie beside it. The table gives root mean square errors of the force over μFn of extrapolated pairs, for 8 random
-directions of creepages and spin with 14 magnitudes each up to full sliding. Its columns name the coarser frame of the
-pair; the pairs are compared with those from 16 × 24 or 24 × 16:
+On an ellipse that is wider than long, the pole of sliding may lie on the longer axis. Forces then depend on how many
+strips lie between the pole and the ends. The table has root mean square errors of the force over μFn of extrapolated
+pairs, for 8 random directions of creepages and spin with 14 magnitudes each up to full sliding. Its columns name the
+coarser frame of the pair; the reference is a pair from 16 × 24 or 24 × 16:
 
 | a/b | 12 × 8 | 10 × 10 | 6 × 16 | 6 × 24 |
 | --- | --- | --- | --- | --- |
@@ -36,9 +36,9 @@ pair; the pairs are compared with those from 16 × 24 or 24 × 16:
 | 0.1 | 0.84 % | 0.83 % | 0.37 % | 0.12 % |
 | 0.04 | 0.82 % | 0.78 % | 0.31 % | 0.14 % |
 
-So creep-force tables are made on cells that follow the shape. Frames that the library makes have the same cells under
-all ellipses, since half as many elements along the rolling direction cost accuracy where there is no spin. At a/b = 0.5
-the creepage found for a force was then off by up to 0.26 %; with the cells that are used it is off by 0.09 %.
+Creep-force tables are therefore made on cells that follow the shape. Frames that the library makes have the same
+cells for all ellipses, because half as many elements along the rolling direction cost accuracy where there is no
+spin: at a/b = 0.5 the creepage found for a force would be off by up to 0.26 %, instead of 0.09 %.
 
 ## Random Hertzian scenes
 
@@ -47,7 +47,7 @@ have spin. Cold times are from nothing to the resultants. Warm times are the med
 creepages by 0.3 %. Scenes that need a finer pair than the first raise the means.
 
 {scenes}
-A body on a rigid one is the worst case of unlike bodies: pressure strains one of them alone, and convergence is slower
+A body on a rigid one is the worst case of unlike bodies: pressure strains only one of them, and convergence is slower
 than second order.
 
 ## A vehicle's time loop

@@ -219,7 +219,8 @@ def combinations(records, _docs):
             if one:
                 sizes.append([e, one[0]["pairs"], system, unknowns(one[0]),
                               f"{max(r['peak_bytes'] for r in one) / 1e6:.1f} MB"])
-    text += ("Unknowns of the linear systems (monolithic: with those of the bodies; gap vectors and slips, eliminated exactly beforehand, not counted), and the most "
+    text += ("Unknowns of the linear systems (monolithic: with those of the bodies; gap vectors and slips, "
+             "eliminated exactly beforehand, not counted), and the most "
              "memory that the contact counted:\n\n"
              + table(["example", "pairs in contact", "system", "unknowns", "memory"], sizes))
     if apart or failed:

@@ -141,26 +141,29 @@ def limits(records):
     several = [r for r in records if r["method"] == STANDARD[1] and good(r) and (r["extra"]["difference"] or 0) > 1e-3]
     if several:
         names = list(dict.fromkeys(f"{r['model']} {r['mesh']}" for r in several))
-        text += (f"Scenes whose solution from another state keeps all laws and yet differs by more than 1e-3 of the largest traction: {len(names)} ("
+        text += ("Scenes whose solution from another state keeps all laws and yet differs by more than 1e-3 of the "
+                 f"largest traction: {len(names)} ("
                  + "; ".join(names) + ").\n\n")
     return text
 
 
-LIMITS = """- *Several solutions.* Between unlike bodies, or on a rigid one, the contact problem with large friction may have several
-  solutions, or none that a discrete frame can represent. The iteration fails most often with coefficients of 1 and more, and
-  with Poisson's ratios near -1, where pressure pulls the surface sideways most. A discrete problem may have several solutions
-  even for like bodies: with slivers and the characteristic scheme.
-- *Rounding.* Some scenes depend on the last digits. If friction is disturbed in its last digits, twelve times each, the solved
-  scenes 1369, 1442, 2514 and 3981 fail one to three times, and scene 368 of the list is solved six times; of eight others of the list one is solved and one
-  refused, once each. So another processor may have another list: one without AVX-512 fails at 1442 and 3981.
-- *Small steps of the characteristic scheme* make slip nearly independent of a node's own traction. So does contact that reaches
-  the rim of a regular frame where material leaves it ([theory](theory.md), section 5). Enlarge the frame, or take
-  `least_squares`.
-- *Contact up to a body's own edges*, flat along the path. All laws hold, but creep forces depend strongly on scheme and mesh.
-  For a conformal pin as stiff and as wide as its bore, on a mesh refined once, the longitudinal force over the load is 0.02
-  (finite elements) and 0.05 (boundary elements) with the characteristic scheme, and 0.16 and 0.15 with least squares.
-- *The size of numbers.* Gaps and displacements are differences, so an approach is resolved to the rounding of the least gap. A
-  contact shallower than 1e-16 of it is no more precise than the last digit of its gaps.
+LIMITS = """- *Several solutions.* Between unlike bodies, or on a rigid one, the contact problem with large friction
+may have several solutions, or none that a discrete frame can represent. The iteration fails most often with
+coefficients of 1 and more, and with Poisson's ratios near -1, where pressure pulls the surface sideways most. A
+discrete problem may have several solutions even for like bodies: with slivers and the characteristic scheme.
+- *Rounding.* Some scenes depend on the last digits. If friction is disturbed in its last digits, twelve times each,
+  the solved scenes 1369, 1442, 2514 and 3981 fail one to three times, and scene 368 of the list is solved six times;
+  of eight others of the list one is solved and one refused, once each. So another processor may have another list:
+  one without AVX-512 fails at 1442 and 3981.
+- *Small steps of the characteristic scheme* make slip nearly independent of a node's own traction. So does contact
+  that reaches the rim of a regular frame where material leaves it ([theory](theory.md), section 5). Enlarge the
+  frame, or take `least_squares`.
+- *Contact up to a body's own edges*, flat along the path. All laws hold, but creep forces depend strongly on scheme
+  and mesh. For a conformal pin as stiff and as wide as its bore, on a mesh refined once, the longitudinal force over
+  the load is 0.02 (finite elements) and 0.05 (boundary elements) with the characteristic scheme, and 0.16 and 0.15
+  with least squares.
+- *The size of numbers.* Gaps and displacements are differences, so an approach is resolved to the rounding of the
+  least gap. A contact shallower than 1e-16 of it is no more precise than the last digit of its gaps.
 
 """
 
@@ -180,13 +183,13 @@ def says(records):
 
 RUNGS = """## What each fallback saves
 
-The table counts the fallbacks of [theory](theory.md), section 6, in 12,812 solves, of which 28 did not converge: the random
-and named scenes above on frames of up to 300 nodes, from nothing and from another state; forces near what friction carries;
-friction raised to 0.6 to 10; creepages of 10 to 1e6; small steps of a sequence; small loads on quadratic elements; forces
-given under friction of 1e-6 to 0.1 between unlike bodies. *Tried* and *solved* are numbers of solves. Each solve in which a
-fallback was tried was repeated with this fallback alone switched off, so that the fallbacks after it took its place. *Lost*
-are solves that then did not converge, *gained* those that converged only then, because iterations were left for others. The
-last column is the processor time of all these solves.
+The table counts the fallbacks of [theory](theory.md), section 6, in 12,812 solves, of which 28 did not converge: the
+random and named scenes above on frames of up to 300 nodes, from nothing and from another state; forces near what
+friction carries; friction raised to 0.6 to 10; creepages of 10 to 1e6; small steps of a sequence; small loads on
+quadratic elements; forces given under friction of 1e-6 to 0.1 between unlike bodies. *Tried* and *solved* are numbers
+of solves. Each solve in which a fallback was tried was repeated with this fallback alone switched off, so that the
+fallbacks after it took its place. *Lost* are solves that then did not converge, *gained* those that converged only
+then, because iterations were left for others. The last column is the processor time of all these solves.
 
 | fallback | tried | solved | lost without it | gained | seconds with, without |
 | --- | --- | --- | --- | --- | --- |
@@ -208,26 +211,26 @@ lost.
 
 """
 
-HEAD = """This page has the results of scenes that are stiff, extreme or degenerate. The solver's own residuals do not count: each
-solution is judged by the laws of contact, recomputed from what the caller gave and what the public functions return.
-Displacements at nodes and upstream points come from `rollcon_contact_get_displacements_at` (integrals of the tractions,
-not the solver's matrices). Gaps follow from them, from the gap of the undeformed bodies and from the approach. Slip follows
-by the schemes of [theory](theory.md), section 5, which the tests implement independently. Forces are integrals of the
-shape functions. Let p0 be the largest pressure, q0 the largest mu p, u0 the largest normal displacement or overlap, and s0
-the largest slip velocity in contact (rigid, elastic, or what tractions of the size found cause). The error is the greatest
-of
+HEAD = """This page has the results of scenes that are stiff, extreme or degenerate. The solver's own residuals do not
+count: each solution is judged by the laws of contact, recomputed from what the caller gave and what the public
+functions return. Displacements at nodes and upstream points come from `rollcon_contact_get_displacements_at`
+(integrals of the tractions, not the solver's matrices). Gaps follow from them, from the gap of the undeformed bodies
+and from the approach. Slip follows by the schemes of [theory](theory.md), section 5, which the tests implement
+independently. Forces are integrals of the shape functions. Let p0 be the largest pressure, q0 the largest mu p, u0
+the largest normal displacement or overlap, and s0 the largest slip velocity in contact (rigid, elastic, or what
+tractions of the size found cause). The error is the greatest of
 
 - tension -p / p0; penetration -gap / u0; the lesser of p / p0 and gap / u0, in place of pressure times gap;
 - (|q| - mu p) / q0, and its magnitude at slipping nodes;
-- the slip of sticking nodes, and the slip of slipping nodes across their traction or along it: either over s0, or the change
-  of traction over q0 that would correct it, whichever is less;
+- the slip of sticking nodes, and the slip of slipping nodes across their traction or along it: either over s0, or the
+  change of traction over q0 that would correct it, whichever is less;
 - the difference of sums of tractions from resultants and prescribed forces, and of motions from prescribed ones.
 
-A scene is *solved* if the library says so (`OK`, `RIM_CONTACT`, `COARSE`, `NO_CONTACT`), if this status is right for the
-scene, and if the error is at most 1e-8. It is *refused* if the library rightly ends with an error (a tangential load that
-friction cannot carry under the pressures of the scene). Otherwise it is *not converged* if the library says so, and *wrong*
-if not. All settings are standard except `accuracy` on regular grids: it is 1e-10, because operators come from tables there
-and the check from integrals.
+A scene is *solved* if the library says so (`OK`, `RIM_CONTACT`, `COARSE`, `NO_CONTACT`), if this status is right for
+the scene, and if the error is at most 1e-8. It is *refused* if the library rightly ends with an error (a tangential
+load that friction cannot carry under the pressures of the scene). Otherwise it is *not converged* if the library says
+so, and *wrong* if not. All settings are standard except `accuracy` on regular grids: it is 1e-10, because operators
+come from tables there and the check from integrals.
 
 """
 

@@ -12,37 +12,32 @@ import sys
 from precision_plots import Panel, panels
 from report import load, magnitude, of_case, processor, put_part, table
 
-REFERENCE = "the reference's frames"  # frames judged by their own error
-ERRORS = """
-{cases} random cases of the standard table's whole range (magnitudes evenly from 0.03 to 0.97; any direction and
-spin), beside two frames of strips on the known ellipse, 1.5 times as fine as the table's own, extrapolated, their
-known error at full sliding taken off times s³. Where the table is more than 0.2 % off, and at every hundredth case, 2.2
-times as fine frames stand beside it. At these hundredths the frames of 1.5 and 2.2 differ by {reference}.
-Errors are over μFn, of the moment over μFn √(ab). Made by `{command}` on
-{processor}.
-A table that is not in the caches: one of 80 copies in turn; code that is not either: after other data has filled all
-caches.
+REFERENCE = "the reference's frames"  # by their own error
+ERRORS = """ {cases} random cases cover the standard table's whole range (magnitudes evenly from 0.03 to 0.97; any
+direction and spin). They are compared with two frames of strips on the known ellipse, 1.5 times as fine as the
+table's own and extrapolated, from which their known error at full sliding, times s³, is subtracted. Where the table
+is more than 0.2 % off, and in every hundredth case, the frames are 2.2 times as fine. In these hundredth cases the
+two kinds of frames differ by {reference}. Errors are over μFn, of the moment over μFn √(ab). Made by `{command}` on
+{processor}. "Table not in the caches" is measured with 80 copies in turn, "code neither" after other data has filled
+all caches.
 
 {methods}
 ![share of cases with a larger error](images/tables_errors.png)
 
-By region of the table, r being the length of v above (linear theory asks for about r μFn):
+The next table has the regions of the range; r is the length of v above (linear theory gives about r μFn):
 
-{regions}
-Patches of S1002 wheels on 60E1 rails, lateral shifts from 0 to 10 mm, yaw, spin and speed of rotation at random about
-those of free rolling: the table on the equivalent ellipse beside the patch's own solution, both from the same
-pressures. The worst are patches of two peaks at shifts of 0 and 0.5 mm, which fill 0.63 to 0.8 of the ellipse that
-has their pressures' second moments.
+{regions} The next table compares the table on the equivalent ellipse with the patch's own solution, both from the
+same pressures, for patches of S1002 wheels on 60E1 rails. Lateral shifts go from 0 to 10 mm; yaw, spin and speed of
+rotation are random about those of free rolling. The worst are patches with two peaks at shifts of 0 and 0.5 mm, which
+fill 0.63 to 0.8 of the ellipse with the second moments of their pressures.
 
 {patches}
 """
-UNLIKE = """
-{cases} random cases of each pair at μ = 0.3, drawn as those above, ν = 0.28 in either body, beside frames that the
-library makes (`frame_accuracy` 0.003, themselves known to 0.2 or 0.3 %): the standard table for mean flexibilities
-alone, the same with the mean strain under the pressure as longitudinal creepage (what
-`rollcon_table_evaluate_contact` does), and a table of the pair, made for a/b from 1/5 to 5 in 6 intervals and this
-coefficient of friction. Made by `{command}` on
-{processor}.
+UNLIKE = """ {cases} random cases of each pair at μ = 0.3, drawn as those above, with ν = 0.28 in either body, are
+compared with frames that the library makes (`frame_accuracy` 0.003, themselves known to 0.2 or 0.3 %). The rows have
+the standard table for mean flexibilities alone, the same with the mean strain under the pressure as longitudinal
+creepage (as in `rollcon_table_evaluate_contact`), and a table of the pair, made for a/b from 1/5 to 5 in 6 intervals
+and this coefficient of friction. Made by `{command}` on {processor}.
 
 {unlike}
 """
