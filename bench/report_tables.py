@@ -22,7 +22,7 @@ two kinds of frames differ by {reference}. Errors are over μFn, of the moment o
 all caches.
 
 {methods}
-![share of cases with a larger error](images/tables_errors.png)
+![fraction of cases with a larger error](images/tables_errors.png)
 
 The next table has the regions of the range; r is the length of v above (linear theory gives about r μFn):
 
@@ -87,7 +87,7 @@ def write_errors(everything, docs, command):
     regions = table(["region", "cases", *HEAD],
                     [[r["mesh"], f"{r['extra']['cases']:.0f}", force(r), moment(r)]
                      for r in steel if r not in whole and r is not frames])
-    patches = table(["patches", "", "force, median / rms / 90 % / worst", "moment, likewise"],
+    patches = table(["patches", "", "force, median / rms / 90 % / worst", "moment, median / rms / 90 % / worst"],
                     [[r["mesh"], f"{r['extra']['patches']:.0f}", of_patches(r, "force", r["error"]),
                       of_patches(r, "moment", r["moment_error"])] for r in of_case(everything, "equivalent_ellipse")])
     panels(f"{docs}/images/tables_errors.png", "share of cases with a larger error",
