@@ -12,7 +12,7 @@ GROUPS = [
         "contact/results/sensitivity.cpp", "contact/linear/split_factors.cpp"]),
     ("contact geometry", 20, [
         "contact/scene/geometry.cpp", "contact/scene/rim.cpp", "contact/problem/moments.cpp",
-        "contact/prepare/gap_between_nodes.cpp", "contact/results/derive.cpp",
+        "contact/prepare/gap_between_nodes.cpp", "contact/derived.cpp",
         "contact/operators/assemble_operators.cpp", "contact/operators/dense_operators.cpp",
         "contact/operators/traction_space.cpp"]),
     ("convection", 12, ["contact/convection/*"]),

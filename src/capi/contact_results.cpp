@@ -4,7 +4,7 @@
 
 #include "capi/guard.hpp"
 #include "capi/results.hpp"
-#include "contact/results/statistics.hpp"
+#include "contact/statistics.hpp"
 #include "support/stress_invariants.hpp"
 
 using namespace rollcon;

@@ -72,14 +72,14 @@ void Contact::repeat_step() {
   if (frames_ && !scene.frame_given()) frames_->repeat_step();
 }
 
-std::unique_ptr<Contact> Contact::make_twin() const {
+std::unique_ptr<Contact> Contact::make_worker() const {
   const auto silent = std::make_shared<Context>();
   silent->set_threads(1);
-  auto twin = std::make_unique<Contact>(silent, body1_, body2_, solver->engine().make_published, make_frames_);
-  twin->solver->host.cancel = solver->host.cancel;
-  twin->solver->host.quiet = true;
-  twin->scene.follow(scene);
-  return twin;
+  auto worker = std::make_unique<Contact>(silent, body1_, body2_, solver->engine().make_published, make_frames_);
+  worker->solver->host.cancel = solver->host.cancel;
+  worker->solver->host.quiet = true;
+  worker->scene.take_over(scene);
+  return worker;
 }
 
 Status Contact::solve() {

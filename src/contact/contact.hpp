@@ -14,6 +14,7 @@
 #include "contact/scene/enumerators.hpp"
 #include "contact/scene/scene.hpp"
 #include "contact/solver.hpp"
+#include "contact/statistics.hpp"
 #include "support/error.hpp"
 
 namespace rollcon {
@@ -26,8 +27,8 @@ class WearLaw;       // contact/laws/wear_law.hpp
 class FrameMaker {
  public:
   virtual ~FrameMaker() = default;
-  /// Gives lead.scene frames and solves it on them; as Solver::solve.
-  virtual Status solve(Solver& lead) = 0;
+  /// Gives solver.scene frames and solves it on them; as Solver::solve.
+  virtual Status solve(Solver& solver) = 0;
   /// Forgets warm starts, and what was before a time step.
   virtual void reset() = 0;
   /// As Solver's.
@@ -60,7 +61,7 @@ class Contact {
   Status solve();
   /// Makes a contact of the same bodies and scene, without a frame, on one thread and silent; for another thread. This
   /// outlives it and can cancel it.
-  std::unique_ptr<Contact> make_twin() const;
+  std::unique_ptr<Contact> make_worker() const;
   /// Solves the scene with some of what is prescribed replaced, case by case and over threads. Returns the worst status
   /// of the cases (see worse()). The scene stays, and so does the last solution unless something was set since.
   Status solve_many(const CaseList& cases, const CaseResults& results);
@@ -113,7 +114,7 @@ class Contact {
   double fatigue_index(double shear_yield) const;
   /// The Hertzian contact that stands for this one.
   EquivalentEllipse equivalent_ellipse() const;
-  double stat(const char* name) const { return solver->stat(name); }  ///< err_option: unknown name
+  double stat(const char* name) const { return find_statistic(*solver, name); }  ///< err_option: unknown name
   /// Rows of 8: phase, iteration, normal residual, tangential residual, step length, nodes in contact, nodes in slip,
   /// seconds.
   std::span<const double> history() const { return solver->effort().history; }

@@ -5,28 +5,28 @@
 
 namespace rollcon {
 
-OwnFramesSolver::OwnFramesSolver(const Contact& lead, std::span<const Parameter> parameter) : lead_(lead) {
-  if (lead.scene.step_kind() != StepKind::steady)
+OwnFramesSolver::OwnFramesSolver(const Contact& asked, std::span<const Parameter> parameter) : asked_(asked) {
+  if (asked.scene.step_kind() != StepKind::steady)
     fail(Status::err_state, "no frame was given: lists of cases in time steps need one");
-  if (lead.scene.law() && std::find(parameter.begin(), parameter.end(), Parameter::friction) != parameter.end())
+  if (asked.scene.law() && std::find(parameter.begin(), parameter.end(), Parameter::friction) != parameter.end())
     fail(Status::err_unsupported,
          "no frame was given: cases of a list may then change the friction of Coulomb's law alone");
 }
 
 // What frames and operators a case finds depends on its chain alone.
 void OwnFramesSolver::begin_chain() {
-  contact_ = lead_.make_twin();
+  contact_ = asked_.make_worker();
 }
 
 Status OwnFramesSolver::solve(std::span<const Parameter> parameter, const double* value, Monitor&) {
   Scene& scene = contact_->scene;
   for (std::size_t j = 0; j < parameter.size(); ++j) {
     if (parameter[j] == Parameter::friction) {
-      scene.scale_friction(lead_.scene, value[j]);
+      scene.scale_friction(asked_.scene, value[j]);
       continue;
     }
     const auto direction = static_cast<Direction>(parameter[j]);
-    const How how = lead_.scene.load(direction).how == How::by_force ? How::by_force : How::by_motion;
+    const How how = asked_.scene.load(direction).how == How::by_force ? How::by_force : How::by_motion;
     scene.prescribe(static_cast<std::int32_t>(direction), static_cast<std::int32_t>(how), value[j] + 0.0);
   }
   if (scene.options.warm_start == 0) contact_->reset();

@@ -10,9 +10,9 @@ namespace rollcon {
 
 class OwnFramesSolver final : public CaseSolver {
  public:
-  /// lead has no frame, and outlives this object unchanged. err_state: time steps; err_unsupported: a factor on
+  /// asked has no frame, and outlives this object unchanged. err_state: time steps; err_unsupported: a factor on
   /// friction under another law than Coulomb's.
-  OwnFramesSolver(const Contact& lead, std::span<const Parameter> parameter);
+  OwnFramesSolver(const Contact& asked, std::span<const Parameter> parameter);
 
   void begin_chain() override;
   Status solve(std::span<const Parameter> parameter, const double* value, Monitor& monitor) override;
@@ -20,7 +20,7 @@ class OwnFramesSolver final : public CaseSolver {
   std::size_t bytes() const override;
 
  private:
-  const Contact& lead_;
+  const Contact& asked_;
   std::unique_ptr<Contact> contact_;  ///< of a chain
   Status status_ = Status::ok;
 };

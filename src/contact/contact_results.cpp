@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "contact/contact.hpp"
-#include "contact/results/plan.hpp"
+#include "contact/plan.hpp"
 #include "contact/results/wear.hpp"
 #include "contact/settle/settle_friction.hpp"
 #include "io/vtu.hpp"

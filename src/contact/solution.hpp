@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "contact/newton/report.hpp"
-#include "contact/prepare/prepared.hpp"
+#include "contact/prepared.hpp"
 #include "contact/problem/settled_friction.hpp"
 #include "contact/scene/procedure.hpp"
 #include "support/line.hpp"

@@ -1,18 +1,13 @@
 #include "contact/solver.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <new>
 #include <utility>
 
 #include "bodies/body.hpp"
-#include "contact/estimate/error_estimate.hpp"
-#include "contact/estimate/few_nodes.hpp"
 #include "contact/prepare/time_step.hpp"
 #include "contact/results/doubts.hpp"
 #include "contact/results/extrapolation.hpp"
-#include "contact/results/outcome_text.hpp"
-#include "contact/results/statistics.hpp"
 #include "contact/scene/host_interrupt.hpp"
 #include "contact/settle/watch.hpp"
 #include "linalg/blas_threads.hpp"
@@ -33,7 +28,7 @@ Solver::Solver(Host of, std::shared_ptr<Body> body1, std::shared_ptr<Body> body2
   engine_.make_published = published;
 }
 
-std::unique_ptr<Solver> Solver::make_follower() const {
+std::unique_ptr<Solver> Solver::another() const {
   return std::make_unique<Solver>(host, body1_, body2_, engine_.make_published);
 }
 
@@ -41,14 +36,14 @@ std::unique_ptr<Solver> Solver::make_half_space(double modulus) const {
   const auto elastic = std::make_shared<Body>(host.context, static_cast<std::int32_t>(BodyKind::halfspace));
   elastic->set_elastic(0, modulus, 0);
   const auto rigid = std::make_shared<Body>(host.context, static_cast<std::int32_t>(BodyKind::rigid));
-  auto follower = std::make_unique<Solver>(host, elastic, rigid);
-  follower->host.progress = nullptr;
-  follower->host.quiet = true;
-  return follower;
+  auto pressed = std::make_unique<Solver>(host, elastic, rigid);
+  pressed->host.progress = nullptr;
+  pressed->host.quiet = true;
+  return pressed;
 }
 
 std::unique_ptr<Solver> Solver::make_worker() const {
-  auto worker = make_follower();
+  auto worker = another();
   worker->scene.options = scene.options;
   if (!can_share()) worker->preparation_ = preparation_;
   Solution& to = worker->solution_;
@@ -328,122 +323,6 @@ std::size_t Solver::bytes() const {
   const std::size_t kept = preparation_ ? preparation_->family.bytes() + preparation_->carried.bytes() : 0;
   return p.op->bytes() + kept + steps_.bytes() + engine_.bytes() + (compliance ? compliance->bytes() : 0) +
          at(p.nodes) * sizeof(double) * 30 + effort_.history.capacity() * sizeof(double);
-}
-
-void Solver::require_solution() const {
-  if (!solution_.solved || solution_.revision.mesh != scene.revision.mesh)
-    fail(Status::err_state,
-         "there is no solution: call rollcon_contact_solve first (inputs that "
-         "change the frame, or a failed solve, discard the last one)");
-}
-
-Loads Solver::loads() const {
-  require_solution();
-  if (derived_.extrapolated) return {derived_.extrapolated->force, derived_.extrapolated->moment};
-  Loads loads;
-  sum_tractions(solution_.prepared->problem, solution_.iterate.lambda, loads.force, loads.moment);
-  return loads;
-}
-
-MotionValues Solver::motions() const {
-  require_solution();
-  if (derived_.extrapolated) return derived_.extrapolated->motion;
-  MotionValues m = solution_.iterate.motion;
-  m[approach] = solution_.given.approach_of(m, solution_.prepared->problem.datum);
-  return m;
-}
-
-void Solver::require_operators() {
-  if (!solution_.procedure.monolithic) return;
-  if (!preparation_) fail(Status::err_internal, "operators that are shared cannot be assembled");
-  try {
-    rollcon::require_operators(*preparation_);
-  } catch (...) {
-    take_changes();
-    throw;
-  }
-  take_changes();
-  solution_.images_known = false;
-}
-
-void Solver::require_converged() const {
-  const Outcome outcome = solution_.report.outcome;
-  if (outcome == Outcome::not_converged || outcome == Outcome::cancelled)
-    fail(Status::err_state, "the last solve did not converge: only a converged solution has derivatives");
-}
-
-const Rates& Solver::own_rates(Parameter parameter) {
-  require_operators();
-  const Rates& rates = rate_finder_.by(parameter, solution_, engine_.newton, derived_);
-  effort_.peak_bytes = std::max(effort_.peak_bytes, bytes());
-  return rates;
-}
-
-Rates Solver::rates(Parameter parameter) {
-  require_solution();
-  require_converged();
-  const BlasThreads blas(blas_threads());
-  const Rates& own = own_rates(parameter);
-  return derived_.extrapolated ? beyond(*derived_.extrapolated, own, coarser_->own_rates(parameter)) : own;
-}
-
-Rates Solver::rates(const NodeGivens& rate) {
-  require_solution();
-  require_converged();
-  const BlasThreads blas(blas_threads());
-  require_operators();
-  return rate_finder_.by(rate, solution_, engine_.newton, derived_);
-}
-
-void Solver::read_givens(NodeGivens& now) {
-  prepare();
-  const Problem& p = solution_.prepared->problem;
-  const MotionValues& given = solution_.given.value;
-  now.gap.resize(at(p.nodes));
-  for (auto& slip : now.slip) slip.resize(at(p.nodes));
-  for (std::size_t k = 0; k < at(p.nodes); ++k) {
-    const auto i = static_cast<std::int64_t>(k);
-    now.gap[k] = p.rigid_gap(k, given);
-    now.slip[0][k] = p.rigid_slip1(i, given);
-    now.slip[1][k] = p.rigid_slip2(i, given);
-  }
-  now.mu = p.mu;
-}
-
-double Solver::stat(const char* name) {
-  for (const Statistic& s : statistics())
-    if (std::strcmp(s.name, name) == 0) {
-      require_solution();
-      const BlasThreads blas(blas_threads());
-      return s.value(*this);
-    }
-  fail(Status::err_option, "unknown statistic '%.60s'; rollcon_stat_name lists them", name);
-}
-
-double Solver::error_estimate() {
-  return find_error_estimate(solution_, derived_).worst();
-}
-
-const Compliance& Solver::compliance_of(std::int32_t body) {
-  require_solution();
-  auto& compliance = preparation_->body_compliance[body - 1];
-  const Prepared& on = *solution_.prepared;
-  const int threads = host.context->threads();
-  if (!compliance) compliance = make_body_compliance(on.frame, on.pair, body - 1, on.accuracy, threads);
-  compliance->set_threads(threads);
-  return *compliance;
-}
-
-void Solver::tell(Status status) const {
-  const Solution& s = solution_;
-  if (!s.solved || status == Status::ok || with_doubts(s, status_of(s)) != status) return;
-  if (const Line doubt = describe_meshes(s); *doubt.text && is_answer(status)) host.caveat(status, doubt.c_str());
-  if (status == Status::coarse) {
-    if (nodes_at_rim(s) > 0) host.caveat(status, describe_outcome(s).c_str());
-    host.caveat(status, describe_few_nodes(s).c_str());
-  } else if (status == Status::not_converged || status == Status::rim_contact || status == Status::too_deep) {
-    host.caveat(status, describe_outcome(s).c_str());
-  }
 }
 
 }  // namespace rollcon

@@ -4,12 +4,12 @@
 #include <memory>
 #include <optional>
 
+#include "contact/derived.hpp"
 #include "contact/effort.hpp"
 #include "contact/host.hpp"
 #include "contact/newton/frictionless_share.hpp"
 #include "contact/prepare/preparation.hpp"
 #include "contact/problem/past.hpp"
-#include "contact/results/derived.hpp"
 #include "contact/results/sensitivity.hpp"
 #include "contact/scene/scene.hpp"
 #include "contact/settle/solve_prepared.hpp"
@@ -32,13 +32,13 @@ class Solver {
   Host host;
 
   /// Makes a solver of the same bodies for the same host.
-  std::unique_ptr<Solver> make_follower() const;
+  std::unique_ptr<Solver> another() const;
   /// Makes one of an elastic half-space with this E* and a rigid body, whose caveats nobody hears.
   std::unique_ptr<Solver> make_half_space(double modulus) const;
   /// Takes over everything but the frame from the scene of another solver, and its host.
-  void follow(const Solver& lead) {
-    scene.follow(lead.scene);
-    host = lead.host;
+  void take_over(const Solver& other) {
+    scene.take_over(other.scene);
+    host = other.host;
   }
   /// Makes one for another thread, on what this one prepared and must not change meanwhile.
   std::unique_ptr<Solver> make_worker() const;
@@ -101,8 +101,6 @@ class Solver {
   /// Gap, rigid slip and friction at the nodes of a flat frame as the scene, motions all prescribed, has them now. The
   /// last solution has to be gone back to.
   void read_givens(NodeGivens& now);
-  /// A statistic. err_option: unknown name.
-  double stat(const char* name);
   double error_estimate();
   /// Displacements of body 1 or 2 alone.
   const Compliance& compliance_of(std::int32_t body);

@@ -14,6 +14,7 @@
 #include "contact/results/extrapolation.hpp"
 #include "contact/results/outcome_text.hpp"
 #include "contact/scene/known_gap.hpp"
+#include "contact/statistics.hpp"
 #include "framing/hertz.hpp"
 #include "framing/hertz_friction.hpp"
 #include "framing/makers.hpp"
@@ -61,21 +62,21 @@ class AutomaticFrames final : public FrameMaker {
  public:
   /// Tilts that moments ask for move the contact along the bodies. Frames are made for the tilts that were found last,
   /// until these change by little compared with the bodies' flattening.
-  Status solve(Solver& lead) override {
+  Status solve(Solver& fine) override {
     constexpr int most_rounds = 8;
     constexpr double little = 0.02;
     for (int round = 1;; ++round) {
-      const Status status = solve_on_levels(lead);
+      const Status status = solve_on_levels(fine);
       const Tilts before = tilts_;
-      if (!is_answer(status) || shape_.outline.empty() || !take_found_tilts(lead)) return status;
+      if (!is_answer(status) || shape_.outline.empty() || !take_found_tilts(fine)) return status;
       double x = 0, y = 0;
       for (const Outline& outline : shape_.outline) {
         const Rectangle b = outline.box();
         x = std::max(x, 0.5 * (b.x_greatest - b.x_least)), y = std::max(y, 0.5 * (b.y_greatest - b.y_least));
       }
-      const Vec3 force = lead.loads().force;
+      const Vec3 force = fine.loads().force;
       const double moved = y * std::abs(tilts_[0] - before[0]) + x * std::abs(tilts_[1] - before[1]);
-      if (moved <= little * std::abs(force[2]) / (contact_modulus(lead.pair()) * std::max(x, y)) ||
+      if (moved <= little * std::abs(force[2]) / (contact_modulus(fine.pair()) * std::max(x, y)) ||
           round == most_rounds)
         return status;
     }
@@ -95,20 +96,20 @@ class AutomaticFrames final : public FrameMaker {
   }
 
  private:
-  Status solve_on_levels(Solver& lead) {
-    find_shape(lead);
+  Status solve_on_levels(Solver& fine) {
+    find_shape(fine);
     // A level is kept while the accuracy asked for is.
-    if (const double asked = lead.scene.options.frame_accuracy; level_ == levels.size() || asked != asked_) {
+    if (const double asked = fine.scene.options.frame_accuracy; level_ == levels.size() || asked != asked_) {
       level_ = first_level(asked);
       asked_ = asked;
     }
     for (;; ++level_) {
-      const Status status = solve_on_fitting(lead);
+      const Status status = solve_on_fitting(fine);
       if (status != Status::ok) {
-        (coarse_solved_ ? *coarse_ : lead).tell(status);
+        (coarse_solved_ ? *coarse_ : fine).tell(status);
         return status;
       }
-      const double wanted = lead.scene.options.frame_accuracy, reached = lead.error_estimate();
+      const double wanted = fine.scene.options.frame_accuracy, reached = fine.error_estimate();
       if (reached <= wanted) break;
       if (level_ + 1 == levels.size()) {
         char text[160];
@@ -116,13 +117,13 @@ class AutomaticFrames final : public FrameMaker {
                       "frames: the error on the finest frames is about %.2g %%, %.2g %% was asked for "
                       "(option frame_accuracy)",
                       100 * reached, 100 * wanted);
-        lead.host.caveat(Status::inaccurate, text);
+        fine.host.caveat(Status::inaccurate, text);
         level_ = levels.size();  // the next scene may be an easier one
         return Status::inaccurate;
       }
     }
     if (!beyond_bounds_) return Status::ok;
-    lead.host.caveat(Status::rim_contact, (std::string("frames: ") + beyond_bounds_).c_str());
+    fine.host.caveat(Status::rim_contact, (std::string("frames: ") + beyond_bounds_).c_str());
     return Status::rim_contact;
   }
 
@@ -133,16 +134,16 @@ class AutomaticFrames final : public FrameMaker {
   }
 
   /// Sets shape_ and counts what changed it.
-  void find_shape(Solver& lead) {
-    const Scene& scene = lead.scene;
-    PairOfBodies pair = lead.bodies();
+  void find_shape(Solver& fine) {
+    const Scene& scene = fine.scene;
+    PairOfBodies pair = fine.bodies();
     if (const auto quadratic = scene.quadratic_gap();
         quadratic && !pair.meshed() && pair.half_spaces() && !scene.tilts()) {
       shape_.outline.clear();
-      const HertzContact hertz = find_ellipse(lead, {(*quadratic)[0], (*quadratic)[1], (*quadratic)[2]});
+      const HertzContact hertz = find_ellipse(fine, {(*quadratic)[0], (*quadratic)[1], (*quadratic)[2]});
       shape_.place = place_of_disc(hertz.larger, hertz.smaller, hertz.angle);
       shape_.load = hertz.load;
-      shape_.stretch = stretch_by_friction(dundurs_beta(lead.pair()), scene.friction(0, 0));
+      shape_.stretch = stretch_by_friction(dundurs_beta(fine.pair()), scene.friction(0, 0));
       beyond_bounds_ = nullptr;
       return;
     }
@@ -156,7 +157,7 @@ class AutomaticFrames final : public FrameMaker {
            "(rollcon_contact_set_gap_quadratic, rollcon_contact_set_gap_grid, profiles of the bodies); else call "
            "rollcon_contact_frame_ellipse, rollcon_contact_set_frame_nodes or rollcon_contact_frame_from_body");
     const Load& normal = scene.load(Direction::normal);
-    pair = lead.pair();
+    pair = fine.pair();
     Found now{scene.revision.gap, contact_modulus(pair), normal.how, normal.value};
     now.conformal = scene.options.conformal != 0 && !scene.has_gap() && !pair.meshed();
     if (!scene.has_gap() || pair.meshed()) {
@@ -164,13 +165,13 @@ class AutomaticFrames final : public FrameMaker {
       now.axes = scene.revision.axes;
     }
     now.tilted = scene.tilts();
-    if (now.tilted) now.tilts = tilts_for(lead);
+    if (now.tilted) now.tilts = tilts_for(fine);
     if (!shape_.outline.empty() && now == found_) return;
     gap_ = known_gap(scene, pair);
     const auto gap = [this, now](double x, double y) {
       return (*gap_)(x, y) - (now.tilted ? now.tilts[0] * y - now.tilts[1] * x : 0);
     };
-    const Patches patches = search_.find(lead, {gap, gap_->bounds(), now.modulus, normal.how == How::by_force,
+    const Patches patches = search_.find(fine, {gap, gap_->bounds(), now.modulus, normal.how == How::by_force,
                                                 normal.value, !scene.has_gap() && !pair.meshed()});
     shape_.outline = patches.outline;
     constexpr double too_hollow = 0.1;
@@ -189,12 +190,12 @@ class AutomaticFrames final : public FrameMaker {
   }
 
   /// Tilts that are given, and tilts found last for moments, at first the slope of the gap where the load acts.
-  Tilts tilts_for(Solver& lead) {
-    const Scene& scene = lead.scene;
+  Tilts tilts_for(Solver& fine) {
+    const Scene& scene = fine.scene;
     const Load* const load[2] = {&scene.load(Direction::tilt1), &scene.load(Direction::tilt2)};
     if (const double normal = scene.load(Direction::normal).value;
         !std::exchange(tilts_known_, true) && normal > 0 && scene.load(Direction::normal).how == How::by_force) {
-      const std::unique_ptr<KnownGap> gap = known_gap(scene, lead.pair());
+      const std::unique_ptr<KnownGap> gap = known_gap(scene, fine.pair());
       const double x = load[1]->value / normal, y = -load[0]->value / normal;
       const Rectangle b = gap->bounds();
       const double step = 1e-3 * std::min(b.x_greatest - b.x_least, b.y_greatest - b.y_least);
@@ -209,22 +210,22 @@ class AutomaticFrames final : public FrameMaker {
   }
 
   /// Returns false if no tilt is unknown.
-  bool take_found_tilts(const Solver& lead) {
-    const MotionValues found = lead.motions();
+  bool take_found_tilts(const Solver& fine) {
+    const MotionValues found = fine.motions();
     bool any = false;
     for (const auto& [t, direction] : {std::pair{0, Direction::tilt1}, {1, Direction::tilt2}})
-      if (lead.scene.load(direction).how == How::by_force) tilts_[at(t)] = found[at(t) + tilt1], any = true;
+      if (fine.scene.load(direction).how == How::by_force) tilts_[at(t)] = found[at(t) + tilt1], any = true;
     return any;
   }
 
-  static HertzContact find_ellipse(Solver& lead, const QuadraticGap& gap) {
+  static HertzContact find_ellipse(Solver& fine, const QuadraticGap& gap) {
     if (!has_ellipse(gap))
       fail(Status::err_state,
            "no frame was given, and the gap %g x^2 %c %g y^2 %c %g x y does not grow in all directions: no ellipse "
            "bounds the contact; call rollcon_contact_frame_rectangle or another maker of frames",
            gap.a, gap.b < 0 ? '-' : '+', std::abs(gap.b), gap.c < 0 ? '-' : '+', std::abs(gap.c));
-    const Load& normal = lead.scene.load(Direction::normal);
-    const double modulus = contact_modulus(lead.pair());
+    const Load& normal = fine.scene.load(Direction::normal);
+    const double modulus = contact_modulus(fine.pair());
     HertzContact hertz = normal.how == How::by_force ? hertz_by_load(gap, modulus, normal.value)
                                                      : hertz_by_approach(gap, modulus, normal.value);
     // Bodies that do not touch still have a frame: of the size under a thousandth of the radius of curvature.
@@ -234,57 +235,57 @@ class AutomaticFrames final : public FrameMaker {
   }
 
   /// Patches whose edge friction moves outwards, or that the search found too small, get longer strips.
-  Status solve_on_fitting(Solver& lead) {
+  Status solve_on_fitting(Solver& fine) {
     constexpr double longer = 1.02;
     constexpr int most_trials = 5;
-    Status status = solve_pair(lead);
+    Status status = solve_pair(fine);
     for (int trial = 0; status == Status::rim_contact && !shape_.outline.empty() && trial < most_trials; ++trial) {
       shape_.stretch *= longer;
       ++shapes_;
-      status = solve_pair(lead);
+      status = solve_pair(fine);
     }
     // A step is made on both frames, whatever the finer one says: the past of both is the one it starts from.
-    if (coarse_solved_ || lead.scene.step_kind() == StepKind::steady || !is_answer(status)) return status;
+    if (coarse_solved_ || fine.scene.step_kind() == StepKind::steady || !is_answer(status)) return status;
     const Status below = coarse_->solve();
     return is_answer(below) ? status : below;
   }
 
-  Status solve_pair(Solver& lead) {
-    if (!coarse_) coarse_ = lead.make_follower();
-    coarse_->follow(lead);
-    lay_frames(lead.scene, coarse_->scene);
-    share_loads(lead);
-    const Status status = lead.solve();
+  Status solve_pair(Solver& fine) {
+    if (!coarse_) coarse_ = fine.another();
+    coarse_->take_over(fine);
+    lay_frames(fine.scene, coarse_->scene);
+    share_loads(fine);
+    const Status status = fine.solve();
     coarse_solved_ = status == Status::ok;
     if (!coarse_solved_) return status;
     const Status below = coarse_->solve();
     if (below != Status::ok) return below;
-    lead.extrapolate_from(*coarse_, family(lead));
+    fine.extrapolate_from(*coarse_, family(fine));
     return status;
   }
 
   /// Friction carries less on coarse frames, its moment by 2 % on 6 x 4 strips. Each frame of a pair gets the same
   /// share of what it can carry: that which the loads take where the frames tend to.
-  void share_loads(Solver& lead) {
-    lead.scale_tangential_loads(1);
+  void share_loads(Solver& fine) {
+    fine.scale_tangential_loads(1);
     coarse_->scale_tangential_loads(1);
-    if (!limit_differs(lead.scene)) return;
-    std::optional<FrictionShare> fine = lead.frictionless_share();
+    if (!limit_differs(fine.scene)) return;
+    std::optional<FrictionShare> taken = fine.frictionless_share();
     const std::optional<FrictionShare> coarse = coarse_->frictionless_share();
-    if (!fine || !coarse || !(fine->sliding > 0 && coarse->sliding > 0)) return;
+    if (!taken || !coarse || !(taken->sliding > 0 && coarse->sliding > 0)) return;
     double share = 0;
     if (shape_.outline.empty()) {
       if (!hertz_friction_) hertz_friction_ = std::make_unique<HertzFriction>();
-      share = hertz_friction_->share(lead.scene, shape_.place, shape_.load).together;
+      share = hertz_friction_->share(fine.scene, shape_.place, shape_.load).together;
     } else {
-      const double left_over = 1 / (std::exp2(family(lead).order) - 1);
-      share = 1 / (1 / fine->sliding + left_over * (1 / fine->sliding - 1 / coarse->sliding));
+      const double left_over = 1 / (std::exp2(family(fine).order) - 1);
+      share = 1 / (1 / taken->sliding + left_over * (1 / taken->sliding - 1 / coarse->sliding));
     }
     if (!(share < 1)) {
-      for (double* const s : {&fine->force, &fine->moment, &fine->sliding}) *s *= share / fine->sliding;
-      fail(Status::err_load, "%s: there is no steady solution", describe_beyond_friction(*fine).c_str());
+      for (double* const s : {&taken->force, &taken->moment, &taken->sliding}) *s *= share / taken->sliding;
+      fail(Status::err_load, "%s: there is no steady solution", describe_beyond_friction(*taken).c_str());
     }
-    lead.scale_tangential_loads(share / fine->sliding);
+    fine.scale_tangential_loads(share / taken->sliding);
     coarse_->scale_tangential_loads(share / coarse->sliding);
   }
 
@@ -301,7 +302,8 @@ class AutomaticFrames final : public FrameMaker {
     // on both.
     if (shape_.outline.empty()) {
       const Level& l = levels[level_];
-      const bool filled = on.stat("nodes_contact") == static_cast<double>((2 * l.along - 1) * (2 * l.across - 1));
+      const bool filled =
+          find_statistic(on, "nodes_contact") == static_cast<double>((2 * l.along - 1) * (2 * l.across - 1));
       return {2, 1 / (filled ? shape_.stretch * shape_.stretch : shape_.stretch), 0};
     }
     if (!shape_.lattice) return {2, 1 / (usual_stretch * usual_stretch), 0};

@@ -143,7 +143,7 @@ void PatchSearch::solve(Solver& solver) {
 
 // Thin bodies touch elsewhere than half-spaces. A lattice about what those touch, on the bodies themselves; it grows
 // while it cuts the contact off, and closes in on it. False: it does not fit on them.
-bool PatchSearch::press_bodies(Solver& lead, const PatchScene& scene, std::vector<PatchEdge>& edge) {
+bool PatchSearch::press_bodies(Solver& contact, const PatchScene& scene, std::vector<PatchEdge>& edge) {
   constexpr std::int64_t intervals = 16;
   constexpr double larger = 1.25, filled = 0.6;
   constexpr int most_rounds = 8;
@@ -151,14 +151,14 @@ bool PatchSearch::press_bodies(Solver& lead, const PatchScene& scene, std::vecto
   lattice.half_length *= larger;
   lattice.half_width *= larger;
   lattice.intervals = intervals;
-  const std::unique_ptr<Solver> bodies = lead.make_follower();
-  bodies->follow(lead);
+  const std::unique_ptr<Solver> bodies = contact.another();
+  bodies->take_over(contact);
   const double none = 0;
   bodies->scene.set_friction("coulomb", 1, &none);
   for (const Direction d : {Direction::longitudinal, Direction::lateral, Direction::spin})
     bodies->scene.prescribe(static_cast<std::int32_t>(d), static_cast<std::int32_t>(How::by_motion), 0);
   for (int round = 0; round < most_rounds; ++round) {
-    if (lead.host.cancelled()) throw Cancelled();
+    if (contact.host.cancelled()) throw Cancelled();
     clip(lattice, scene.bounds);
     lay(lattice, scene);
     if (!std::all_of(gap_.begin(), gap_.end(), [](double g) { return std::isfinite(g); })) return false;
@@ -185,7 +185,7 @@ bool PatchSearch::press_bodies(Solver& lead, const PatchScene& scene, std::vecto
 }
 
 // The contact lies where the gap is less than the approach. Lattices that are much wider than that close in on it.
-SearchGrid PatchSearch::close_in(Solver& lead, const PatchScene& scene) {
+SearchGrid PatchSearch::close_in(Solver& contact, const PatchScene& scene) {
   constexpr double filled = 0.6, filled_by_contact = 0.5;
   constexpr int most_rounds = 60;
   SearchGrid next;
@@ -197,7 +197,7 @@ SearchGrid PatchSearch::close_in(Solver& lead, const PatchScene& scene) {
   const std::int64_t n = next.lines();
   std::vector<EdgePoint> near, touching;
   for (int round = 0; round < most_rounds; ++round) {
-    if (lead.host.cancelled()) throw Cancelled();
+    if (contact.host.cancelled()) throw Cancelled();
     lay(next, scene);
     if (std::none_of(gap_.begin(), gap_.end(), [](double g) { return std::isfinite(g); }))
       fail(Status::err_argument, "the gap is nowhere finite on a lattice of %lld x %lld points over its bounds",
@@ -245,14 +245,14 @@ SearchGrid PatchSearch::close_in(Solver& lead, const PatchScene& scene) {
   return next;
 }
 
-Patches PatchSearch::find(Solver& lead, const PatchScene& scene) {
+Patches PatchSearch::find(Solver& contact, const PatchScene& scene) {
   if (!half_space_ || modulus_ != scene.modulus) {
-    half_space_ = lead.make_half_space(scene.modulus);
+    half_space_ = contact.make_half_space(scene.modulus);
     modulus_ = scene.modulus;
     const double none = 0;
     half_space_->scene.set_friction("coulomb", 1, &none);
   }
-  SearchGrid lattice = close_in(lead, scene);
+  SearchGrid lattice = close_in(contact, scene);
   Patches found;
   std::vector<PatchEdge> edge;
   for (int round = 0;; ++round) {
@@ -278,10 +278,10 @@ Patches PatchSearch::find(Solver& lead, const PatchScene& scene) {
     lattice = next;
     lay(lattice, scene);
   }
-  if (lead.pair().meshed() && !edge.empty()) {
+  if (contact.pair().meshed() && !edge.empty()) {
     const std::vector<PatchEdge> of_half_spaces = edge;
     const SearchGrid before = lattice_;
-    if (!press_bodies(lead, scene, edge)) {
+    if (!press_bodies(contact, scene, edge)) {
       edge = of_half_spaces;
       lattice_ = before;
     }

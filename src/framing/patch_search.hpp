@@ -26,17 +26,17 @@ struct Patches {
 
 class PatchSearch {
  public:
-  /// lead: whose context and cancelling it takes part in; outlives it. Where the bodies do not touch one outline tells
-  /// where they are nearest to each other. err_argument: there is no finite gap, or the bodies' order is the other one.
-  /// Throws Cancelled.
-  Patches find(Solver& lead, const PatchScene& scene);
+  /// contact: whose context and cancelling it takes part in; outlives it. Where the bodies do not touch one outline
+  /// tells where they are nearest to each other. err_argument: there is no finite gap, or the bodies' order is the
+  /// other one. Throws Cancelled.
+  Patches find(Solver& contact, const PatchScene& scene);
 
  private:
   void lay(const SearchGrid& lattice, const PatchScene& scene);
   void press(const PatchScene& scene);
-  bool press_bodies(Solver& lead, const PatchScene& scene, std::vector<PatchEdge>& edge);
+  bool press_bodies(Solver& contact, const PatchScene& scene, std::vector<PatchEdge>& edge);
   void solve(Solver& solver);
-  SearchGrid close_in(Solver& lead, const PatchScene& scene);
+  SearchGrid close_in(Solver& contact, const PatchScene& scene);
 
   std::unique_ptr<Solver> half_space_;  ///< of half-spaces, on the lattice
   double modulus_ = 0;

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "contact/cases/solve_many.hpp"
-#include "contact/results/statistics.hpp"
+#include "contact/statistics.hpp"
 
 namespace rollcon {
 

@@ -16,8 +16,8 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-SharedFrameSolver::SharedFrameSolver(const Solver& lead)
-    : solver_(lead.make_worker()), given_(solver_->solution().given), frictionless_(lead.solution().frictionless) {}
+SharedFrameSolver::SharedFrameSolver(const Solver& scene)
+    : solver_(scene.make_worker()), given_(solver_->solution().given), frictionless_(scene.solution().frictionless) {}
 
 SharedFrameSolver::~SharedFrameSolver() = default;
 

@@ -37,8 +37,8 @@ class CaseSolver {
 
 class SharedFrameSolver final : public CaseSolver {
  public:
-  /// `lead` must be prepared, and outlive this object unchanged.
-  explicit SharedFrameSolver(const Solver& lead);
+  /// `scene` must be prepared, and outlive this object unchanged.
+  explicit SharedFrameSolver(const Solver& scene);
   ~SharedFrameSolver() override;
 
   void begin_chain() override;

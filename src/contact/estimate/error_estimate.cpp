@@ -12,7 +12,7 @@
 #include "contact/estimate/few_nodes.hpp"
 #include "contact/prepare/gap_between_nodes.hpp"
 #include "contact/prepare/lattice_scene.hpp"
-#include "contact/results/derived.hpp"
+#include "contact/derived.hpp"
 #include "mesh/topology.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"

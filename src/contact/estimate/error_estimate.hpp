@@ -5,8 +5,8 @@
 
 namespace rollcon {
 
-struct Derived;        // contact/results/derived.hpp
-struct ErrorEstimate;  // contact/results/derived.hpp
+struct Derived;        // contact/derived.hpp
+struct ErrorEstimate;  // contact/derived.hpp
 struct Solution;
 
 /// 0 without contact; 1 where nothing can be said: the solve did not converge, or the frame has too few nodes to leave

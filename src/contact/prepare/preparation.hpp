@@ -14,7 +14,7 @@
 #include "contact/prepare/carried_rows.hpp"
 #include "contact/prepare/operator_family.hpp"
 #include "contact/prepare/placed_frame.hpp"
-#include "contact/prepare/prepared.hpp"
+#include "contact/prepared.hpp"
 #include "contact/scene/procedure.hpp"
 
 namespace rollcon {

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "contact/results/derived.hpp"
+#include "contact/derived.hpp"
 
 namespace rollcon {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "contact/prepare/time_step.hpp"
-#include "contact/results/derived.hpp"
+#include "contact/derived.hpp"
 #include "mesh/quadrature.hpp"
 #include "mesh/shape.hpp"
 #include "support/index.hpp"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "contact/newton/newton.hpp"
-#include "contact/results/derived.hpp"
+#include "contact/derived.hpp"
 #include "contact/scene/enumerators.hpp"
 
 namespace rollcon {

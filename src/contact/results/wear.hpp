@@ -5,7 +5,7 @@
 #include <span>
 
 #include "contact/laws/wear_law.hpp"
-#include "contact/results/derived.hpp"
+#include "contact/derived.hpp"
 
 namespace rollcon {
 

@@ -89,7 +89,7 @@ class Scene {
   /// From now on the library makes the frame, as in a new scene.
   void forget_frame();
   /// Takes over what was set in another scene, apart from the frame and what is given node by node.
-  void follow(const Scene& lead);
+  void take_over(const Scene& other);
   /// Where body `which` (1 or 2) stands: x = rotation x_body + translation, rotation row by row.
   void set_pose(std::int32_t which, const double* rotation, const double* translation);
   void set_axes(const double* origin, const double* rolling, const double* normal);

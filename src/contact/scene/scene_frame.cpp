@@ -76,36 +76,36 @@ void Scene::forget_frame() {
   frame_given_ = false;
 }
 
-void Scene::follow(const Scene& lead) {
-  options = lead.options;
+void Scene::take_over(const Scene& other) {
+  options = other.options;
   const std::int64_t mesh = revision.mesh, place = revision.place;
-  revision = lead.revision;
+  revision = other.revision;
   revision.mesh = mesh;
   revision.place = place;
-  pose_ = lead.pose_;
-  axes_ = lead.axes_;
-  gap_kind_ = lead.gap_kind_ == GapKind::nodes ? GapKind::none : lead.gap_kind_;
-  quadratic_ = lead.quadratic_;
-  gap_grid_ = lead.gap_grid_;
-  step_kind_ = lead.step_kind_;
-  step_time_ = lead.step_time_;
-  speed_ = lead.speed_;
-  speed_given_ = lead.speed_given_;
-  velocities_given_ = lead.velocities_given_;
-  travel_given_ = lead.travel_given_;
-  velocity_ = lead.velocity_;
-  load_ = lead.load_;
-  law_name_ = lead.law_name_;
-  law_parameters_ = lead.law_parameters_;
-  friction_ = lead.friction_;
-  law_ = lead.law_;
-  law_in_use_ = lead.law_in_use_;
-  memory_ = lead.memory_;
-  yield_ = lead.yield_;
-  across_y_ = lead.across_y_;
-  across_mu_ = lead.across_mu_;
-  layer_ = lead.layer_;
-  heat_ = lead.heat_;
+  pose_ = other.pose_;
+  axes_ = other.axes_;
+  gap_kind_ = other.gap_kind_ == GapKind::nodes ? GapKind::none : other.gap_kind_;
+  quadratic_ = other.quadratic_;
+  gap_grid_ = other.gap_grid_;
+  step_kind_ = other.step_kind_;
+  step_time_ = other.step_time_;
+  speed_ = other.speed_;
+  speed_given_ = other.speed_given_;
+  velocities_given_ = other.velocities_given_;
+  travel_given_ = other.travel_given_;
+  velocity_ = other.velocity_;
+  load_ = other.load_;
+  law_name_ = other.law_name_;
+  law_parameters_ = other.law_parameters_;
+  friction_ = other.friction_;
+  law_ = other.law_;
+  law_in_use_ = other.law_in_use_;
+  memory_ = other.memory_;
+  yield_ = other.yield_;
+  across_y_ = other.across_y_;
+  across_mu_ = other.across_mu_;
+  layer_ = other.layer_;
+  heat_ = other.heat_;
 }
 
 void Scene::replace_frame(SurfaceMesh mesh, FrameSource source) {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <span>
 
-#include "contact/results/derived.hpp"
+#include "contact/derived.hpp"
 
 namespace rollcon {
 

@@ -1,4 +1,4 @@
-#include "contact/results/plan.hpp"
+#include "contact/plan.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -14,5 +14,7 @@ struct Statistic {
 };
 
 std::span<const Statistic> statistics();
+/// The value of one. err_option: unknown name; err_state: there is no solution.
+double find_statistic(Solver& solver, const char* name);
 
 }  // namespace rollcon

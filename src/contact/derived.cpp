@@ -1,11 +1,12 @@
 /// What is computed from a solution only when somebody asks: deformed gap, slip velocity, status per node, and the
 /// residuals of the laws.
 
+#include "contact/derived.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "contact/results/derived.hpp"
 #include "support/index.hpp"
 
 namespace rollcon {

@@ -1,8 +1,9 @@
-#include "contact/results/statistics.hpp"
+#include "contact/statistics.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 #include "contact/estimate/error_estimate.hpp"
 #include "contact/estimate/few_nodes.hpp"
@@ -10,6 +11,7 @@
 #include "contact/results/power.hpp"
 #include "contact/scene/geometry.hpp"
 #include "contact/solver.hpp"
+#include "linalg/blas_threads.hpp"
 
 namespace rollcon {
 namespace {
@@ -221,6 +223,16 @@ constexpr Statistic table[] = {
 
 std::span<const Statistic> statistics() {
   return table;
+}
+
+double find_statistic(Solver& solver, const char* name) {
+  for (const Statistic& s : statistics())
+    if (std::strcmp(s.name, name) == 0) {
+      solver.require_solution();
+      const BlasThreads blas(solver.blas_threads());
+      return s.value(solver);
+    }
+  fail(Status::err_option, "unknown statistic '%.60s'; rollcon_stat_name lists them", name);
 }
 
 }  // namespace rollcon
