@@ -177,7 +177,7 @@ void fill(const KnownGap& known, const Frame& frame, At at, std::vector<double>&
 bool is_gap_known(const Scene& scene, const PairOfBodies& pair) {
   if (scene.gap_grid()) return true;
   if (scene.has_gap()) return scene.quadratic_gap() && pair.meshed();
-  return pair.body[0]->surface() || pair.body[1]->surface();
+  return pair.body[0]->has_surface() || pair.body[1]->has_surface();
 }
 
 std::unique_ptr<KnownGap> known_gap(const Scene& scene, const PairOfBodies& pair) {
