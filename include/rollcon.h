@@ -88,7 +88,7 @@ enum {
   ROLLCON_DERAILED        = 8,    /* the wheel is beside its rail, whatever its height; forces are zero */
   ROLLCON_ERR_ARGUMENT    = -1,   /* NULL, negative count, value out of range, unknown number */
   ROLLCON_ERR_HANDLE      = -2,   /* released, garbage or wrong-kind handle */
-  ROLLCON_ERR_NONFINITE   = -3,   /* NaN or infinity among the inputs, or among results to be written */
+  ROLLCON_ERR_NONFINITE   = -3,   /* NaN or infinity among the inputs, or among the results */
   ROLLCON_ERR_MESH        = -4,   /* node id out of range; degenerate or flipped elements, ... */
   ROLLCON_ERR_STATE       = -5,   /* calls in the wrong order, or something is missing */
   ROLLCON_ERR_OPTION      = -6,   /* unknown name, wrong type or value out of range */
@@ -1741,21 +1741,21 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_size(const rollcon_c
  *   axes      ROLLCON_LOCAL or ROLLCON_GLOBAL
  *   capacity  nodes that fit into t; at least those of the frame
  *   t         [capacity][3], out; force/length^2
- * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_CAPACITY.
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_CAPACITY.
  * Source: docs/theory.md, contact laws.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_tractions(
     const rollcon_contact *contact, int32_t axes, int64_t capacity, double *t);
 
 /*
- * Returns a nodal field: n_values = nodes x values per node, node after node. Values beyond the
- * range of double precision are infinite or NaN.
+ * Returns a nodal field: n_values = nodes x values per node, node after node.
+ * ROLLCON_ERR_NONFINITE: a value is beyond the range of double precision.
  *   field     ROLLCON_FIELD_...
  *   axes      ROLLCON_LOCAL or ROLLCON_GLOBAL
  *   capacity  doubles at v; 0 only asks for the need
  *   v         [capacity], out; values; NULL only with capacity 0
  *   n_values  out, may be NULL; doubles of the field; set after ROLLCON_ERR_CAPACITY too
- * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_CAPACITY.
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_CAPACITY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_field(const rollcon_contact *contact,
     int32_t field, int32_t axes, int64_t capacity, double *v, int64_t *n_values);
@@ -1774,7 +1774,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_status(
  *   axes     ROLLCON_LOCAL or ROLLCON_GLOBAL
  *   force    [3], out, may be NULL; force
  *   moment   [3], out, may be NULL; force x length
- * Also returns: ROLLCON_ERR_STATE.
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_resultant(
     const rollcon_contact *contact, int32_t axes, double *force, double *moment);
@@ -1816,8 +1816,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_tilt(const rollcon_c
  *   moment     [3], out, may be NULL; derivative of its moment about the origin, local axes
  *   approach   out, may be NULL; derivative of the approach
  *   creep      [3], out, may be NULL; derivatives of longitudinal and lateral creepage and spin
- * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_UNSUPPORTED,
- *   ROLLCON_ERR_MEMORY.
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR,
+ *   ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_MEMORY.
  * Source: docs/theory.md, Newton's iteration.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_sensitivity(

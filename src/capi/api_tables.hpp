@@ -37,7 +37,7 @@ constexpr StatusText status_table[] = {
     {8, "the wheel is beside its rail, whatever its height; forces are zero"},
     {-1, "NULL, negative count, value out of range, unknown number"},
     {-2, "released, garbage or wrong-kind handle"},
-    {-3, "NaN or infinity among the inputs, or among results to be written"},
+    {-3, "NaN or infinity among the inputs, or among the results"},
     {-4, "node id out of range; degenerate or flipped elements, ..."},
     {-5, "calls in the wrong order, or something is missing"},
     {-6, "unknown name, wrong type or value out of range"},

@@ -42,6 +42,7 @@ rollcon_status rollcon_contact_get_tractions(const rollcon_contact* contact, int
     require_capacity(capacity);
     require_pointer(t, "t");
     c.tractions(in, capacity, t);
+    require_finite_results(c.nodes(), 3, t, "t");
   });
 }
 
@@ -54,7 +55,9 @@ rollcon_status rollcon_contact_get_field(const rollcon_contact* contact, int32_t
     const InAxes in = checked_axes(axes);
     const auto which = static_cast<Field>(field);
     const std::int64_t count = c.field(which, in, 0, nullptr);
-    if (wants_copy(count, capacity, v, "v", n_values, "doubles")) c.field(which, in, capacity, v);
+    if (!wants_copy(count, capacity, v, "v", n_values, "doubles")) return;
+    c.field(which, in, capacity, v);
+    require_finite_results(c.nodes(), static_cast<int>(count / c.nodes()), v, "v");
   });
 }
 
@@ -71,6 +74,8 @@ rollcon_status rollcon_contact_get_resultant(const rollcon_contact* contact, int
   return with_contact(__func__, contact, [&](const Contact& c) {
     double f[3], m[3];
     c.resultant(checked_axes(axes), f, m);
+    require_finite_results(1, 3, f, "force");
+    require_finite_results(1, 3, m, "moment");
     if (force) std::copy_n(f, 3, force);
     if (moment) std::copy_n(m, 3, moment);
   });
@@ -103,6 +108,8 @@ rollcon_status rollcon_contact_get_sensitivity(const rollcon_contact* contact, i
            parameter, ROLLCON_LONGITUDINAL, ROLLCON_TILT_2);
     double f[3], m[3], a = 0, xi[3];
     c.sensitivity(static_cast<Parameter>(parameter), f, m, &a, xi);
+    require_finite_results(1, 3, f, "force");
+    require_finite_results(1, 3, m, "moment");
     if (force) std::copy_n(f, 3, force);
     if (moment) std::copy_n(m, 3, moment);
     if (approach) *approach = a;

@@ -1,8 +1,8 @@
 function varargout = contact_get_field(varargin)
 % CONTACT_GET_FIELD  v = rollcon.contact_get_field(contact, field, axes)
 %
-% Returns a nodal field: n_values = nodes x values per node, node after node. Values beyond the range
-% of double precision are infinite or NaN.
+% Returns a nodal field: n_values = nodes x values per node, node after node. ERR_NONFINITE: a value
+% is beyond the range of double precision.
 %
 %   contact (contact)
 %   field (int32, name or number: field): FIELD_...
