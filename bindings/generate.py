@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Writes everything that follows from bindings/api.toml.
 
-    bindings/generate.py            write the files that changed
-    bindings/generate.py --check    write nothing; exit status 1 if a file differs
+    bindings/generate.py              write the files that changed
+    bindings/generate.py --check      write nothing; exit status 1 if a file differs
+    bindings/generate.py --tests DIR  write into DIR what tests need of it, as their build does
 """
 
 import argparse
@@ -30,6 +31,16 @@ def with_list(name, text):
     return head + BEGIN + text + END + rest.split(END)[1]
 
 
+def outputs_for_tests(api):
+    return {
+        "capi/every_call.hpp": capi_tests.write(api),
+        "bindings/recorded_calls.c": recorder.write(api),
+        "fortran/mapping_test.f90": fortran_tests.write_2008(api),
+        "fortran/mapping_77_test.f90": fortran_tests.write_77(api),
+        "python/mapping_rows.py": python_tests.write(api),
+    }
+
+
 def outputs(api):
     contract = (ROOT / "bindings/api_contract.md").read_text(encoding="utf-8")
     programs = [(path.name, path.read_text(encoding="utf-8")) for path in sorted((ROOT / "examples").glob("*.c"))]
@@ -46,11 +57,6 @@ def outputs(api):
         "fortran/README.md": with_list("fortran/README.md", fortran_77.call_list(api)),
         "bindings/python/rollcon/_api.py": python_module.write(api),
         "bindings/python/rollcon/_plain.py": python_plain.write(api),
-        "tests/capi/every_call.hpp": capi_tests.write(api),
-        "tests/bindings/recorded_calls.c": recorder.write(api),
-        "tests/fortran/mapping_test.f90": fortran_tests.write_2008(api),
-        "tests/fortran/mapping_77_test.f90": fortran_tests.write_77(api),
-        "tests/python/mapping_rows.py": python_tests.write(api),
         **octave.files(api),
         "docs/api.md": wrapped(reference.write(api, contract, programs)),
     }
@@ -68,11 +74,13 @@ def outputs(api):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--check", action="store_true", help="only compare; 1 if a file differs")
-    check = parser.parse_args().check
+    parser.add_argument("--tests", metavar="DIR", type=Path, help="write what tests need")
+    options = parser.parse_args()
+    check, top = options.check, options.tests or ROOT
     api = table.load(ROOT / "bindings/api.toml")
     stale = 0
-    for name, text in outputs(api).items():
-        path = ROOT / name
+    for name, text in (outputs_for_tests if options.tests else outputs)(api).items():
+        path = top / name
         old = path.read_text(encoding="utf-8") if path.exists() else ""
         if old == text:
             continue

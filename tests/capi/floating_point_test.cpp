@@ -6,7 +6,7 @@
 #include <xmmintrin.h>
 #endif
 
-#include "every_call.hpp"
+#include "capi/every_call.hpp"
 #include "fixture.hpp"
 
 using namespace capi_test;

@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "every_call.hpp"
+#include "capi/every_call.hpp"
 #include "fixture.hpp"
 
 using namespace capi_test;

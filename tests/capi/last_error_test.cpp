@@ -1,6 +1,6 @@
 /// Tests the text of the last failure, and the latch of programs that check once.
 
-#include "every_call.hpp"
+#include "capi/every_call.hpp"
 #include "fixture.hpp"
 
 using namespace capi_test;

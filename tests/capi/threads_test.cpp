@@ -3,7 +3,7 @@
 #include <atomic>
 #include <stdexcept>
 
-#include "every_call.hpp"
+#include "capi/every_call.hpp"
 #include "fixture.hpp"
 
 using namespace capi_test;

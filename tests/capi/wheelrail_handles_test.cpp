@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "every_call.hpp"
+#include "capi/every_call.hpp"
 #include "wheelrail_fixture.hpp"
 
 using namespace capi_test;
