@@ -15,9 +15,9 @@
 namespace rollcon {
 namespace {
 
-// Pressures at the vertices of tri6 have no resultant, and under a smooth one finite elements move there otherwise than
-// at midside nodes: tractions on both swing from node to node. Linear ones, told from the displacements of the
-// vertices, do not (docs/theory.md, section 10).
+// Tells whether a frame of these faces would have midside nodes: pressures at the vertices of tri6 have no resultant,
+// and finite elements move there otherwise than at midside nodes, so that tractions swing from node to node. Linear
+// frames, told from the displacements of the vertices, do not (docs/theory.md, section 10).
 bool has_tri6(const SurfaceMesh& surface, std::int32_t tag) {
   for (std::size_t e = 0; e < surface.type.size(); ++e)
     if (surface.tag[e] == tag && surface.type[e] == ElementType::tri6) return true;
@@ -98,7 +98,7 @@ Status Contact::solve_unless_cancelled() {
     const Status status = found == Status::ok ? with_doubts(solver->solution(), found) : found;
     if (!own_frames || status != found) solver->tell(status);
     return status;
-  } catch (const Cancelled&) {  // while patches were searched for
+  } catch (const Cancelled&) {  // cancelled while patches were searched for
     solver->forget();
     return Status::cancelled;
   } catch (...) {
@@ -108,7 +108,7 @@ Status Contact::solve_unless_cancelled() {
 }
 
 Status Contact::solve_many(const CaseList& cases, const CaseResults& results) {
-  // What was set since the last solve makes its results those of another scene.
+  // Forgets the last solution if something was set since: it is then that of another scene.
   const Solution& last = solver->solution();
   if (scene.revision != last.revision || scene.options.revision != last.options) solver->forget();
   forget_cancel();

@@ -1,5 +1,5 @@
 #pragma once
-/// One pair of bodies in rolling contact: scene in, solution out.
+/// Holds one pair of bodies in rolling contact: scene in, solution out.
 
 #include <array>
 #include <atomic>
@@ -27,11 +27,11 @@ class WearLaw;       // contact/laws/wear_law.hpp
 class FrameMaker {
  public:
   virtual ~FrameMaker() = default;
-  /// Gives solver.scene frames and solves it on them; as Solver::solve.
+  /// Gives solver.scene frames and solves it on them. Returns and throws what Solver::solve does.
   virtual Status solve(Solver& solver) = 0;
-  /// Forgets warm starts, and what was before a time step.
+  /// Forgets warm starts and the start of a time step.
   virtual void reset() = 0;
-  /// As Solver's.
+  /// Ends or repeats a time step, as Solver's functions of these names do.
   virtual void end_step(Status status) = 0;
   virtual void repeat_step() = 0;
 };
@@ -39,86 +39,86 @@ using MakeFrameMaker = std::unique_ptr<FrameMaker> (*)();
 
 class Contact {
  public:
-  /// published: makes the published procedures; null where the build has none. frames: null: the scene has one.
+  /// Takes makers of published procedures (null: the build has none) and of frames (null: the scene has one).
   Contact(std::shared_ptr<Context> context, std::shared_ptr<Body> body1, std::shared_ptr<Body> body2,
           MakePublished published = nullptr, MakeFrameMaker frames = nullptr);
   ~Contact();
 
-  const std::unique_ptr<Solver> solver;  ///< on the frame that the scene has; not null
-  Scene& scene;                          ///< the solver's; setters live here
+  const std::unique_ptr<Solver> solver;  ///< solves on the frame that the scene has; not null
+  Scene& scene;                          ///< solver's scene, where setters live
 
   /// Takes the faces of body `which` (1 or 2) with a tag for the frame, as they are now. err_state: the body has no
   /// mesh; err_argument: no such faces.
   void frame_from_body(std::int32_t which, std::int32_t tag);
 
   void set_progress(ProgressFunction function, void* user);
-  /// Stops the solve that is running, if one is. Any thread.
+  /// Stops the solve that is running, if one is. Any thread may call it.
   void request_cancel() noexcept { solver->host.cancel->store(true); }
-  /// Requests from before a solve do not count; solve does this itself.
+  /// Forgets requests from before a solve; solve() does this itself.
   void forget_cancel() { solver->host.cancel->store(false); }
 
-  /// Returns ok or a status > 0; throws Error for the rest. Warm start from the last solution.
+  /// Solves the scene, warm from the last solution. Returns ok or a status > 0; throws Error for the rest.
   Status solve();
-  /// Makes a contact of the same bodies and scene, without a frame, on one thread and silent; for another thread. This
-  /// outlives it and can cancel it.
+  /// Makes a contact of the same bodies and scene, without a frame, on one thread and silent, for use by another
+  /// thread. This contact has to outlive it and can cancel it.
   std::unique_ptr<Contact> make_worker() const;
   /// Solves the scene with some of what is prescribed replaced, case by case and over threads. Returns the worst status
   /// of the cases (see worse()). The scene stays, and so does the last solution unless something was set since.
   Status solve_many(const CaseList& cases, const CaseResults& results);
-  /// Forgets warm start, solution, history and what was before a time step; keeps the scene and the caches that still
-  /// fit.
+  /// Forgets warm start, solution, iteration log and the start of a time step; keeps the scene and the caches that
+  /// still fit.
   void reset();
-  /// The next time step starts from where the last one did. err_state: there was none.
+  /// Makes the next time step start from where the last one did. err_state: there was none.
   void repeat_step();
-  /// What the next time step starts from, as numbers with a header and a checksum; returns how many. Copies if capacity
-  /// >= that, else err_capacity; none are wanted where capacity is 0. err_state: the library makes the frame.
+  /// Returns how many numbers, with a header and a checksum, hold what the next time step starts from, and copies them
+  /// if capacity is at least that. err_capacity: it is less, but not 0; err_state: the library makes the frame.
   std::int64_t save_past(std::int64_t capacity, double* past) const;
-  /// Back to that, on the same frame. err_argument: these are not such numbers, or of another frame; all stays then.
+  /// Restores what save_past() copied. err_argument: numbers of another kind or frame, and then nothing changes.
   void restore_past(std::int64_t n, const double* past);
 
-  // Results of the last solve; err_state before one, err_capacity (naming the need) when too small.
-  std::int64_t nodes() const { return scene.mesh().nodes(); }  ///< frame nodes given so far; no solve needed
+  // Results of the last solve: err_state before one, err_capacity (naming the need) when too small.
+  std::int64_t nodes() const { return scene.mesh().nodes(); }  ///< nodes of the frame given so far; no solve is needed
   std::int64_t elements() const { return scene.mesh().elements(); }
   void tractions(InAxes axes, std::int64_t capacity, double* t) const;  // capacity in nodes
-  /// Number of doubles of a field (3, 2 or 1 per node); copies if capacity >= that.
+  /// Returns the number of doubles of a field (3, 2 or 1 per node); copies them if capacity is at least that.
   std::int64_t field(Field field, InAxes axes, std::int64_t capacity, double* v) const;
   void node_status(std::int64_t capacity, std::int32_t* status) const;
   void resultant(InAxes axes, double* force, double* moment) const;
-  /// tilts: rotations about t1 and t2. Any pointer may be null.
+  /// Returns approach, creepages and tilts, which are rotations about t1 and t2. Any pointer may be null.
   void motion(double* approach, double* creep, double* tilts = nullptr) const;
-  /// Derivatives of what resultant(local) and motion() give; any pointer may be null. err_state: the last solve did not
-  /// converge, or a tangential load is prescribed without friction.
+  /// Returns the derivatives of what resultant(local) and motion() give; any pointer may be null. err_state: the last
+  /// solve did not converge, or a tangential load is prescribed without friction.
   void sensitivity(Parameter parameter, double* force, double* moment, double* approach, double* creep) const;
-  /// Displacement of body 1 or 2 at any points of the contact surface, by (t1, t2) pairs; on a curved frame in the
-  /// local directions there.
+  /// Returns displacements of body 1 or 2 at any points of the contact surface, given as (t1, t2) pairs; on a curved
+  /// frame they are in the local directions there.
   void displacements_at(std::int32_t body, std::int64_t n, const double* xy, double* u) const;
-  /// Inside body 1 or 2, a half-space, at points (t1, t2, n): six stresses and three displacements a point; either may
-  /// be null. See rollcon_contact_get_stresses_at.
+  /// Returns six stresses and three displacements at each point (t1, t2, n) inside body 1 or 2, a half-space; either
+  /// may be null. See rollcon_contact_get_stresses_at.
   void stresses_at(std::int32_t body, std::int64_t n, const double* xyz, double* stress, double* u) const;
-  // Of body 1 or 2, of finite or boundary elements, in its axes: under the contact's tractions and the body's own
-  // loads. err_unsupported: another kind.
+  // Fields of body 1 or 2 follow, in its axes, under the contact's tractions and its own loads. err_unsupported: it is
+  // not of finite or boundary elements.
 
-  /// Displacements of all nodes. Returns how many numbers they are; null: no more than that.
+  /// Copies the displacements of all nodes and returns how many numbers they are; null: copies nothing.
   std::int64_t body_displacements(std::int32_t body, double* u) const;
-  /// Three displacements and six stresses at each point; either may be null. err_argument: a point is outside.
+  /// Returns three displacements and six stresses at each point; either may be null. err_argument: a point is outside.
   void body_fields_at(std::int32_t body, std::int64_t n, const double* xyz, double* u, double* stress) const;
-  /// Its elements and fields as a VTU file. err_io.
+  /// Writes the body's elements and fields as a VTU file. err_io.
   void write_body(std::int32_t body, const char* path) const;
-  /// See add_wear, after which it is named.
+  /// Adds worn volumes as add_wear() (contact/results/wear.hpp) does.
   double wear(const WearLaw& law, std::span<const double> y, double share, double* volume) const;
-  /// Least and greatest t2 of nodes in contact; the first above the second where there is none.
+  /// Returns the least and the greatest t2 of nodes in contact; without contact the first is above the second.
   std::array<double, 2> contact_across() const;
-  /// Of the surfaces of both bodies at points (t1, t2). See rollcon_contact_get_temperatures_at.
+  /// Returns the surface temperatures of both bodies at points (t1, t2). See rollcon_contact_get_temperatures_at.
   void temperatures_at(std::int64_t n, const double* xy, double* temperature) const;
-  /// Ekberg, Kabo and Andersson's index of surface fatigue. err_state: no normal force.
+  /// Returns Ekberg, Kabo and Andersson's index of surface fatigue. err_state: no normal force.
   double fatigue_index(double shear_yield) const;
-  /// The Hertzian contact that stands for this one.
+  /// Returns the Hertzian contact that stands for this one.
   EquivalentEllipse equivalent_ellipse() const;
   double stat(const char* name) const { return find_statistic(*solver, name); }  ///< err_option: unknown name
-  /// Rows of 8: phase, iteration, normal residual, tangential residual, step length, nodes in contact, nodes in slip,
-  /// seconds.
+  /// Returns the iteration log in rows of 8: phase, iteration, normal residual, tangential residual, step length, nodes
+  /// in contact, nodes in slip, seconds.
   std::span<const double> history() const { return solver->effort().history; }
-  /// Error function Psi of each row of history().
+  /// Returns the error function Psi of each row of history().
   std::span<const double> error_function() const { return solver->effort().merit; }
   std::string plan() const;
   void write(const char* path) const;  ///< VTU; err_io
@@ -133,7 +133,7 @@ class Contact {
   std::shared_ptr<Body> body1_, body2_;
   std::atomic<bool> cancel_{false};
   MakeFrameMaker make_frames_ = nullptr;
-  std::unique_ptr<FrameMaker> frames_;  ///< made when a frame is
+  std::unique_ptr<FrameMaker> frames_;  ///< null until the contact makes a frame
 };
 
 }  // namespace rollcon

@@ -13,7 +13,7 @@ OwnFramesSolver::OwnFramesSolver(const Contact& asked, std::span<const Parameter
          "no frame was given: cases of a list may then change the friction of Coulomb's law alone");
 }
 
-// What frames and operators a case finds depends on its chain alone.
+// Starts a new worker: the frames and operators that a case finds depend on its chain alone.
 void OwnFramesSolver::begin_chain() {
   contact_ = asked_.make_worker();
 }
@@ -50,14 +50,14 @@ void OwnFramesSolver::write(const CaseColumn& column, std::span<const Parameter>
       *to = column.number(*contact_->solver);
       return;
     case CaseColumn::Kind::tractions:
-      return;  // refused with the list
+      return;  // solve_many() refuses these before
     case CaseColumn::Kind::derivatives:
       break;
   }
   std::fill_n(to, 10 * parameter.size(), std::numeric_limits<double>::quiet_NaN());
   for (std::size_t j = 0; j < parameter.size(); ++j, to += 10) {
     const bool friction = parameter[j] == Parameter::friction;
-    if (friction && value[j] == 0) continue;  // one-sided: not in the system of a frictionless solution
+    if (friction && value[j] == 0) continue;  // one-sided derivative: not in the system of a frictionless solution
     try {
       contact_->sensitivity(parameter[j], to, to + 3, to + 6, to + 7);
       for (int i = 0; friction && i < 10; ++i) to[i] /= value[j];

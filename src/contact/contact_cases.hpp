@@ -1,5 +1,5 @@
 #pragma once
-/// Load cases of a scene that has no frame: each is solved on frames that the library makes for it.
+/// Solves load cases of a scene that has no frame, each on frames that the library makes for it.
 
 #include <memory>
 
@@ -10,8 +10,8 @@ namespace rollcon {
 
 class OwnFramesSolver final : public CaseSolver {
  public:
-  /// asked has no frame, and outlives this object unchanged. err_state: time steps; err_unsupported: a factor on
-  /// friction under another law than Coulomb's.
+  /// Solves cases of `asked`, which has no frame and outlives this object unchanged. err_state: time steps;
+  /// err_unsupported: a factor on friction under another law than Coulomb's.
   OwnFramesSolver(const Contact& asked, std::span<const Parameter> parameter);
 
   void begin_chain() override;
@@ -21,7 +21,7 @@ class OwnFramesSolver final : public CaseSolver {
 
  private:
   const Contact& asked_;
-  std::unique_ptr<Contact> contact_;  ///< of a chain
+  std::unique_ptr<Contact> contact_;  ///< worker that solves the present chain
   Status status_ = Status::ok;
 };
 

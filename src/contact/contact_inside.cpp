@@ -1,4 +1,4 @@
-/// Displacements, strains and stresses in and on the bodies under the last solution.
+/// Finds displacements, strains and stresses in and on the bodies under the last solution.
 
 #include <algorithm>
 
@@ -11,7 +11,7 @@
 namespace rollcon {
 namespace {
 
-/// t[3 * node + component], local.
+/// Returns t[3 * node + component] in the local directions.
 std::vector<double> tractions_by_node(const Solution& s) {
   std::vector<double> t(3 * static_cast<std::size_t>(s.prepared->problem.nodes));
   for (std::size_t k = 0; k < t.size() / 3; ++k)
@@ -49,7 +49,7 @@ void Contact::displacements_at(std::int32_t body, std::int64_t n, const double* 
   std::vector<double> own(3 * points);
   if (compliance.offset({x, y}, own.data()))
     for (std::size_t k = 0; k < own.size(); ++k) u[k] += own[k];
-  // A lambda is u1 - u2: the second body's part carries the opposite sign.
+  // A lambda is u1 - u2, so the second body's part carries the opposite sign.
   if (body == 2)
     for (std::size_t k = 0; k < 3 * points; ++k) u[k] = -u[k];
 }

@@ -1,4 +1,4 @@
-/// The past of a contact as numbers: saved, copied to another contact, gone back to.
+/// Copies the start of a contact's next time step out as numbers, and restores it on this or another contact.
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 constexpr double magic = 7274830.5, version = 2;
 constexpr std::size_t header = 12;
 
-// Exact in a double.
+// Returns a checksum that is exact in a double.
 double checksum_of(const double* v, std::size_t n, std::uint64_t seed = 0) {
   Checksum sum(seed);
   sum.add(v, n * sizeof(double));

@@ -1,4 +1,4 @@
-/// Results of the last solve, copied out to the caller.
+/// Copies results of the last solve out to the caller.
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace rollcon {
 namespace {
 
-// Vector from local directions to global coordinates.
+// Turns a vector from local directions into global coordinates.
 Vec3 to_global(const Triad& a, double v1, double v2, double vn) {
   Vec3 g;
   for (std::size_t c = 0; c < 3; ++c) g[c] = v1 * a.t1[c] + v2 * a.t2[c] + vn * a.n[c];
@@ -51,7 +51,7 @@ std::int64_t components_of(Field field, InAxes axes) {
   }
 }
 
-/// Node k as its law sees it. Slip is known where the law follows it.
+/// Returns node k as its law sees it. Slip is known where the law follows it.
 FrictionPoint point_of(const Solution& s, const Derived& d, std::size_t k) {
   const Problem& p = s.prepared->problem;
   FrictionPoint point{s.given.coefficient(p.mu, k), std::max(-s.iterate.lambda[2][k], 0.0), s.iterate.lambda[0][k],
@@ -60,7 +60,7 @@ FrictionPoint point_of(const Solution& s, const Derived& d, std::size_t k) {
   return point;
 }
 
-// Of node k; displacements apart.
+// Writes the field's values of node k, displacements apart.
 void write_value(const Solution& s, const Derived& d, Field field, InAxes axes, std::size_t k, double* out) {
   const Prepared& on = *s.prepared;
   const Frame& frame = on.frame;
@@ -72,7 +72,7 @@ void write_value(const Solution& s, const Derived& d, Field field, InAxes axes, 
     else
       put(frame.triad(k), axes, v1, v2, 0, out);
   };
-  // As given by the caller, without what displacements given elsewhere add.
+  // Slip as the caller gave it, without what displacements given elsewhere add.
   const auto own = [&](std::size_t c, double slip) {
     return on.speed * (slip - (on.offset_slip[c].empty() ? 0 : on.offset_slip[c][k]));
   };
@@ -119,7 +119,7 @@ void Contact::tractions(InAxes axes, std::int64_t capacity, double* t) const {
   require_capacity(capacity, s.prepared->problem.nodes, "nodes");
   for (std::size_t k = 0; k < it.lambda[0].size(); ++k)
     put(s.prepared->frame.triad(k), axes, it.lambda[0][k], it.lambda[1][k], std::min(it.lambda[2][k], 0.0),
-        t + 3 * k);  // within the tolerance a node about to open may pull
+        t + 3 * k);  // a node about to open may pull within the tolerance
 }
 
 std::int64_t Contact::field(Field field, InAxes axes, std::int64_t capacity, double* v) const {

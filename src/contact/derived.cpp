@@ -1,5 +1,5 @@
-/// What is computed from a solution only when somebody asks: deformed gap, slip velocity, status per node, and the
-/// residuals of the laws.
+/// Computes what somebody asks of a solution: deformed gap, slip velocity, status per node, and the residuals of the
+/// laws.
 
 #include "contact/derived.hpp"
 
@@ -12,7 +12,7 @@
 namespace rollcon {
 namespace {
 
-// Displacement difference u1 - u2 at points, straight from the integrals.
+// Returns the displacement differences u1 - u2 at points, straight from the integrals.
 std::vector<double> displacements(const Solution& s, Derived& d, const std::vector<double>& x,
                                   const std::vector<double>& y) {
   const std::size_t n = at(s.prepared->problem.nodes);
@@ -24,7 +24,7 @@ std::vector<double> displacements(const Solution& s, Derived& d, const std::vect
   return u;
 }
 
-// D (A lambda)_t per unit speed at every node, from displacements.
+// Computes D (A lambda)_t per unit speed at every node, from displacements.
 void convect(const Solution& s, Derived& d, const std::vector<double>& u, std::vector<double> (&image)[2]) {
   const Convection& convection = s.prepared->problem.convection;
   std::vector<double> ahead;
@@ -36,8 +36,8 @@ void convect(const Solution& s, Derived& d, const std::vector<double>& u, std::v
   convect(convection, u.data(), ahead.data(), image);
 }
 
-// Normal displacement and slip per unit speed at every node, not by the rows that the solver used; on large lattices by
-// its convolutions, applied afresh: integrals take a time of n^2 there.
+// Computes normal displacement and slip per unit speed at every node, not by the rows that the solver used; on large
+// lattices by its convolutions, applied afresh, as integrals take a time of n^2 there.
 void recompute(const Solution& s, Derived& d, std::vector<double>& normal, std::vector<double> (&slip)[2]) {
   constexpr std::size_t large = 4096;
   const std::size_t n = at(s.prepared->problem.nodes);

@@ -1,5 +1,5 @@
 #pragma once
-/// Whom a solve works for.
+/// Tells a solve whom it works for.
 
 #include <atomic>
 #include <memory>
@@ -12,9 +12,9 @@ namespace rollcon {
 struct Host {
   std::shared_ptr<Context> context;
   ProgressFunction progress = nullptr;
-  void* user = nullptr;                 ///< of the progress function
-  std::atomic<bool>* cancel = nullptr;  ///< set by any thread: the solve that is running stops
-  bool quiet = false;                   ///< caveats are for a frame maker alone
+  void* user = nullptr;                 ///< argument of the progress function
+  std::atomic<bool>* cancel = nullptr;  ///< flag that any thread may set to stop the running solve
+  bool quiet = false;                   ///< caveats are not told to the context
 
   bool cancelled() const noexcept { return cancel->load(); }
   void caveat(Status status, const char* text) const {
@@ -22,7 +22,7 @@ struct Host {
   }
 };
 
-/// Whether a solve with this status leaves a state that a time step can start from.
+/// Says whether a solve with this status leaves a state that a time step can start from.
 inline bool is_answer(Status status) {
   return status == Status::ok || status == Status::rim_contact || status == Status::coarse ||
          status == Status::no_contact || status == Status::inaccurate || status == Status::too_deep;

@@ -104,7 +104,7 @@ void describe_procedure(std::string& text, const Solution& s, const Effort& effo
        o.linear_solver.c_str());
 }
 
-// Fallbacks after the first look wherever they can.
+// Says where the solution came from; fallbacks after the first look wherever they can.
 const char* branch_of(const NewtonReport& report) {
   const bool by_degrees = report.saved[static_cast<std::size_t>(Rung::fall_from_rest)] > 0;
   const bool others = report.fallbacks > (report.saved[static_cast<std::size_t>(Rung::cold)] > 0);
@@ -112,7 +112,7 @@ const char* branch_of(const NewtonReport& report) {
   return by_degrees || report.from_nothing ? "begins with stick" : "continues the last solution";
 }
 
-// How far the solution is that of the bodies: nodes that carry it, and the estimate once known.
+// Tells how far the solution is that of the bodies: nodes that carry it, and the estimate once known.
 void describe_contact(std::string& text, const Solution& s, const Derived& d) {
   if (s.report.outcome != Outcome::converged) return;
   if (too_few_nodes(s)) {
@@ -136,7 +136,7 @@ void describe_contact(std::string& text, const Solution& s, const Derived& d) {
     line(text, "discretisation: error not estimated (statistic error_estimate)");
 }
 
-// What of the last preparation was there already.
+// Tells what of the last preparation was there already.
 void describe_reuse(std::string& text, const Solution& s, const Builds& now, const Builds& before) {
   std::string kept, made;
   const auto tell = [&](bool again, const char* what) {

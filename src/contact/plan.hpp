@@ -1,5 +1,5 @@
 #pragma once
-/// What a scene did not need, and what was used, as text.
+/// Tells in words what a scene did not need, and what was used.
 
 #include <string>
 
@@ -8,7 +8,7 @@ namespace rollcon {
 class Body;
 class Solver;
 
-/// One line for each; needs a solution.
+/// Returns one line for each; needs a solution.
 std::string describe_plan(Solver& solver, const Body& body1, const Body& body2);
 
 }  // namespace rollcon

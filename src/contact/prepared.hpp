@@ -1,5 +1,5 @@
 #pragma once
-/// What a solve stands on.
+/// Holds what a solve stands on.
 
 #include <array>
 #include <memory>
@@ -16,30 +16,30 @@
 
 namespace rollcon {
 
-/// Made from the scene by prepare(), not changed by a solve, shared by the cases of a list.
+/// Holds what prepare() makes of the scene; no solve changes it, and the cases of a list use it together.
 struct Prepared {
   Frame frame;
-  FrameSource frame_source;  ///< as far as the body still has these faces
-  bool placed = false;       ///< a frame at a place of its own, which solves may change
-  bool in_steps = false;     ///< the shapes of a placed frame are a few that come again
+  FrameSource frame_source;  ///< faces of a body, as far as it still has them
+  bool placed = false;       ///< frame at a place of its own, which solves may change
+  bool in_steps = false;     ///< shapes of a placed frame are a few that come again
   FramePlace place;
-  bool ends_at_edge = false;               ///< the contact covers the frame, nodes on its rim carry nothing
-  PairOfBodies pair;                       ///< where the bodies stood
-  std::shared_ptr<Compliance> compliance;  ///< of the pair
+  bool ends_at_edge = false;               ///< contact covers the frame; nodes on its rim carry nothing
+  PairOfBodies pair;                       ///< bodies where they stood
+  std::shared_ptr<Compliance> compliance;  ///< compliance of the pair
   std::array<MeshOnFrame, 2> meshes;
-  double bears = INFINITY;  ///< length, thickness or radius, of which an approach makes sense up to the half
+  double bears = INFINITY;  ///< length, thickness or radius; approaches make sense up to half of it
   double accuracy = 0;
   Scheme scheme = Scheme::characteristic;
-  /// From displacements of the bodies without any contact traction; empty: none.
+  /// Displacements of the bodies without any contact traction; empty: none.
   std::vector<double> offset_depth, offset_slip[2];
-  /// The frame as a regular grid; nothing: see no_lattice.
+  /// Regular grid of the frame's nodes; nothing: see no_lattice.
   std::optional<Lattice> lattice;
-  std::string no_lattice;     ///< why there is none: a clause
+  std::string no_lattice;     ///< clause that says why there is no lattice
   bool table = false;         ///< dense rows are copied from a table of one node's influence
   bool frictionless = false;  ///< mu is 0 at every node
   Problem problem;
   double speed = 1;     ///< slip velocity per unit of slip: V, or 1 / dt in a time step
-  double distance = 0;  ///< that material travels in a time step
+  double distance = 0;  ///< way that material travels in a time step
   StepKind step = StepKind::steady;
   BothHeats heat;
 };

@@ -18,7 +18,7 @@
 namespace rollcon {
 namespace {
 
-constexpr std::size_t history_rows = 512;  // room without allocation
+constexpr std::size_t history_rows = 512;  // rows that need no allocation
 std::atomic<std::int64_t> next_number{1};  // number of the next solution in this process
 
 }  // namespace
@@ -76,7 +76,7 @@ void Solver::reset() {
   forget_past(steps_);
 }
 
-// Where memory ran out, nothing may be allocated.
+// Clears without allocating, for use where memory ran out.
 void Solver::clear() {
   solution_ = Solution{};
   derived_ = Derived{};
@@ -102,8 +102,8 @@ void Solver::return_to(const Solution& solution) {
   solution_.options = scene.options.revision;
 }
 
-// On frames of fewer nodes, and where no rows are formed, threads of the BLAS save little time and take twice the
-// processor's (docs/howto/speed.md, two cores).
+// Returns one thread on frames of fewer nodes, and where no rows are formed: there threads of the BLAS save little time
+// and take twice the processor's (docs/howto/speed.md, two cores).
 int Solver::blas_threads() const {
   constexpr std::int64_t least_nodes = 2000;
   const Prepared* on = solution_.prepared.get();
@@ -111,7 +111,7 @@ int Solver::blas_threads() const {
   return rows && scene.mesh().nodes() >= least_nodes ? host.context->threads() : 1;
 }
 
-// Tractions that friction carried are gone with it.
+// Removes tractions that friction carried when friction is gone.
 void Solver::take_friction(bool frictionless) {
   if (frictionless && !solution_.frictionless) {
     for (int c = 0; c < 2; ++c) std::fill(solution_.iterate.lambda[c].begin(), solution_.iterate.lambda[c].end(), 0.0);
@@ -212,7 +212,7 @@ Status Solver::solve() {
   }
 }
 
-// whole: nothing is half built.
+// Solves the scene; `whole` tells, also after an exception, whether nothing is half built.
 Status Solver::solve_scene(bool& whole) {
   Solution& s = solution_;
   const double start = now_seconds();

@@ -1,5 +1,5 @@
 #pragma once
-/// Solves the scenes of one pair of bodies on the frames that they have, whoever made these.
+/// Solves scenes of one pair of bodies on the frames that they have, whoever made these.
 
 #include <memory>
 #include <optional>
@@ -19,7 +19,7 @@ namespace rollcon {
 
 struct FrameFamily;  // contact/results/extrapolation.hpp
 
-/// Force on body 1 and its moment about the origin, in the axes.
+/// Holds the force on body 1 and its moment about the origin, in the contact's axes.
 struct Loads {
   Vec3 force{}, moment{};
 };
@@ -33,83 +33,82 @@ class Solver {
 
   /// Makes a solver of the same bodies for the same host.
   std::unique_ptr<Solver> another() const;
-  /// Makes one of an elastic half-space with this E* and a rigid body, whose caveats nobody hears.
+  /// Makes a solver of an elastic half-space with this E* on a rigid body; its caveats go to nobody.
   std::unique_ptr<Solver> make_half_space(double modulus) const;
-  /// Takes over everything but the frame from the scene of another solver, and its host.
+  /// Takes over the host, and everything but the frame from the scene, of another solver.
   void take_over(const Solver& other) {
     scene.take_over(other.scene);
     host = other.host;
   }
-  /// Makes one for another thread, on what this one prepared and must not change meanwhile.
+  /// Makes a solver for another thread; it uses what this one prepared, which must not change meanwhile.
   std::unique_ptr<Solver> make_worker() const;
-  /// Whether workers can serve several threads at once: not with the systems of published procedures.
+  /// Says whether workers can serve several threads at once; they cannot with the systems of published procedures.
   bool can_share() const { return solution_.procedure.standard(); }
 
   /// Solves the scene, warm from the last solution. Returns ok or a status > 0; throws Error for the rest.
   Status solve();
-  /// Solves what is prepared with what is given, from the iterate as it is or, unless warm, from nothing.
+  /// Solves what is prepared with these givens, from the present iterate or, unless warm, from nothing.
   Status solve_given(const Prescribed& given, bool frictionless, bool warm, Monitor& monitor);
-  /// Brings everything that depends on the scene up to date; if that fails, nothing but the past is left.
+  /// Brings everything that depends on the scene up to date; if that fails, nothing but the time step's start is left.
   void prepare();
-  /// The bodies where they stand, prepared or not.
+  /// Returns the bodies where they stand, prepared or not.
   PairOfBodies bodies() const { return {{body1_.get(), body2_.get()}, {scene.pose(0), scene.pose(1)}}; }
-  /// The bodies, prepared.
+  /// Prepares the bodies and returns them where they stand.
   PairOfBodies pair();
-  /// Tells what the tangential loads of the scene take of friction under the pressures of its frame without friction;
-  /// nothing where those are not known. Prepares the frame for solve(). Throws Cancelled.
+  /// Returns how much of friction the tangential loads of the scene use under the pressures of its frame without
+  /// friction; nothing where those are not known. Prepares the frame for solve(). Throws Cancelled.
   std::optional<FrictionShare> frictionless_share();
-  /// solve() takes the tangential loads of the scene times this.
+  /// Makes solve() multiply the tangential loads of the scene by this factor.
   void scale_tangential_loads(double factor) { load_factor_ = factor; }
 
-  /// Moves the past on after a solve with this status, if it was a time step and succeeded. The last step can be
-  /// repeated.
+  /// Makes a time step that succeeded with this status the start of the next one; repeat_step() takes that back.
   void end_step(Status status);
-  /// The next step starts from where the last one did. err_state: there was none.
+  /// Makes the next step start from where the last one did. err_state: there was none.
   void repeat_step();
   StepHistory& steps() { return steps_; }
   const StepHistory& steps() const { return steps_; }
 
   /// Forgets the solution; its tractions may still start the next one.
   void forget();
-  /// Forgets all but tractions: the next solve does not depend on how they were found.
+  /// Forgets all but tractions, so that the next solve does not depend on how they were found.
   void forget_all_but_tractions();
-  /// Forgets warm start, solution and past; keeps the scene and what still fits of the preparation.
+  /// Forgets warm start, solution and past steps; keeps the scene and what still fits of the preparation.
   void reset();
-  /// Goes back to a copy of solution(), the scene being again what it was of; what the solve took is not brought back.
+  /// Goes back to a copy of solution(); the scene has to be again what it was then. Times and counts stay.
   void return_to(const Solution& solution);
-  /// Both solved frames of one family: results become what they tend to. coarse outlives them.
+  /// Replaces the results by what they and those of a coarser frame of the same family tend to; coarse outlives them.
   void extrapolate_from(Solver& coarse, const FrameFamily& family);
 
   const Solution& solution() const { return solution_; }
   Derived& derived() { return derived_; }
   Effort& effort() { return effort_; }
   Engine& engine() { return engine_; }
-  /// Null before the first solve, and for workers that share theirs.
+  /// Returns null before the first solve, and in workers, which use another solver's.
   Preparation* preparation() { return preparation_.get(); }
   std::size_t bytes() const;
 
-  // Results; err_state where there is no solution of the present frame.
+  // Results follow; they throw err_state where the present frame has no solution.
   void require_solution() const;
   Loads loads() const;
-  MotionValues motions() const;  ///< by Motion; the approach from no approach on
-  /// Derivatives of both. err_state: the last solve did not converge, or a tangential load is prescribed without
-  /// friction.
+  MotionValues motions() const;  ///< indexed by Motion; the approach counts from the gap as given
+  /// Returns the derivatives of loads and motions. err_state: the last solve did not converge, or a tangential load is
+  /// prescribed without friction.
   Rates rates(Parameter parameter);
-  /// Derivatives where the givens of the nodes change at such rates and the frame stays. err_state, err_singular,
-  /// err_unsupported: as for rates().
+  /// Returns the derivatives where the nodes' givens change at these rates and the frame stays. Errors: those of
+  /// rates() and err_unsupported.
   Rates rates(const NodeGivens& rate);
-  /// Gap, rigid slip and friction at the nodes of a flat frame as the scene, motions all prescribed, has them now. The
-  /// last solution has to be gone back to.
+  /// Reads gap, rigid slip and friction at the nodes of a flat frame from the scene, whose motions are all prescribed.
+  /// The caller has to go back to the last solution afterwards.
   void read_givens(NodeGivens& now);
   double error_estimate();
-  /// Displacements of body 1 or 2 alone.
+  /// Returns the compliance of body 1 or 2 alone.
   const Compliance& compliance_of(std::int32_t body);
-  /// The dense operators, where only the monolithic form does without them.
+  /// Makes the dense operators where they are missing, as in the monolithic form.
   void require_operators();
 
-  /// Tells the host what it should know of the last solve, which ended with that status.
+  /// Notes as caveats what the context should hear about the last solve, which ended with that status.
   void tell(Status status) const;
-  /// How many threads the BLAS gets in solves on this frame.
+  /// Returns how many threads the BLAS gets in solves on this frame.
   int blas_threads() const;
 
  private:
@@ -123,7 +122,7 @@ class Solver {
   void require_converged() const;
 
   std::shared_ptr<Body> body1_, body2_;
-  std::shared_ptr<Preparation> preparation_;  ///< null: nothing was prepared, or workers share what was
+  std::shared_ptr<Preparation> preparation_;  ///< null: nothing was prepared, or a worker uses another solver's
   Solution solution_;
   Derived derived_;
   Effort effort_;
@@ -132,8 +131,8 @@ class Solver {
   StepHistory steps_;
   std::unique_ptr<FrictionlessShare> frictionless_share_;  ///< made when it is asked for
   std::optional<double> early_;                            ///< seconds that preparing took before the solve
-  double load_factor_ = 1;                                 ///< on tangential loads, of a frame maker
-  Solver* coarser_ = nullptr;                              ///< that the last results were extrapolated from
+  double load_factor_ = 1;                                 ///< factor on the tangential loads, set by a frame maker
+  Solver* coarser_ = nullptr;                              ///< solver whose results the last extrapolation used
 };
 
 }  // namespace rollcon

@@ -1,4 +1,4 @@
-/// Results of the last solve.
+/// Reads results of the last solve.
 
 #include "bodies/body.hpp"
 #include "contact/estimate/error_estimate.hpp"

@@ -39,7 +39,7 @@ double number(std::int64_t v) {
   return static_cast<double>(v);
 }
 
-// Nodes whose state would change if their augmented traction moved by 1e-6 of the largest.
+// Counts nodes whose state would change if their augmented traction moved by 1e-6 of the largest.
 double near_change(Solver& v) {
   const Solution& s = v.solution();
   Derived& d = v.derived();
@@ -67,19 +67,19 @@ double near_change(Solver& v) {
   return count;
 }
 
-// Solves with given coefficients, where friction follows the whole solution.
+// Counts solves with given coefficients, where friction follows the whole solution.
 std::int64_t rounds_of_friction(const Solution& s) {
   return s.frictionless || !s.prepared->problem.law->of_field() ? 0 : s.settled.rounds;
 }
 
-// Force times creepage, without the spin.
+// Returns force times creepage, without the spin.
 double t_gamma(Solver& v) {
   const Vec3 force = v.loads().force;
   const MotionValues motion = v.motions();
   return -(force[0] * motion[xi1] + force[1] * motion[xi2]);
 }
 
-// The part of the contact's area that came into contact within a step without rolling.
+// Returns the fraction of the contact's area that came into contact within a step without rolling.
 double step_growth(Solver& v) {
   const auto area = [](const PastStep& past) {
     double sum = 0;

@@ -1,5 +1,5 @@
 #pragma once
-/// Numbers about the last solve, by name.
+/// Provides numbers about the last solve, by name.
 
 #include <span>
 
@@ -10,11 +10,11 @@ class Solver;
 struct Statistic {
   const char* name;
   double (*value)(Solver&);
-  bool of_cases = false;  ///< told of the cases of a list, too
+  bool of_cases = false;  ///< known for the cases of a list, too
 };
 
 std::span<const Statistic> statistics();
-/// The value of one. err_option: unknown name; err_state: there is no solution.
+/// Returns the value of one statistic. err_option: unknown name; err_state: there is no solution.
 double find_statistic(Solver& solver, const char* name);
 
 }  // namespace rollcon

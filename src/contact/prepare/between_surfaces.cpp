@@ -15,8 +15,8 @@ class BetweenSurfaces {
  public:
   explicit BetweenSurfaces(const Prepared& on) : axes_(on.frame.axes), pair_(on.pair) { divide(on); }
 
-  /// From a point of space along n, out of body 1; size: of the elements there. Of a body that is not met, from the
-  /// other point. 0: both bodies are missed.
+  /// Returns the way from a point of space along n, out of body 1, to where velocities are compared; size: that of the
+  /// elements there. A body that is not met is looked for from the other point. 0: both are missed.
   double distance(const Vec3& from, const Vec3& other, const Vec3& n, double size) const {
     std::array<std::optional<double>, 2> to;
     for (std::size_t b = 0; b < 2; ++b) {
@@ -38,7 +38,7 @@ class BetweenSurfaces {
                       [&](const Vec3& at) { return surface->distance_near(at, direction, facing, met_[b]); });
   }
 
-  /// Of body b towards the other one, over an interval of t1; none: it does not reach so far.
+  /// Returns the curvature of body b towards the other one, over an interval of t1; none: it does not reach so far.
   std::optional<double> curvature(std::size_t b, const Vec3& middle, double half) const {
     const auto at = distance_to(b, middle, axes_.n, half),
                before = distance_to(b, middle - half * axes_.t1, axes_.n, half),
@@ -47,7 +47,7 @@ class BetweenSurfaces {
     return (b == 0 ? 1 : -1) * (2 * *at - *before - *after) / (half * half);
   }
 
-  // Where the bodies are nearest to each other.
+  // Finds each body's weight where the bodies are nearest to each other.
   void divide(const Prepared& on) {
     const Frame& frame = on.frame;
     const std::vector<double>& gap = on.problem.gap;
@@ -59,7 +59,7 @@ class BetweenSurfaces {
       greatest = std::max(greatest, frame.x[k]);
       if (nearest == frame.x.size() || gap[k] < gap[nearest]) nearest = k;
     }
-    // Shorter where a body ends.
+    // The interval is halved where a body ends in it.
     double half = 0.5 * (greatest - least);
     for (int trial = 0; trial < 4; ++trial, half *= 0.5) {
       const auto first = curvature(0, frame.mesh.node[nearest], half),
@@ -79,10 +79,10 @@ class BetweenSurfaces {
   const Axes& axes_;
   const PairOfBodies& pair_;
   std::array<double, 2> share_{0.5, 0.5};
-  mutable std::array<SurfaceHint, 2> met_;  ///< by the point before
+  mutable std::array<SurfaceHint, 2> met_;  ///< hints from the point before
 };
 
-/// Whether there is nothing between the frame and the plane of its axes.
+/// Says whether there is nothing between the frame and the plane of its axes.
 bool flat_scene(const Prepared& on) {
   constexpr double rounding = 1e-9;
   if (on.frame.curved() || on.pair.body[0]->surface() || on.pair.body[1]->surface()) return false;

@@ -1,5 +1,5 @@
 #pragma once
-/// Where the velocities of both bodies are compared: between their undeformed surfaces.
+/// Finds where the velocities of both bodies are compared: between their undeformed surfaces.
 
 namespace rollcon {
 
@@ -7,7 +7,7 @@ struct Preparation;
 
 /// Finds origin_between and point_between. The points divide the distance of the surfaces by their curvatures along the
 /// rolling direction: on the wheel where the rail is straight, in the middle between equal discs (docs/theory.md,
-/// section 1). Where a body is not there, on the other one.
+/// section 1). Where one body is absent they lie on the other.
 void find_points_between(Preparation& preparation);
 
 }  // namespace rollcon

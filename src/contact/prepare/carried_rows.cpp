@@ -47,7 +47,7 @@ void CarriedRows::make_dense(const Prepared& on) {
   rows_ = dense_;
 }
 
-// By what the operators are made of: errors of integrals are then the same in both, and what they have in common goes.
+// Makes the rows by what the operators are made of, so that errors of integrals are equal in both and cancel.
 void CarriedRows::make(const Prepared& on) {
   ++made_;
   rows_.reset();
@@ -65,7 +65,8 @@ void CarriedRows::make(const Prepared& on) {
     ahead.ahead.assign(on.frame.x.size(), on.distance);
     fill_lattice_operators(*on.lattice, *on.compliance->translation(), ahead, true, *dense_);
     for (auto& block : dense_->block[2]) block.release();
-    // Of what displacements lose upstream, over the distance, is left what they are there.
+    // What displacements lose upstream, over the distance, is taken from the displacements here: those upstream are
+    // left.
     for (int r = 0; r < 2; ++r)
       for (int c = 0; c < 3; ++c) {
         auto& block = dense_->block[r][c];

@@ -1,6 +1,6 @@
 #pragma once
-/// Displacements that particles had a step before: rows of the compliance at points upstream of the nodes, kept while
-/// steps go the same distance.
+/// Finds displacements that particles had a step before, by rows of the compliance at points upstream of the nodes. The
+/// rows stay while steps go the same distance.
 
 #include <cstdint>
 #include <memory>
@@ -15,8 +15,8 @@ struct Prepared;
 
 class CarriedRows {
  public:
-  /// carried[c], c = t1, t2, at all used nodes, of tractions on the frame of `on` whose material travels its distance.
-  /// version: of the operators; another one, or another distance, makes the rows again.
+  /// Finds carried[c], c = t1, t2, at all used nodes, under tractions on the frame of `on`, whose material travels its
+  /// distance. Another version of the operators, or another distance, makes the rows again.
   void apply(const Prepared& on, std::int64_t version, const std::vector<double> (&lambda)[3],
              std::vector<double> (&carried)[3]);
   std::size_t bytes() const;
@@ -28,14 +28,14 @@ class CarriedRows {
 
   std::int64_t version_ = -1, made_ = 0;
   double distance_ = 0;
-  bool differences_ = false;  ///< the rows give what displacements lose upstream, over the distance
+  bool differences_ = false;  ///< rows give what displacements lose upstream, over the distance
   std::shared_ptr<DenseOperators> dense_;
   std::shared_ptr<const Operators> rows_;  ///< null: none are made
-  std::vector<std::int32_t> node_;         ///< used
+  std::vector<std::int32_t> node_;         ///< used nodes
   std::vector<double> lost_[3];            ///< workspace
 };
 
-/// Where a node's particle was a step before, along t1 in the projection.
+/// Returns where a node's particle was a step before, along t1 in the projection.
 double upstream(const Prepared& on, std::size_t node);
 
 }  // namespace rollcon

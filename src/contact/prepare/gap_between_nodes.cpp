@@ -16,7 +16,7 @@
 namespace rollcon {
 namespace {
 
-// A triangle or quadrilateral of the frame.
+// Holds a triangle or quadrilateral of the frame.
 struct Patch {
   std::array<std::int32_t, 4> corner{};
   std::size_t corners = 0;
@@ -33,8 +33,8 @@ Patch make_patch(const Frame& frame, std::initializer_list<std::int32_t> nodes) 
   return patch;
 }
 
-// The linear cells where `rate` is not zero everywhere. Triangles are taken two at a time where they share a long edge:
-// the integrals at a point are what an estimate costs.
+// Returns the linear cells where `rate` is not zero everywhere. Triangles that have a long edge in common are taken two
+// at a time, because the integrals at a point are what an estimate costs.
 std::vector<Patch> patches(const Frame& frame, const std::vector<double>& rate) {
   const LinearCells cells = split_elements(frame.mesh);
   std::vector<Patch> result;
@@ -78,7 +78,7 @@ std::vector<Patch> patches(const Frame& frame, const std::vector<double>& rate) 
   return result;
 }
 
-// Values of a smooth nodal field at the middle of a cell: the mean of its corners, less how far the quadratic
+// Evaluates a smooth nodal field in the middle of a cell: the mean of its corners, less how far the quadratic
 // polynomial fitted to the nodes around lies above that mean.
 class Middle {
  public:
@@ -113,7 +113,7 @@ class Middle {
   std::vector<double> at_[3];  ///< x, y and field of the patch
 };
 
-// Without the tangential components, whose integrals cost as much again.
+// Computes normal displacements alone: the integrals of the tangential ones cost as much again.
 std::vector<double> normal_displacements(const Solution& s, const std::vector<double>& x,
                                          const std::vector<double>& y) {
   constexpr std::size_t chunk = 64;

@@ -15,11 +15,11 @@
 namespace rollcon {
 namespace {
 
-// From so many nodes on FFT takes less time, one cold solve and one warm taken together (docs/speed.md): cold ones gain
-// from the first node on, warm ones lose where few nodes touch.
+// FFT takes less time from so many nodes on, one cold solve and one warm taken together (docs/speed.md): cold solves
+// gain from the first node on, warm ones lose where few nodes touch.
 constexpr std::int64_t fft_from = 400;
 
-// Why a table of one node's influence does not tell those of all; null: it does.
+// Says why a table of one node's influence does not serve for all; null: it does.
 const char* obstacle_to_table(const Prepared& on) {
   if (!on.compliance->translation()) return "not both bodies respond alike everywhere, as half-spaces do";
   if (!on.lattice) return on.no_lattice.c_str();
@@ -27,7 +27,7 @@ const char* obstacle_to_table(const Prepared& on) {
   return nullptr;
 }
 
-// Why operators cannot be applied by FFT; null: they can.
+// Says why operators cannot be applied by FFT; null: they can.
 const char* obstacle_to_fft(const Preparation& preparation) {
   const Procedure& procedure = preparation.procedure;
   if (!has_fft()) return "this build is without FFTW (ROLLCON_WITH_FFTW=OFF)";
@@ -47,7 +47,7 @@ std::shared_ptr<const Operators> make_operators(const Prepared& on, bool frictio
   return op;
 }
 
-// Rows of another kind are of no use any more.
+// Forgets rows that are of another kind than is needed now.
 void forget_rows(Preparation& preparation) {
   forget_operators(preparation);
   preparation.changes.operators = preparation.changes.system = true;
@@ -141,7 +141,7 @@ bool displacements_on_lattice(const Solution& s, const Compliance& body, double*
 
 namespace {
 
-// What makes the grid differ from a full one with all nodes on their places.
+// Tells what makes the grid differ from a full one with all nodes on their places.
 std::string describe_flaws(const Prepared& on) {
   const Lattice& l = *on.lattice;
   char text[120];

@@ -16,7 +16,7 @@ bool equal(double a, double b) {
   return std::abs(a - b) <= same * std::max(std::abs(a), std::abs(b));
 }
 
-// Those of four neighbours, at -1, 0, 1, 2, for a point between the second and the third.
+// Returns the weights of four neighbours, at -1, 0, 1, 2, for a point between the second and the third.
 std::array<double, 4> cubic(double t) {
   return {-t * (t - 1) * (t - 2) / 6, (t + 1) * (t - 1) * (t - 2) / 2, -(t + 1) * t * (t - 2) / 2,
           (t + 1) * t * (t - 1) / 6};
@@ -33,12 +33,13 @@ void like(const DenseOperators& from, DenseOperators& op) {
       if (!from.block[r][c].empty() && op.block[r][c].empty()) op.block[r][c].resize_untouched(op.nodes, op.nodes);
 }
 
-// Displacements grow with the size of what is loaded, slip per unit speed does not: rows of width 1, times the width.
+// Returns the factor on rows of width 1: displacements grow with the size of what is loaded, slip per unit speed does
+// not.
 double row_factor(std::size_t r, bool displacements, double width) {
   return r == 2 || displacements ? width : 1;
 }
 
-/// Without the rounding of where it was computed.
+/// Removes the rounding of where a value was computed.
 double rounded(double value) {
   constexpr int bits = 40;
   int exponent = 0;
@@ -74,7 +75,7 @@ void OperatorFamily::forget_farthest(double length) {
                                 [&](const auto& a, const auto& b) { return distance(a) < distance(b); }));
 }
 
-// Shapes that come back are kept as long as they are small.
+// Forgets the oldest shapes beside the grid when they take too much memory; they may come back, so small ones stay.
 void OperatorFamily::forget_oldest_beside_grid() {
   constexpr std::size_t most_bytes = std::size_t{1} << 26;
   std::size_t sum = 0;

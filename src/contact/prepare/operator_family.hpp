@@ -1,6 +1,6 @@
 #pragma once
-/// Dense operators of a frame that is stretched from solve to solve, above bodies that respond alike everywhere and at
-/// all sizes: those of one shape serve all sizes, those of other shapes are interpolated (docs/theory.md, section 4).
+/// Provides dense operators of a frame that is stretched from solve to solve, above bodies that respond alike at all
+/// places and sizes: those of one shape serve all sizes, those of other shapes are interpolated (docs/theory.md, 4).
 
 #include <cstdint>
 #include <functional>
@@ -14,23 +14,23 @@ namespace rollcon {
 
 class OperatorFamily {
  public:
-  /// Integrals for a frame at a place; fills the rows that `op` is to have.
+  /// Integrates for a frame at a place; fills the rows that `op` is to have.
   using Assemble = std::function<void(const FramePlace&, DenseOperators& op)>;
 
-  /// Whose operators they are; another number forgets all.
+  /// Names the version of compliance and scheme that the operators belong to; another number forgets all of them.
   void belong_to(std::int64_t version, bool tangential);
-  /// The operators at a place, into blocks that are there or are made at the first call. How many were assembled.
-  /// in_steps: of this shape itself, whatever came before.
-  /// displacements: so are slip rows, which then grow with the size, too.
+  /// Puts the operators at a place into blocks that are there or are made at the first call; returns how many were
+  /// assembled. in_steps: they are of this shape itself, whatever came before. displacements: the slip rows are
+  /// displacements, too, and grow with the size.
   std::int64_t fill(const FramePlace& place, bool in_steps, bool displacements, const Assemble& assemble,
                     DenseOperators& op);
   std::size_t bytes() const;
 
  private:
-  /// At width 1.
+  /// Holds operators at width 1.
   struct Entry {
     double length = 0, shear = 0;
-    std::int64_t step = none;  ///< on the grid of shapes; none: beside it
+    std::int64_t step = none;  ///< step on the grid of shapes; none: beside it
     DenseOperators op;
   };
   static constexpr std::int64_t none = INT64_MIN;

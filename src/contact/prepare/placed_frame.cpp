@@ -21,7 +21,7 @@ void UnitFrame::find_mirror() {
   mirror_.clear();
   bool upper = false;
   for (std::size_t k = 0; k < x_.size(); ++k) {
-    // Line by line, images of the first nodes are among the last ones.
+    // Nodes come line by line: images of the first ones are among the last.
     std::size_t image = x_.size();
     for (std::size_t j = x_.size(); j-- > 0 && image == x_.size();)
       if (std::abs(y_[j] + y_[k]) < same && std::abs(x_[j] - x_[k]) < same) image = j;

@@ -19,11 +19,11 @@
 
 namespace rollcon {
 
-/// Whether a part is still that of its key.
+/// Tells whether a part is still that of its key.
 template <class... Parts>
 class Stage {
  public:
-  /// True if the part has to be made, for a key that is not the last one.
+  /// Returns true if the part has to be made, for a key that is not the last one.
   bool enter(Parts... parts) {
     std::tuple<Parts...> key(std::move(parts)...);
     if (key_ && *key_ == key) return false;
@@ -31,9 +31,9 @@ class Stage {
     ++version_;
     return true;
   }
-  /// The part has to be made again, whatever its key.
+  /// Makes the next enter() return true, whatever its key.
   void forget() { key_.reset(); }
-  /// Another one whenever the part is made: belongs to the keys of all that depend on it.
+  /// Returns a number that is new whenever the part is made: it belongs to the keys of all that depend on the part.
   std::int64_t version() const { return version_; }
 
  private:
@@ -41,13 +41,13 @@ class Stage {
   std::int64_t version_ = 0;
 };
 
-/// What preparing changed that solutions and solvers have to follow.
+/// Tells what preparing changed that solutions and solvers have to follow.
 struct Changes {
-  bool nodes = false;      ///< there is another number of them
+  bool nodes = false;      ///< number of nodes changed
   bool operators = false;  ///< rows or scales were made anew
-  bool images = false;     ///< so were the rows that tractions were applied to
+  bool images = false;     ///< rows that tractions were applied to were made anew
   bool system = false;     ///< systems of published procedures do not fit any more
-  double datum = 0;        ///< by so much more do approaches count from
+  double datum = 0;        ///< amount added to the datum that approaches count from
 };
 
 struct Preparation {
@@ -57,9 +57,9 @@ struct Preparation {
   Preparation() { made->problem.op = dense; }
 
   std::shared_ptr<Prepared> made = std::make_shared<Prepared>();
-  /// The operators of `made` where their rows are formed: more can be added. Else null.
+  /// Operators of `made` where their rows are formed, so that more can be added; else null.
   std::shared_ptr<DenseOperators> dense = std::make_shared<DenseOperators>();
-  Revision mesh = -1;  ///< of the frame
+  Revision mesh = -1;  ///< revision of the frame's mesh
   /// mesh, place if it cannot follow that, axes, poses that turn or move it, gap if bodies end there, conformal
   Stage<Revision, Revision, Revision, Poses, Poses, bool> frame;
   Stage<Revision, Revision> place;             ///< frame, revision
@@ -79,25 +79,25 @@ struct Preparation {
   Stage<Revision, Revision, double> points;  ///< convection, place, distance of a time step
   Stage<Revision> lattice;                   ///< frame
   Stage<Revision, Revision, bool> scales;    ///< frame, rows, estimated
-  Revision offset_change = 0;                ///< one is there, or there was one before
-  Revision rows = 0;                         ///< of the operators were assembled
-  UnitFrame unit;                            ///< of a frame that is placed
-  OperatorFamily family;                     ///< likewise
-  CarriedRows carried;                       ///< of time steps
+  Revision offset_change = 0;                ///< changes whenever an offset comes, goes or is replaced
+  Revision rows = 0;                         ///< counts assemblies of the operators' rows
+  UnitFrame unit;                            ///< frame that is placed, before it was
+  OperatorFamily family;                     ///< operators of a frame that is placed
+  CarriedRows carried;                       ///< displacements a time step before
   int threads = 1;
   Procedure procedure;
   Builds builds;
-  Timings timings;                  ///< of the compliance and the stencils; begun anew by the caller
-  Changes changes;                  ///< taken by the caller
-  SparseRows field_rows;            ///< carries a creep field to where the characteristic scheme takes slip
-  std::vector<double> field_given;  ///< workspace for that
-  /// Where velocities are compared, in the axes: over their origin, and over the points at which slip is taken; empty:
-  /// there, and at the origin.
+  Timings timings;                  ///< times of the compliance and the stencils; the caller begins them anew
+  Changes changes;                  ///< what the caller has to follow; it clears them
+  SparseRows field_rows;            ///< rows that carry a creep field to where the characteristic scheme takes slip
+  std::vector<double> field_given;  ///< workspace for these rows
+  /// Points where velocities are compared, in the axes, over the origin and over the points at which slip is taken;
+  /// empty: at the origin and at these points themselves.
   Vec3 origin_between{0, 0, 0};
   std::vector<Vec3> point_between;
-  MotionValues creepage{};                         ///< by Motion, from velocities
-  std::vector<double> rigid[2];                    ///< of a time step: slip that neither motions nor tractions change
-  std::unique_ptr<Compliance> body_compliance[2];  ///< of one body, made when it is asked for
+  MotionValues creepage{};                         ///< creepages that follow from velocities, by Motion
+  std::vector<double> rigid[2];                    ///< slip of a time step that neither motions nor tractions change
+  std::unique_ptr<Compliance> body_compliance[2];  ///< compliance of one body, made when it is asked for
 };
 
 /// Prepares the bodies, as the first solve with them does. Throws Error naming the body.
@@ -105,22 +105,22 @@ void prepare_bodies(Preparation& preparation, Body& body1, Body& body2);
 /// Brings everything that depends on the scene up to date; only what changed is done again. Throws Error; what was half
 /// made is then useless.
 void prepare(Preparation& preparation, const Scene& scene, Body& body1, Body& body2, int threads);
-/// What the scene prescribes, once it is prepared.
+/// Returns what the scene prescribes, once it is prepared.
 Prescribed prescribed_by(const Scene& scene, const Preparation& preparation);
-/// The dense operators, which the monolithic form leaves out: for what needs them after a solve.
+/// Makes the dense operators, which the monolithic form leaves out, for what needs them after a solve.
 void require_operators(Preparation& preparation);
 
-// Parts of prepare().
+// Parts of prepare() follow.
 
-/// No rows are there from then on.
+/// Drops all rows.
 void forget_operators(Preparation& preparation);
-/// The dense operators that the scene needs and that are not there yet.
+/// Assembles the dense operators that the scene needs and that are not there yet.
 void assemble_missing(Preparation& preparation);
 void choose_scales(Preparation& preparation);
-/// What the bodies' own loads add to gaps and slip, where they have some.
+/// Finds what the bodies' own loads, if any, add to gaps and slip.
 void find_offset(Preparation& preparation);
 void read_gap(Preparation& preparation, const Scene& scene);
-/// Revisions of the poses of bodies with a surface; -1 of others.
+/// Returns the revisions of the poses of bodies with a surface; -1 for others.
 Preparation::Poses poses_of_surfaces(const Scene& scene, const PairOfBodies& pair);
 
 }  // namespace rollcon

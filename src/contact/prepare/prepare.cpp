@@ -1,4 +1,4 @@
-/// From scene to discrete problem, redoing only what a change made stale.
+/// Makes the discrete problem from the scene, redoing only what a change made stale.
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ namespace {
 
 using Poses = Preparation::Poses;
 
-// A pose matters to bodies with a surface only.
+// Returns the revisions of the poses of meshed bodies; other bodies' do not matter here.
 Poses poses_of_meshes(const Scene& scene, const PairOfBodies& pair) {
   Poses poses = poses_of_surfaces(scene, pair);
   for (std::size_t b = 0; b < 2; ++b)
@@ -27,12 +27,13 @@ Poses poses_of_meshes(const Scene& scene, const PairOfBodies& pair) {
   return poses;
 }
 
-// What changes where a body ends over a frame, as far as gaps tell.
+// Returns what changes where a body ends over a frame, as far as gaps tell.
 Poses where_gap_ends(const Scene& scene, const PairOfBodies& pair) {
   return scene.has_gap() ? Poses{scene.revision.gap, -1} : poses_of_surfaces(scene, pair);
 }
 
-// That of a rigid body which neither carries the frame nor gives its normals changes the gap alone.
+// Returns the poses that the frame depends on: that of a rigid body which neither carries the frame nor gives its
+// normals changes the gap alone.
 Poses poses_of_frame(const Scene& scene, const PairOfBodies& pair) {
   if (is_conformal(scene, pair)) return poses_of_surfaces(scene, pair);
   Poses poses = poses_of_meshes(scene, pair);
@@ -44,8 +45,8 @@ Poses poses_of_frame(const Scene& scene, const PairOfBodies& pair) {
   return poses;
 }
 
-// A body may have got another mesh between the call that took a frame from it and its preparation: the frame is then
-// one of its own.
+// Tells where the frame comes from now: the body may have got another mesh between the call that took the frame from it
+// and its preparation, and the frame then belongs to no body.
 FrameSource present_source(const Scene& scene, const PairOfBodies& pair) {
   const FrameSource& source = scene.frame_source();
   if (source.body < 0) return {};
@@ -57,7 +58,7 @@ FrameSource present_source(const Scene& scene, const PairOfBodies& pair) {
   if (source.element.back() >= mesh.elements()) return {};
   std::vector<std::uint8_t> known(static_cast<std::size_t>(mesh.nodes()), 0);
   for (const std::int32_t k : source.node) known[static_cast<std::size_t>(k)] = 1;
-  // Of a frame of corners, those of the faces.
+  // A frame of corners is compared with the corners of the faces.
   for (std::size_t i = 0; i < source.element.size(); ++i) {
     const auto own = scene.mesh().element(static_cast<std::int64_t>(i));
     const auto face = mesh.element(source.element[i]);
@@ -68,8 +69,8 @@ FrameSource present_source(const Scene& scene, const PairOfBodies& pair) {
   return source;
 }
 
-// Where memory does not hold one block of the operators, nobody waits for the checks of a frame of so many nodes. Grids
-// may do without.
+// Refuses frames of which memory does not hold one block of the operators, before anybody waits for their checks. Grids
+// may do without the block.
 void refuse_too_many_nodes(const Preparation& preparation, const SurfaceMesh& mesh) {
   constexpr std::int64_t few = 10'000;
   if (mesh.nodes() <= few || preparation.procedure.monolithic || may_be_lattice(mesh)) return;
@@ -99,7 +100,7 @@ void put_in_place(Preparation& preparation, const Scene& scene) {
   if (preparation.dense) preparation.dense->normal = preparation.dense->tangential = false;
 }
 
-// The unit frame does not depend on where the first one lies, nor does what is made from it.
+// Takes the frame before it was placed, which depends no more on where the first one lay than what is made from it.
 void take_unit_frame(Preparation& preparation, const Scene& scene) {
   Prepared& on = *preparation.made;
   Frame unit = build_frame(scene.mesh_at({}), scene.axes());
@@ -115,7 +116,7 @@ void build_frame_part(Preparation& preparation, const Scene& scene) {
   Prepared& on = *preparation.made;
   const bool conformal = is_conformal(scene, on.pair);
   const auto placed = follows_its_place(scene, on.pair) ? 0 : scene.revision.place;
-  // Nodes at which a body ends carry tractions, unless their frame follows the contact.
+  // Nodes at which a body ends carry tractions, unless the frame follows the contact.
   const bool known = is_gap_known(scene, on.pair);
   const Poses ends = scene.ends_at_edge() && !scene.placed() && known ? where_gap_ends(scene, on.pair) : Poses{-1, -1};
   if (preparation.frame.enter(scene.revision.mesh, placed, scene.revision.axes, poses_of_frame(scene, on.pair), ends,
@@ -198,7 +199,7 @@ void build_operators(Preparation& preparation, const Scene& scene) {
   choose_scales(preparation);
 }
 
-// The coefficients; 0 on the inflow rim.
+// Reads the coefficients, which are 0 on the inflow rim.
 void read_friction(Preparation& preparation, const Scene& scene) {
   if (!preparation.friction.enter(preparation.convection.version(), scene.revision.friction,
                                   scene.friction_varies_across() ? preparation.place.version() : -1))
@@ -220,7 +221,7 @@ void read_friction(Preparation& preparation, const Scene& scene) {
     if (preparation.made->frame.used[i] && d.start[i] == d.start[i + 1]) p.mu[i] = 0;
 }
 
-// Speeds of the law count by the rolling speed.
+// Binds the law to the rolling speed, by which its own speeds are divided.
 void bind_law(Preparation& preparation, const Scene& scene) {
   if (!scene.law()) return;
   Prepared& on = *preparation.made;
@@ -229,7 +230,7 @@ void bind_law(Preparation& preparation, const Scene& scene) {
   on.problem.law = on.problem.own_law.get();
 }
 
-// Which of the two bodies a message speaks of.
+// Prepares a body; a failure names which of the two it is.
 void prepare_body(Body& body, int which, Builds& builds) {
   try {
     const bool before = body.prepared();

@@ -1,4 +1,4 @@
-/// Gaps and creepages so large that no arithmetic is left for them.
+/// Refuses gaps and creepages so large that no arithmetic is left for them.
 
 #include <algorithm>
 #include <array>
@@ -20,8 +20,8 @@ long long named(const Solution& s, std::size_t k) {
 
 }  // namespace
 
-// Augmented tractions are tractions less a scale times gap or slip: that product must be a number, and so must the slip
-// velocity, which is a result.
+// Checks augmented tractions, which are tractions less a scale times gap or slip: that product must be a number, and so
+// must the slip velocity, which is a result.
 void refuse_overflow(const Solution& s) {
   const Problem& p = s.prepared->problem;
   MotionValues motion{};

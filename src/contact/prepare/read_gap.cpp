@@ -1,4 +1,4 @@
-/// Gaps of the prepared scene: given, of surfaces, or measured between meshes; and what bodies' own loads add to them.
+/// Reads gaps of the prepared scene: given, of surfaces, or measured between meshes; and what bodies' own loads add.
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 
 using Poses = Preparation::Poses;
 
-// The new gaps count from no approach; warm starts from the datum before.
+// Makes gaps count from first touch; `changes` tells warm starts how far the datum moved.
 void set_datum(Preparation& preparation) {
   constexpr double steepest = 0.01;  // nodes as steep as that say little about the approach
   Prepared& on = *preparation.made;
@@ -38,7 +38,7 @@ Poses poses_of_surfaces(const Scene& scene, const PairOfBodies& pair) {
   return poses;
 }
 
-// Profiles change the gap alone.
+// Finds displacements without contact tractions; profiles alone change the gap and have none.
 void find_offset(Preparation& preparation) {
   Prepared& on = *preparation.made;
   if (!preparation.offset.enter(preparation.convection.version())) return;

@@ -7,8 +7,8 @@
 namespace rollcon {
 namespace {
 
-// A creep field is given at the nodes, but the characteristic scheme may take slip d = delta/2 upstream: c(x + d e) =
-// c - d (v . grad c), exact for linear fields such as spin.
+// Moves a creep field, given at the nodes, to where the characteristic scheme takes slip, d = delta/2 upstream: c(x + d
+// e) = c - d (v . grad c), exact for linear fields such as spin.
 void shift_field(Preparation& preparation) {
   Problem& p = preparation.made->problem;
   SparseRows& d = preparation.field_rows;
@@ -38,8 +38,8 @@ void add_creep_field(Preparation& preparation, const Scene& scene) {
   if (n > 0 && (!p.convection.ahead.empty() || preparation.made->distance != 0)) shift_field(preparation);
 }
 
-// The relative velocity of the bodies at each point, over the speed: creepages and spin are what it is over the axes'
-// origin, the rest is added here.
+// Adds the relative velocity of the bodies at each point, over the speed, beyond creepages and spin, which are what it
+// is over the axes' origin.
 void add_velocities(Preparation& preparation, const Scene& scene) {
   Problem& p = preparation.made->problem;
   const Velocity of = scene.relative_velocity();
@@ -65,8 +65,8 @@ void add_velocities(Preparation& preparation, const Scene& scene) {
   }
 }
 
-// What a time step makes of speed and motions. The particle that is at a node now came along a path whose middle is
-// half the distance upstream, where the rigid slip of the path is that of its mean.
+// Takes what a time step makes of speed and motions. The particle that is at a node now came along a path whose middle
+// is half the distance upstream, where the rigid slip equals its mean over the path.
 void take_step(Preparation& preparation, const Scene& scene) {
   Prepared& on = *preparation.made;
   Problem& p = on.problem;
@@ -93,7 +93,7 @@ void take_step(Preparation& preparation, const Scene& scene) {
   }
 }
 
-// Displacements given elsewhere move with the particles, too.
+// Adds displacements given elsewhere, which move with the particles, too.
 void add_carried_offset(Preparation& preparation) {
   Prepared& on = *preparation.made;
   const std::size_t n = on.offset_depth.size();
@@ -125,7 +125,7 @@ void add_offset(Preparation& preparation) {
 void read_slip(Preparation& preparation, const Scene& scene, const Preparation::Poses& poses) {
   const bool stepping = scene.step_kind() != StepKind::steady;
   if (scene.step_kind() == StepKind::rolling && scene.velocities_given() && preparation.between.version() == 0)
-    find_points_between(preparation);  // for the speed
+    find_points_between(preparation);  // finds the speed
   take_step(preparation, scene);
   if (scene.velocities_given() && preparation.between.enter(preparation.convection.version(), preparation.gap.version(),
                                                             preparation.points.version(), poses)) {

@@ -1,12 +1,12 @@
 #pragma once
-/// Slip that no traction changes: given node by node, by velocities of the bodies beyond creepages and spin, and by
-/// displacements given elsewhere.
+/// Reads slip that no traction changes: given node by node, by velocities of the bodies beyond creepages and spin, and
+/// by displacements given elsewhere.
 
 #include "contact/prepare/preparation.hpp"
 
 namespace rollcon {
 
-/// poses: of bodies with a surface. Also finds the creepages that follow from velocities.
+/// Reads that slip, and finds the creepages that follow from velocities. poses: revisions for bodies with a surface.
 void read_slip(Preparation& preparation, const Scene& scene, const Preparation::Poses& poses);
 
 }  // namespace rollcon

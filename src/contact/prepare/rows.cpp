@@ -1,4 +1,4 @@
-/// Rows of the operators that a scene needs, and the scales that follow them.
+/// Makes the rows of the operators that a scene needs, and the scales that follow them.
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,8 @@
 namespace rollcon {
 namespace {
 
-// A node that a support keeps from moving along its normal can carry any pressure: Newton's iteration would not end.
+// Refuses a node that a support keeps from moving along its normal: it could carry any pressure, and Newton's iteration
+// would not end.
 void refuse_held_nodes(const Frame& frame, const Operators& op) {
   constexpr double rounding = 1e-12;
   const auto diagonal = [&](std::size_t k) {
@@ -35,7 +36,7 @@ void refuse_held_nodes(const Frame& frame, const Operators& op) {
          first, frame.mesh.index_base, held);
 }
 
-// Frames that are placed anew from solve to solve keep the operators of their shape.
+// Fills operators of frames that are placed anew from solve to solve from those of their shape.
 bool fill_from_family(Preparation& preparation, std::int64_t& assemblies) {
   Prepared& on = *preparation.made;
   const bool step = on.scheme == Scheme::time_step;
@@ -54,7 +55,7 @@ bool fill_from_family(Preparation& preparation, std::int64_t& assemblies) {
     assemble_operators(frame, *compliance, convection, tangential, op,
                        mirrors ? preparation.unit.mirror() : std::span<const std::int32_t>{});
   };
-  // std::cref: copies nothing.
+  // std::cref avoids a copy.
   assemblies = preparation.family.fill(on.place, on.in_steps, step, std::cref(assemble), *preparation.dense);
   return true;
 }
@@ -63,7 +64,7 @@ bool fill_from_family(Preparation& preparation, std::int64_t& assemblies) {
 
 void assemble_missing(Preparation& preparation) {
   Prepared& on = *preparation.made;
-  if (!preparation.dense) return;  // whole from the start
+  if (!preparation.dense) return;  // operators are whole from the start
   DenseOperators& op = *preparation.dense;
   if (op.normal && (on.frictionless || op.tangential)) return;
   const Stopwatch watch(preparation.timings.compliance);
@@ -71,7 +72,7 @@ void assemble_missing(Preparation& preparation) {
   const bool stretched = fill_from_family(preparation, assemblies);
   if (!stretched && !fill_from_table(preparation))
     assemble_operators(on.frame, *on.compliance, on.problem.convection, !on.frictionless, op);
-  if (!stretched) {  // by bodies without supports
+  if (!stretched) {  // bodies of a stretched frame have no supports
     refuse_held_nodes(on.frame, op);
     op.loosen_held_tangents(on.frame.used, !on.problem.convection.ahead.empty() || on.scheme == Scheme::time_step);
   }
@@ -97,7 +98,7 @@ void require_operators(Preparation& preparation) {
     assemble_missing(preparation);
     choose_scales(preparation);
   } catch (...) {
-    // Not during a solve: nothing else would drop what was half assembled.
+    // Nothing but this would drop what was half assembled, as it is not during a solve.
     forget_operators(preparation);
     preparation.changes.operators = true;
     throw;

@@ -27,7 +27,7 @@ bool same_places(const Frame& a, const Frame& b) {
   return a.x == b.x && a.y == b.y;
 }
 
-// The frame that the past lies on, as long as it is the scene's.
+// Notes the frame that the last step lies on, as long as it is the scene's.
 void note_frame(PastStep& past, const Prepared& on, const Scene& scene) {
   past.mesh = scene.revision.mesh;
   if (past.on && same_places(past.on->frame, on.frame)) return;
@@ -35,14 +35,14 @@ void note_frame(PastStep& past, const Prepared& on, const Scene& scene) {
   past.on->frame = on.frame;
 }
 
-// On its own frame: nodes that a body carried along are the same still.
+// Says whether the last step lies on this frame; nodes that a body carried along are still the same ones.
 bool lies_on(const PastStep& past, const Prepared& on, const Scene& scene) {
   if (past.lambda[0].size() != on.frame.x.size()) return false;
   if (past.on && same_places(past.on->frame, on.frame)) return true;
   return past.mesh == scene.revision.mesh && (on.pair.meshed() || !past.on);
 }
 
-// Tangential ones at the nodes, or where their particles were a step before.
+// Finds tangential displacements at the nodes, or where their particles were a step before.
 enum class Where : std::int8_t { nodes, upstream };
 void tangential_displacements(const Compliance& compliance, const Prepared& on, Where where,
                               const std::vector<double> (&lambda)[3], StepWorkspace& work, std::vector<double>* to) {
@@ -61,7 +61,7 @@ void tangential_displacements(const Compliance& compliance, const Prepared& on, 
   }
 }
 
-// Half-spaces answer tractions on any frame exactly.
+// Carries displacements to another frame: half-spaces answer tractions on any frame exactly.
 void carry_between_frames(StepHistory& h, const Prepared& on, int threads) {
   if (on.pair.meshed())
     fail(
@@ -73,7 +73,7 @@ void carry_between_frames(StepHistory& h, const Prepared& on, int threads) {
   tangential_displacements(*past.compliance, on, Where::upstream, h.last.lambda, h.work, h.carried);
 }
 
-// Rows that are not formed: by integrals at every step.
+// Carries displacements by integrals at every step, where rows are not formed.
 void carry_by_integrals(StepHistory& h, const Prepared& on) {
   tangential_displacements(*on.compliance, on, Where::upstream, h.last.lambda, h.work, h.carried);
 }
@@ -86,7 +86,7 @@ void begin_step(StepHistory& h, const Solution& s, const Scene& scene) {
     fail(Status::err_state,
          "the steady solve before this step did not converge: there is no state to start from; solve again, or start "
          "from rest (rollcon_contact_reset)");
-  // From the steady state that was found last, or from rest.
+  // The step starts from the steady state that was found last, or from rest.
   if (s.warm_usable) {
     h.last.take(s.iterate);
     note_frame(h.last, *s.prepared, scene);

@@ -1,4 +1,4 @@
-/// Condition of the last linear systems, found when asked for.
+/// Finds the condition of the last linear systems when asked for.
 
 #include "contact/results/condition.hpp"
 
@@ -52,7 +52,7 @@ double find_condition(const Solution& s, Newton& newton) {
     if (goal != Part::full) worst = of(Part::normal);
     if (goal != Part::normal) worst = std::max(worst, of(goal));
   } catch (...) {
-    newton.operators_changed();  // what was gathered may be half done
+    newton.operators_changed();  // gathered factors may be half done
     throw;
   }
   return worst;

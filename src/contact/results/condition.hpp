@@ -1,5 +1,5 @@
 #pragma once
-/// Condition of the linear systems of a contact.
+/// Estimates the condition of the linear systems of a contact.
 
 namespace rollcon {
 
@@ -7,12 +7,12 @@ class Newton;
 class ReducedSystem;
 struct Solution;
 
-/// Estimate, in the maximum norm, of the condition of what is left to solve of a system; its operators must be formed
-/// and its laws be set. Infinite: singular. 0: no unknowns.
+/// Estimates, in the maximum norm, the condition of what is left to solve of a system, whose operators must be formed
+/// and whose laws must be set. Infinite: singular. 0: no unknowns.
 double estimate_condition(ReducedSystem& system);
 
-/// Of the scaled systems of a Newton step at the last iterate, the greater of normal and tangential where these are
-/// apart. 0: no contact, or operators that are not formed.
+/// Estimates the condition of the scaled systems of a Newton step at the last iterate, the greater of normal and
+/// tangential where these are apart. 0: no contact, or operators that are not formed.
 double find_condition(const Solution& solution, Newton& newton);
 
 }  // namespace rollcon

@@ -1,6 +1,6 @@
 #pragma once
-/// Solutions to doubt although they solve the equations: of bodies pressed together by more than linear elasticity
-/// bears, and of bodies whose meshes cannot show what the contact does to them.
+/// Finds reasons to doubt solutions although they solve the equations: bodies pressed together by more than linear
+/// elasticity bears, and meshes that cannot show what the contact does to their bodies.
 
 #include "contact/solution.hpp"
 #include "support/line.hpp"

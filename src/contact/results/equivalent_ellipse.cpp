@@ -10,8 +10,8 @@
 namespace rollcon {
 namespace {
 
-/// Of an ellipse whose second moments are those of the pressures, the part in contact is 1. Two peaks that are one
-/// patch leave 0.63 of it; two patches at a distance of their own length, less than a half.
+/// The contact covers the fraction 1 of an ellipse whose second moments are those of the pressures. Two peaks that are
+/// one patch leave 0.63 of it; two patches at a distance of their own length, less than a half.
 constexpr double least_filled = 0.5;
 
 void require_comparable(const Solution& s) {
@@ -50,8 +50,8 @@ Moments moments_of(const Solution& s) {
   return m;
 }
 
-// Least squares of the rigid slip, weighted by pressure. Slip is taken at points that the scheme of convection chooses,
-// a constant distance from the nodes.
+// Fits creepages to the rigid slip by least squares, weighted by pressure. Slip is taken at points that the scheme of
+// convection chooses, a constant distance from the nodes.
 void add_slip(const Solution& s, const Moments& m, EquivalentEllipse& to) {
   const Problem& p = s.prepared->problem;
   const std::vector<double>&x = p.convection.slip_x, &y = p.convection.slip_y;
@@ -79,7 +79,7 @@ void add_slip(const Solution& s, const Moments& m, EquivalentEllipse& to) {
 
 }  // namespace
 
-// By the means of 1 / G and nu / G.
+// Takes the means of 1 / G and nu / G.
 CommonElasticity common_elasticity(const Body& body1, const Body& body2) {
   double flexible = 0, sideways = 0, strained = 0, sign = 1;
   for (const Body* body : {&body1, &body2}) {
@@ -94,8 +94,8 @@ CommonElasticity common_elasticity(const Body& body1, const Body& body2) {
   return {1 / flexible, sideways / flexible, strained};
 }
 
-// Under the pressure of Hertz the strain along the rolling direction is, weighted with that pressure, (1 - 2 nu) / (2
-// G) b / (a + b) 3/4 of the greatest: by the transform of Boussinesq's solution, (1 - 2 nu) / (2 G) kx^2 / k^2.
+// Averages the strain along the rolling direction, weighted with the pressure of Hertz that causes it: (1 - 2 nu) / (2
+// G) b / (a + b) 3/4 of the greatest, by the transform of Boussinesq's solution, (1 - 2 nu) / (2 G) kx^2 / k^2.
 double strain_creepage(double strained, double load, double a, double b) {
   const double greatest = 3 * load / (2 * std::numbers::pi * a * b);
   return 0.75 * greatest * b / (a + b) * strained;

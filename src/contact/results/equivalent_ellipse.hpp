@@ -1,5 +1,5 @@
 #pragma once
-/// The Hertzian contact that stands for a contact patch of another shape, for creep-force tables and simplified
+/// Finds the Hertzian contact that stands for a contact patch of another shape, for creep-force tables and simplified
 /// theories (docs/tables.md).
 
 #include <array>
@@ -10,31 +10,31 @@ struct Solution;
 
 class Body;
 
-/// What two bodies have in common with two equal ones.
+/// Holds what two bodies have in common with two equal ones.
 struct CommonElasticity {
   double shear = 0, poisson = 0;
-  /// By how much more pressure strains body 1 along the surface: the difference of (1 - 2 nu) / (2 G).
+  /// Difference of (1 - 2 nu) / (2 G), by which pressure strains body 1 more along the surface.
   double strained = 0;
 };
 CommonElasticity common_elasticity(const Body& body1, const Body& body2);
 
-/// Longitudinal creepage that this strain amounts to under the pressure of Hertz, on average.
+/// Returns the longitudinal creepage that this strain amounts to under the pressure of Hertz, on average.
 double strain_creepage(double strained, double load, double a, double b);
 
 struct EquivalentEllipse {
-  double shear = 0, poisson = 0;  ///< of two equal bodies
-  double strained = 0;            ///< CommonElasticity
-  double friction = 0;            ///< at the speed of the rigid slip, mean over the pressure
+  double shear = 0, poisson = 0;  ///< constants of two equal bodies
+  double strained = 0;            ///< CommonElasticity::strained
+  double friction = 0;            ///< coefficient at the speed of the rigid slip, mean over the pressure
   double a = 0, b = 0;            ///< semi-axes along and across the rolling direction
   double load = 0;
-  /// Longitudinal, lateral, spin, at the centre; without strain_creepage, which stands for `strained` on average.
+  /// Longitudinal, lateral, spin, at the centre; without strain_creepage(), which stands for `strained` on average.
   std::array<double, 3> creepage{};
-  std::array<double, 2> centre{};  ///< in the axes of the contact
+  std::array<double, 2> centre{};  ///< centre in the axes of the contact
 };
 
-/// Of the last solution, which needs no friction. err_state: nothing carries load, pressures lie on patches apart from
-/// each other, or bodies are shifted without rolling; err_unsupported: a body has a mesh, or friction is not the same
-/// in all directions.
+/// Fits the ellipse to the last solution, which needs no friction. err_state: nothing carries load, pressures lie on
+/// patches apart from each other, or bodies are shifted without rolling; err_unsupported: a body has a mesh, or
+/// friction is not the same in all directions.
 EquivalentEllipse equivalent_ellipse(const Solution& state, double area);
 
 }  // namespace rollcon

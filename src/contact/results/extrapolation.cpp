@@ -14,7 +14,7 @@ namespace {
 struct Results {
   Vec3 force{}, moment{};
   MotionValues motion{};
-  double overlap = 0;  ///< approach from first touch on: unlike the approach, no matter of where gaps count from
+  double overlap = 0;  ///< approach from first touch on, which does not depend on where gaps count from
   double area = 0;
   double carried = 0;   ///< integral of |tangential traction|
   double friction = 0;  ///< integral of friction's bound
@@ -37,12 +37,12 @@ Results results_of(const Solution& s) {
   return r;
 }
 
-// left_over: part of the difference by which the finer frame is off.
+// Extrapolates; left_over: part of the difference by which the finer frame is off.
 double beyond(double fine, double coarse, double left_over) {
   return fine + left_over * (fine - coarse);
 }
 
-/// About the middle of the pressure (x, y), wherever the axes are.
+/// Returns the moment about the middle of the pressure (x, y), wherever the axes are.
 double spin_moment(const Results& r, double x, double y) {
   return r.moment[2] - (x * r.force[1] - y * r.force[0]);
 }
@@ -51,8 +51,8 @@ double relative(double part, double whole) {
   return whole > 0 ? part / whole : part > 0 ? 1 : 0;
 }
 
-// Near the limit of friction creepages grow beyond measure, and those of two frames differ by a multiple: the way on
-// from the finer frame's does not lead through zero.
+// Limits the step to extrapolated creepages: near the limit of friction they grow beyond measure, and those of two
+// frames differ by a multiple, but the way on from the finer frame's does not lead through zero.
 void limit_creepages(const Results& fine, double length, MotionValues& motion) {
   constexpr double farthest = 0.5;
   const auto size = [&](const MotionValues& m) { return std::hypot(m[xi1], m[xi2], length * m[spin]); };
@@ -66,7 +66,7 @@ void limit_creepages(const Results& fine, double length, MotionValues& motion) {
 using Three = std::array<double, 3>;
 constexpr std::array<Motion, 3> slips{xi1, xi2, spin};
 
-// Gauss with pivots; false: singular.
+// Solves by Gauss with pivots; returns false for a singular matrix.
 bool solve3(std::array<Three, 3> a, Three& b) {
   for (std::size_t c = 0; c < 3; ++c) {
     std::size_t pivot = c;
@@ -86,8 +86,8 @@ bool solve3(std::array<Three, 3> a, Three& b) {
   return true;
 }
 
-// Forces and moment over `length` that change the motions found by `off`; lengths of motions count as those of forces.
-// Nothing: no forces do, or they cannot be told.
+// Returns forces and moment over `length` that change the motions found by `off`; lengths of motions count as those of
+// forces. Nothing: no forces do, or they cannot be told.
 std::optional<Three> forces_of(const Solution& fine, const std::function<const Rates&(Parameter)>& rates_by,
                                const Three& off, double length) {
   if (!fine.procedure.standard() || fine.prepared->problem.law->of_field()) return std::nullopt;
@@ -146,12 +146,12 @@ Extrapolation extrapolate(const Solution& fine, const Solution& coarse, const Fr
   const double bound = beyond(f.friction, c.friction, left_over), force = std::hypot(e.force[0], e.force[1]);
   if (fine.prepared->problem.turn.empty() && force > bound)
     for (std::size_t i = 0; i < 2; ++i) e.force[i] *= bound / force;
-  // Frames carry parts of given loads.
+  // Given loads are met exactly; frames carry parts of them.
   for (const auto& [m, result] : {std::pair{xi1, &e.force[0]}, {xi2, &e.force[1]}, {spin, &e.moment[2]}})
     if (!fine.frictionless && fine.given.by_force[static_cast<std::size_t>(m)])
       *result = fine.given.value[static_cast<std::size_t>(m)] / fine.load_factor;
 
-  // An edge is what the cells of the frame make of it; lengths for moments and spins.
+  // The radius of a disc as large as the contact turns moments into forces and spins into creepages.
   const double length = std::sqrt(f.area / std::numbers::pi);
   const auto off = [&](double a, double b) { return std::abs(a - b) * left_over; };
   const auto load_off = [&](int m, double a, double b) {
@@ -172,7 +172,8 @@ Extrapolation extrapolate(const Solution& fine, const Solution& coarse, const Fr
       const auto motion_off = [&](Motion m) { return left_over * (f.motion[m] - c.motion[m]); };
       const Three motions_off{motion_off(xi1), motion_off(xi2), length * motion_off(spin)};
       const double motion = std::hypot(f.motion[xi1], f.motion[xi2], length * f.motion[spin]);
-      // Of vanishing forces the error vanishes only up to rounding.
+      // Forces below this fraction of friction count as this: the error of vanishing forces vanishes only up to
+      // rounding.
       constexpr double least = 1e-3;
       if (const auto forces = forces_of(fine, rates, motions_off, length))
         estimate.tangential = std::max(

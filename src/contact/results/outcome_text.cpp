@@ -11,7 +11,7 @@
 namespace rollcon {
 namespace {
 
-/// Contact at the rim has three causes that the caller can tell apart only by what is said here.
+/// Names the cause of contact at the rim, one of three that the caller can tell apart only by this text.
 const char* cause_of_rim_contact(const Solution& s) {
   const std::vector<double> gap = s.prepared->problem.undeformed_gaps();
   if (is_turned(gap, s.prepared->frame.rim))

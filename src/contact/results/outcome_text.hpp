@@ -1,5 +1,5 @@
 #pragma once
-/// How a solve ended, in words: for the plan and the log.
+/// Says in words how a solve ended, for the plan and the log.
 
 #include <string>
 
@@ -8,10 +8,10 @@
 
 namespace rollcon {
 
-/// "not converged after ...", "contact reaches the rim ...", "converged ...".
+/// Returns "not converged after ...", "contact reaches the rim ...", "converged ...".
 Line describe_outcome(const Solution& s);
 
-/// Which of the prescribed loads friction cannot carry, and by how much.
+/// Says which of the prescribed loads friction cannot carry, and by how much.
 std::string describe_beyond_friction(const FrictionShare& share);
 
 }  // namespace rollcon

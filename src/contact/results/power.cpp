@@ -13,7 +13,7 @@
 namespace rollcon {
 namespace {
 
-// Integral over one element of f times the derivative of g along x, both by its shape functions.
+// Integrates f times the derivative of g along x over one element, both by its shape functions.
 double integral_of_slope(const Frame& frame, std::span<const std::int32_t> node, ElementType type,
                          const PlaneRule& rule, const double* f, const double* g) {
   double sum = 0;
@@ -34,9 +34,9 @@ double integral_of_slope(const Frame& frame, std::span<const std::int32_t> node,
   return sum;
 }
 
-// Integral of the normal traction times the slope of the elastic normal displacement along the rolling direction.
-// Along the contact that is the rigid gap; but beside it the gap is not closed, and on coarse elements half of the
-// pressure next to the edge is work on such elements: like bodies would seem to lose or gain power by pressure alone.
+// Integrates the normal traction times the slope of the elastic normal displacement along the rolling direction. Inside
+// the contact that is the rigid gap's; but beside it the gap is not closed, and on coarse elements half of the pressure
+// next to the edge is work on such elements: like bodies would seem to lose or gain power by pressure alone.
 double work_of_pressures(const Solution& s) {
   constexpr int degree = 4;
   const PlaneRule triangle = triangle_rule(degree), square = square_rule(degree);
@@ -63,7 +63,7 @@ double work_of_pressures(const Solution& s) {
   return sum;
 }
 
-// Of creepages and spin, per unit of speed: of node k.
+// Returns the work of creepages and spin at node k, per unit of speed.
 double work_of_motions(const Problem& p, const Iterate& it, std::size_t k) {
   double work = 0;
   for (const int m : {xi1, xi2, spin}) {
@@ -73,7 +73,7 @@ double work_of_motions(const Problem& p, const Iterate& it, std::size_t k) {
   return work;
 }
 
-// Likewise, with fields of slip, of all nodes.
+// Returns the work of creepages, spin and fields of slip at all nodes.
 double work_of_rigid_slip(const Solution& s) {
   const Problem& p = s.prepared->problem;
   const Iterate& it = s.iterate;
@@ -86,7 +86,7 @@ double work_of_rigid_slip(const Solution& s) {
   return work;
 }
 
-// Sum over the nodes in contact of tangential traction times slip velocity and a weight.
+// Sums tangential traction times slip velocity and a weight over the nodes in contact.
 double work_of_slip(const Solution& s, Derived& d, const std::vector<double>& weight) {
   const Problem& p = s.prepared->problem;
   const Iterate& it = s.iterate;
@@ -109,8 +109,8 @@ double work_of_slip(const Solution& s, Derived& d, const std::vector<double>& we
 
 }  // namespace
 
-// What slip takes in a step is a sum over nodes that misses a part on coarse grids; so does, likewise, what tractions
-// do on their own displacements carried along. What that must be is known.
+// Corrects the sum over nodes of what slip takes, which misses a part on coarse grids, by what such a sum misses of the
+// work of tractions on their own displacements carried along, of which the true value is known.
 double power_in_step(const Solution& s, Derived& d, Preparation* preparation) {
   if (s.frictionless) return 0;
   const Prepared& on = *s.prepared;
@@ -123,7 +123,7 @@ double power_in_step(const Solution& s, Derived& d, Preparation* preparation) {
   double missed = on.distance * work_of_pressures(s);
   for (std::size_t k = 0; k < p.gap.size(); ++k) {
     if (!(it.lambda[2][k] < 0)) continue;
-    // Loads do their work without a sum over nodes.
+    // Work of the loads needs no sum over nodes.
     missed += work_of_motions(p, it, k);
     const auto i = static_cast<std::int64_t>(k);
     for (std::size_t c = 0; c < 2; ++c)
@@ -132,8 +132,8 @@ double power_in_step(const Solution& s, Derived& d, Preparation* preparation) {
   return -work - on.speed * missed;
 }
 
-// Carried along a surface that is the same everywhere, tractions change no elastic energy: what their tangential and
-// normal parts do on the elastic displacements adds up to nothing.
+// Relies on tractions that are carried along a surface that is the same everywhere: they change no elastic energy, so
+// what their tangential and normal parts do on the elastic displacements adds up to nothing.
 double power_put_in(const Solution& s) {
   if (s.frictionless) return 0;
   return -s.prepared->speed * (work_of_pressures(s) + work_of_rigid_slip(s));

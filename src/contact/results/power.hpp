@@ -1,5 +1,5 @@
 #pragma once
-/// Power that friction takes, from the balance of work (docs/theory.md, section 8).
+/// Finds the power that friction takes, from the balance of work (docs/theory.md, section 8).
 
 namespace rollcon {
 
@@ -7,14 +7,14 @@ struct Derived;
 struct Preparation;
 struct Solution;
 
-/// What slip takes, summed over the nodes in contact.
+/// Returns what slip takes, summed over the nodes in contact.
 double power_at_nodes(const Solution& solution, Derived& derived);
 
-/// What forces, spin moment and the slope of the gap put in, force times speed, in steady rolling. Needs no slip.
+/// Returns what forces, spin moment and the gap's slope put in (force times speed) in steady rolling, without slip.
 double power_put_in(const Solution& solution);
-/// What slip takes in a time step, its sum over nodes corrected by the balance. preparation: may be null.
+/// Returns what slip takes in a time step, its sum over nodes corrected by the balance. preparation: may be null.
 double power_in_step(const Solution& solution, Derived& derived, Preparation* preparation);
-/// It is what slip takes: steady rolling of half-spaces (or rigid bodies), all of the contact on the frame.
+/// Says whether power_put_in() is what slip takes: half-spaces roll steadily, with all of the contact on the frame.
 bool power_is_balanced(const Solution& solution);
 
 }  // namespace rollcon

@@ -11,29 +11,29 @@ namespace {
 
 constexpr int no_motion = -1;
 
-// Motion whose prescribed value, or whose load's, the parameter is.
+// Returns the motion that the parameter prescribes, directly or by its load.
 int motion_changed(Parameter parameter) {
   return parameter == Parameter::friction ? no_motion : static_cast<int>(motion_of(parameter));
 }
 
 }  // namespace
 
-/// What changes: a parameter, or (not null) what is given at the nodes.
+/// Tells what changes: a parameter, or (not null) what is given at the nodes.
 struct RateFinder::Change {
   Parameter parameter = Parameter::friction;
   const NodeGivens* nodes = nullptr;
 
-  /// Motion that changes itself; no_motion: none.
+  /// Returns the motion that changes itself; no_motion: none.
   int motion() const { return nodes ? no_motion : motion_changed(parameter); }
-  /// Growth of the coefficient over itself.
+  /// Returns the growth of the coefficient over itself.
   double friction(const Problem& p, std::size_t k) const {
     if (nodes) return p.mu[k] > 0 ? nodes->mu[k] / p.mu[k] : 0;
     return parameter == Parameter::friction ? 1 : 0;
   }
 };
 
-// What the change does to the part's equations while the unknowns stay. The rate of pressures that the part holds given
-// is in lambda_[2] already.
+// Finds what the change does to the part's equations while the unknowns stay. The rate of pressures that the part holds
+// given is in lambda_[2] already.
 void RateFinder::fill_right_side(const Solution& s, const ReducedSystem& system, const Change& change) {
   const Problem& p = s.prepared->problem;
   const std::size_t na = at(system.active());
@@ -67,7 +67,7 @@ void RateFinder::solve_part(const Solution& s, Newton& newton, Derived& derived,
                             Rates& rates) {
   ReducedSystem& system = newton.linearise(s.prepared->problem, s.given, s.iterate, part);
   fill_right_side(s, system, change);
-  // Nothing slides, or nothing is there that the parameter acts on.
+  // The right side is zero where nothing slides, or where the parameter acts on nothing.
   if (std::all_of(b_.begin(), b_.end(), [](double v) { return v == 0; })) return;
   ++derived.sensitivities.right_sides;
   if (!newton.linear().solve_exactly(system, b_, x_))
@@ -98,7 +98,7 @@ void RateFinder::solve(const Solution& s, Newton& newton, Derived& derived, cons
          "direction %d is prescribed by force but the friction coefficient is 0 at every node: "
          "nothing can carry a change of that force",
          m + 1);
-  // As a time loop changes the number of nodes in contact, nothing is allocated.
+  // Storage is reserved, so that a time loop that changes the number of nodes in contact allocates nothing.
   for (std::vector<double>* v : {&gap_, &slip_[0], &slip_[1], &bound_[0], &bound_[1]}) v->reserve(at(p.nodes));
   for (std::vector<double>* v : {&b_, &x_}) v->reserve(3 * at(p.nodes) + motion_count);
   for (auto& v : lambda_) v.assign(at(p.nodes), 0.0);
@@ -112,7 +112,7 @@ void RateFinder::solve(const Solution& s, Newton& newton, Derived& derived, cons
   sum_tractions(p, lambda_, rates.force, rates.moment);
 }
 
-// Counts the work.
+// Finds the rates and counts the work.
 void RateFinder::find(const Solution& s, Newton& newton, Derived& derived, const Change& change, Rates& rates) {
   Sensitivities& w = derived.sensitivities;
   if (!s.frictionless && s.prepared->problem.law->of_field())
@@ -124,7 +124,7 @@ void RateFinder::find(const Solution& s, Newton& newton, Derived& derived, const
   try {
     solve(s, newton, derived, change, rates);
   } catch (...) {
-    newton.operators_changed();  // what was gathered may be half done
+    newton.operators_changed();  // gathered factors may be half done
     throw;
   }
   w.factorizations += linear.factorizations - factors;

@@ -1,6 +1,6 @@
 #pragma once
-/// Derivatives of the results of a solve, from Newton's system linearised at the solution with the state of every node
-/// held (docs/theory.md, section 6). Each is computed when first asked for and kept until the next solve.
+/// Finds derivatives of the results of a solve, from Newton's system linearised at the solution with the state of every
+/// node held (docs/theory.md, section 6). Each is computed when first asked for and kept until the next solve.
 
 #include <vector>
 
@@ -13,11 +13,11 @@ namespace rollcon {
 /// Linearises a solution and keeps the storage for that.
 class RateFinder {
  public:
-  /// Finds how a solution that converged or has no contact changes with a parameter. newton: that found the solution,
-  /// whose factors are used again. err_state: a tangential load is prescribed where there is no friction; err_singular:
-  /// the linearised system has no solution.
+  /// Finds how a solution that converged or has no contact changes with a parameter; uses the factors of the `newton`
+  /// that found it. err_state: a tangential load is prescribed where there is no friction; err_singular: the linearised
+  /// system has no solution.
   const Rates& by(Parameter parameter, const Solution& solution, Newton& newton, Derived& derived);
-  /// Finds how it changes where what is given at the nodes changes at these rates; they are not kept.
+  /// Finds how the solution changes where the nodes' givens change at these rates; the result is not kept.
   Rates by(const NodeGivens& rate, const Solution& solution, Newton& newton, Derived& derived);
 
  private:

@@ -1,4 +1,4 @@
-/// What a finished solve is worth: its status, and whether the frame was large enough.
+/// Tells what a finished solve is worth: its status, and whether the frame was large enough.
 
 #include <algorithm>
 #include <cmath>
@@ -12,24 +12,24 @@
 
 namespace rollcon {
 
-// Of a frame of strips that ends at the contact's edge: pressures fall there to a half or less over the last two cells
-// of a strip. Where the frame cuts a contact off they rise, or the bodies overlap beside it.
+// Counts nodes where a frame of strips that ends at the contact's edge cuts the contact off. Pressures of a frame that
+// fits fall to a half or less over the last two cells of a strip; else they rise, or the bodies overlap beside it.
 static std::int64_t nodes_cut_off(const Solution& s) {
   // The ellipse of Hertz is where the contact ends; friction of unlike bodies moves that a little.
   if (s.prepared->placed) return 0;
   // Frames that fit overlap by up to 0.07 on 6 x 4 strips, 0.014 on 12 x 8: hats are 0 on the outline.
-  constexpr double overlap = 0.1;  // of the approach
+  constexpr double overlap = 0.1;  // fraction of the approach
   constexpr double rise = 0.9, least = 0.25;
   const Problem& p = s.prepared->problem;
   const std::vector<double>& normal = s.iterate.lambda[2];
-  // Beyond first touch: gaps count from the least of them.
+  // The approach beyond first touch: gaps count from the least of them.
   const double depth = s.iterate.motion[approach];
   const double largest = -*std::min_element(normal.begin(), normal.end());
   const auto n = static_cast<std::ptrdiff_t>(p.used.size());
   std::int64_t count = 0;
   for (std::ptrdiff_t k = 0; k < n; ++k) {
     if (p.used[at(k)]) continue;
-    // Without rows nobody knows the gap there.
+    // Only rows tell the gap there.
     bool cut = p.op->normal && p.rigid_gap(at(k), s.iterate.motion) - s.iterate.image[2][at(k)] < -overlap * depth;
     // Nodes follow each other along a strip; the next strip starts after the last one.
     const std::vector<double>&x = s.prepared->frame.x, &y = s.prepared->frame.y;

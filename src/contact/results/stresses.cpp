@@ -25,7 +25,7 @@ void require_inside(const PointsInside& points, std::int32_t body) {
   }
 }
 
-/// Whole slices of points below a regular frame at once. Returns the numbers of the other points.
+/// Evaluates whole slices of points below a regular frame at once. Returns the numbers of the other points.
 std::vector<std::int64_t> find_on_slices(const InteriorGrid& grid, const PointsInside& points, int threads,
                                          double* stress, double* displacement) {
   const std::vector<InteriorSlice> slices = grid.slices(points.count, points.xyz);
@@ -40,7 +40,7 @@ std::vector<std::int64_t> find_on_slices(const InteriorGrid& grid, const PointsI
   return rest;
 }
 
-/// Points one by one.
+/// Evaluates points one by one.
 void find_at(const HalfspaceInterior& interior, const std::vector<std::int64_t>& which, const double* xyz, int threads,
              double* stress, double* displacement) {
   const std::size_t n = which.size();

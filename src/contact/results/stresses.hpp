@@ -1,5 +1,5 @@
 #pragma once
-/// Stresses and displacements inside the half-spaces of a solved contact.
+/// Finds stresses and displacements inside the half-spaces of a solved contact.
 
 #include <cstdint>
 
@@ -7,14 +7,14 @@
 
 namespace rollcon {
 
-/// Along t1, t2 and n of the contact's axes.
+/// Lists points along t1, t2 and n of the contact's axes.
 struct PointsInside {
   std::int64_t count;
   const double* xyz;
 };
 
-/// Of body 1 or 2. stress: 11, 22, nn, 12, 1n, 2n; displacement: 1, 2, n; either may be null. err_unsupported: the body
-/// is no half-space; err_argument: a point is outside of it.
+/// Finds stresses 11, 22, nn, 12, 1n, 2n and displacements 1, 2, n in body 1 or 2; either may be null. err_unsupported:
+/// the body is no half-space; err_argument: a point is outside of it.
 void find_stresses(const Solution& state, std::int32_t body, const PointsInside& points, double accuracy, int threads,
                    double* stress, double* displacement);
 

@@ -10,8 +10,8 @@
 namespace rollcon {
 namespace {
 
-/// Integral over [from, to], within one interval of y, of a linear function from f0 to f1 times the hats of y[j] and
-/// y[j + 1].
+/// Adds the integrals over [from, to], within one interval of y, of a linear function from f0 to f1 times the hats of
+/// y[j] and y[j + 1].
 void add_linear(double from, double to, double f0, double f1, std::span<const double> y, std::size_t j,
                 double* volume) {
   const double length = to - from, width = y[j + 1] - y[j];
@@ -22,7 +22,7 @@ void add_linear(double from, double to, double f0, double f1, std::span<const do
   volume[j + 1] += right;
 }
 
-/// A triangle of unit area from middle - half to middle + half, times amount.
+/// Spreads `amount` as a triangle from middle - half to middle + half.
 void spread(double middle, double half, double amount, std::span<const double> y, double* volume) {
   const std::size_t n = y.size();
   const auto height = [&](double x) { return amount / half * std::max(0.0, 1 - std::abs(x - middle) / half); };
@@ -47,7 +47,7 @@ void spread(double middle, double half, double amount, std::span<const double> y
   }
 }
 
-/// Half of what the elements around each node cover of t2.
+/// Returns half of what the elements around each node cover of t2.
 std::vector<double> half_widths(const Frame& frame) {
   const std::size_t n = at(frame.nodes());
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -63,7 +63,7 @@ std::vector<double> half_widths(const Frame& frame) {
   return half;
 }
 
-/// What slip takes of each node, over the speed, and what the law makes of that.
+/// Holds what slip takes at each node, over the speed, and what the law makes of that.
 struct NodalWear {
   std::vector<double> energy, volume;
   double all_energy = 0, all_volume = 0;
@@ -93,7 +93,7 @@ NodalWear wear_at_nodes(const Solution& state, const Derived& derived, const Wea
   return found;
 }
 
-/// Energy that is missed, as slip against friction at its bound all over a node's area.
+/// Returns the volume for energy that is missed, taken as slip against friction at its bound all over a node's area.
 double volume_of_missed(const Solution& state, const WearLaw& law, std::size_t k, double energy) {
   const double t[2] = {state.iterate.lambda[0][k], state.iterate.lambda[1][k]};
   const double pressure = -state.iterate.lambda[2][k], weight = state.prepared->problem.weight[k];
@@ -106,7 +106,7 @@ double volume_of_missed(const Solution& state, const WearLaw& law, std::size_t k
 }
 
 /// Brings the whole to what the balance of work says. Nodes that slide miss the strip before the contact's edge: up to
-/// a half more is theirs. Where little slides, nodes know no more than where rigid slip is at work.
+/// a half more is theirs. Where little slides, rigid slip at work tells as much as nodes do.
 void meet_balance(const Solution& state, const WearLaw& law, NodalWear& wear) {
   constexpr double least = 0.8, theirs = 1.5, noise = 1e-3;
   if (!power_is_balanced(state)) return;

@@ -23,7 +23,7 @@ struct Slope {
   double height = 0, tangent = 0;
 };
 
-/// Both bodies across the rolling direction, in the plane through the axes' origin.
+/// Cuts both bodies across the rolling direction, in the plane through the axes' origin.
 class Section {
  public:
   Section(const Axes& axes, const PairOfBodies& pair) : axes_(axes), pair_(pair) {
@@ -31,7 +31,7 @@ class Section {
     share_ = {c[1] / (c[0] + c[1]), c[0] / (c[0] + c[1])};
   }
 
-  /// None: neither body is there.
+  /// Returns nothing where neither body is there.
   std::optional<SectionLine::Place> at(double y) const {
     std::array<std::optional<Slope>, 2> of{of_body(0, y), of_body(1, y)};
     if (!of[0] && !of[1]) return std::nullopt;
@@ -81,7 +81,7 @@ void follow_section(Frame& frame, const PairOfBodies& pair) {
   std::vector<SectionLine::Place> place;
   for (const double y : distinct(frame.y))
     if (const auto at = section.at(y)) place.push_back(*at);
-  if (place.empty()) return;  // the gap says so
+  if (place.empty()) return;  // the gap tells of bodies that are not there
   // Beyond the bodies the line goes on straight.
   const auto on_line = [&](double y) {
     const auto after =

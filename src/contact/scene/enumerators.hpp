@@ -1,5 +1,5 @@
 #pragma once
-/// What callers of a contact name by number; the numbers are those of rollcon.h and never change.
+/// Lists what callers of a contact name by number; the numbers are those of rollcon.h and never change.
 
 #include <array>
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace rollcon {
 
-/// What a progress callback may read.
+/// Holds what a progress callback may read.
 struct Event {
   std::int32_t phase = 0;      ///< Phase enumerators of rollcon.h
   std::int64_t iteration = 0;  ///< within the phase, from 0
@@ -32,8 +32,8 @@ enum class Field : std::int32_t {
   temperature = 13,
 };
 enum class NodeStatus : std::int32_t { open = 0, stick = 1, slip = 2, excluded = 3 };
-/// What results may be differentiated by: the value prescribed in a direction (Direction's numbers), or a factor on the
-/// friction coefficient of every node.
+/// Lists what results may be differentiated by: the value prescribed in a direction (Direction's numbers), or a factor
+/// on the friction coefficient of every node.
 enum class Parameter : std::int32_t {
   longitudinal = 1,
   lateral = 2,
@@ -45,15 +45,15 @@ enum class Parameter : std::int32_t {
 };
 enum class InAxes : std::int32_t { local = 0, global = 1 };
 
-/// What a solve is: a steady state, or one step in time of a contact that rolls or whose bodies are shifted.
+/// Says what a solve is: a steady state, or one step in time of a contact that rolls or whose bodies are shifted.
 enum class StepKind : std::int32_t { steady = 0, rolling = 1, shift = 2 };
 
-/// Indices of motions and of their conjugate loads: creepages, approach and spin, and rotations of body 1 about t1 and
-/// t2 through the origin, whose loads are moments on it.
+/// Index motions and their conjugate loads: creepages, approach and spin, and rotations of body 1 about t1 and t2
+/// through the origin, whose loads are moments on it.
 enum Motion : int { xi1 = 0, xi2 = 1, approach = 2, spin = 3, tilt1 = 4, tilt2 = 5 };
 constexpr std::size_t motion_count = 6;
 using MotionValues = std::array<double, motion_count>;
-/// The motion of a Direction or Parameter, whose numbers have friction between spin and tilts.
+/// Returns the motion of a Direction or Parameter, whose numbers have friction between spin and tilts.
 template <class Number>
 constexpr std::size_t motion_of(Number number) {
   const auto n = static_cast<std::size_t>(number);

@@ -10,12 +10,12 @@
 namespace rollcon {
 namespace {
 
-/// Direction in which a body's contact faces look, for n out of body 1.
+/// Returns the direction in which a body's contact faces look, for n out of body 1.
 Vec3 outward(int body, const Vec3& n) {
   return body == 0 ? n : -1.0 * n;
 }
 
-/// Sum of the normals of the faces' fans at each frame node, in the body's axes.
+/// Sums the normals of the faces' fans at each frame node, in the body's axes.
 std::vector<Vec3> own_normals(const FrameSource& source, const Body& body) {
   const SurfaceMesh& mesh = body.mesh().surface;
   const TractionNodes& fans = body.smooth_fans();
@@ -29,7 +29,7 @@ std::vector<Vec3> own_normals(const FrameSource& source, const Body& body) {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       const auto fan = static_cast<std::size_t>(fans.of[first + i]);
       const std::int32_t k = number[static_cast<std::size_t>(nodes[i])];
-      if (k < 0) continue;  // a frame of the faces' corners
+      if (k < 0) continue;  // frame of the faces' corners
       Vec3& there = sum[static_cast<std::size_t>(k)];
       there = there + fans.normal[fan];
     }
@@ -86,7 +86,7 @@ std::vector<double> undeformed_gap(const Frame& frame, const FrameSource& source
     MissedNodes missed(frame, body, pose, b);
     for (std::size_t k = 0; k < gap.size(); ++k) {
       if (!belongs[k]) continue;
-      // Beside a body's end the local normal may leave it.
+      // The local normal may leave a body beside its end.
       const Vec3 local = frame.triad(k).n;
       std::optional<double> met;
       for (const Vec3& n : {local, frame.axes.n}) {
@@ -107,7 +107,7 @@ std::vector<double> undeformed_gap(const Frame& frame, const FrameSource& source
 
 bool is_turned(const std::vector<double>& gap, const std::vector<std::uint8_t>& rim) {
   constexpr double rounding = 1e-9;
-  double least[] = {INFINITY, INFINITY}, most[] = {-INFINITY, -INFINITY};  // inside, at the rim
+  double least[] = {INFINITY, INFINITY}, most[] = {-INFINITY, -INFINITY};  // extremes inside and at the rim
   for (std::size_t k = 0; k < gap.size(); ++k) {
     if (!std::isfinite(gap[k])) continue;
     const std::size_t at = rim[k] != 0 ? 1 : 0;

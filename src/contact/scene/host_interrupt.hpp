@@ -1,5 +1,5 @@
 #pragma once
-/// Preparation tells the host's progress function that it is at work, and stops when asked to.
+/// Lets preparation tell the host's progress function that it is at work, and stop when asked to.
 
 #include <atomic>
 
@@ -9,7 +9,7 @@
 
 namespace rollcon {
 
-/// Iterations of the phase `compliance` count from 1 then; its end is told as 0.
+/// Counts iterations of the phase `compliance` from 1; the phase's end is told as 0.
 class HostInterrupt final : public Interrupt {
  public:
   HostInterrupt(ProgressFunction function, void* user, std::atomic<bool>& cancel)

@@ -31,7 +31,7 @@ class GapOnGrid final : public KnownGap {
   const HeightGrid& grid_;
 };
 
-/// low <= along . (x, y) <= high.
+/// Holds a strip low <= along . (x, y) <= high.
 struct Between {
   std::array<double, 2> along{};
   double low = 0, high = 0;
@@ -39,7 +39,7 @@ struct Between {
   double at(const std::array<double, 2>& p) const { return along[0] * p[0] + along[1] * p[1]; }
 };
 
-/// Of two bodies, one of which has a surface at least: measured, or where both are there the one that is given.
+/// Finds the gap of two bodies, one of which has a surface at least: measured, or where both are there the given one.
 class GapOfSurfaces final : public KnownGap {
  public:
   GapOfSurfaces(const Axes& axes, const PairOfBodies& pair, const std::optional<std::array<double, 3>>& given)
@@ -50,7 +50,7 @@ class GapOfSurfaces final : public KnownGap {
     return given_ && std::isfinite(gap) ? (*given_)[0] * x * x + (*given_)[1] * y * y + (*given_)[2] * x * y : gap;
   }
 
-  /// From body 1 to body 2 along a line through a point.
+  /// Returns the way from body 1 to body 2 along a line through a point.
   double along(const Vec3& point, const Vec3& n) const {
     double gap = 0;
     for (std::size_t b = 0; b < 2; ++b) {
@@ -71,7 +71,8 @@ class GapOfSurfaces final : public KnownGap {
   }
   bool measured() const { return !given_; }
 
-  // One of the diagonals passes an edge, whatever its direction; edges of tilted bodies are slightly curved.
+  // Looks along the diagonals, one of which passes an edge, whatever its direction; edges of tilted bodies are slightly
+  // curved.
   bool ends_at(double x, double y, double size) const override {
     const double beside = 2e-2 * size;
     for (const double sx : {-beside, beside})
@@ -80,7 +81,7 @@ class GapOfSurfaces final : public KnownGap {
     return false;
   }
 
-  // The box about the corners of what lies between all pairs of parallel lines that bound a body.
+  // Returns the box about the corners of what lies between all pairs of parallel lines that bound a body.
   Rectangle bounds() const override {
     std::array<Between, 8> place;
     const std::span<const Between> all = lines(place);
@@ -119,7 +120,7 @@ class GapOfSurfaces final : public KnownGap {
   const char* beyond_bounds() const override { return nullptr; }
 
  private:
-  /// Two for each direction of each body.
+  /// Returns the strip that each body covers in each of its directions, once by either normal.
   std::span<const Between> lines(std::array<Between, 8>& all) const {
     std::size_t n = 0;
     const auto add = [&](const Surface& surface, const Pose& pose, const std::array<double, 2>& a) {
@@ -149,10 +150,10 @@ class GapOfSurfaces final : public KnownGap {
   const Axes& axes_;
   PairOfBodies pair_;
   std::optional<std::array<double, 3>> given_;  ///< coefficients of x^2, y^2, xy
-  mutable std::array<SurfaceHint, 2> met_;      ///< by the point before
+  mutable std::array<SurfaceHint, 2> met_;      ///< hints from the point before
 };
 
-// Frames made by the library cover holes of a body: nothing touches there. at(k): at node k.
+// Fills in the gap, at(k) at node k. Frames made by the library cover holes of a body, where nothing touches.
 template <class At>
 void fill(const KnownGap& known, const Frame& frame, At at, std::vector<double>& gap) {
   gap.resize(frame.x.size());

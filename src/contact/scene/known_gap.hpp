@@ -1,6 +1,6 @@
 #pragma once
-/// The undeformed gap over the plane of the axes, where it is known between the nodes of a frame, too: given on a grid,
-/// or between surfaces.
+/// Provides the undeformed gap over the plane of the axes where it is known between the nodes of a frame, too: given on
+/// a grid, or between surfaces.
 
 #include <memory>
 #include <vector>
@@ -12,26 +12,26 @@
 
 namespace rollcon {
 
-/// Of one thread.
+/// Serves one thread at a time.
 class KnownGap {
  public:
   virtual ~KnownGap() = default;
-  /// At a point of the axes' plane; +infinity where a body is not there.
+  /// Returns the gap at a point of the axes' plane; +infinity where a body is not there.
   virtual double operator()(double x, double y) const = 0;
-  /// Whether a body ends within rounding of the point; size: of what is finely resolved there.
+  /// Says whether a body ends within rounding of the point; size: extent of what is finely resolved there.
   virtual bool ends_at(double x, double y, double size) const = 0;
-  /// Beyond it nothing is known, or one of the bodies is not there. err_state: it has no end.
+  /// Returns the region beyond which nothing is known, or one of the bodies is not there. err_state: it has no end.
   virtual Rectangle bounds() const = 0;
-  /// What to tell where a contact reaches the bounds; null: a body ends there.
+  /// Says what to tell where a contact reaches the bounds; null: a body ends there.
   virtual const char* beyond_bounds() const = 0;
 };
 
-/// False: the gap is known at nodes alone, is that of two planes, or a quadratic one between bodies without a mesh.
+/// Returns false where only nodes have a gap, or it is of planes or quadratic between bodies without a mesh.
 bool is_gap_known(const Scene& scene, const PairOfBodies& pair);
-/// Null where it is not. It refers to scene and bodies.
+/// Returns the gap, which refers to scene and bodies; null where it is not known.
 std::unique_ptr<KnownGap> known_gap(const Scene& scene, const PairOfBodies& pair);
-/// At the nodes of a frame, far apart where a body is not there; allocates nothing once `gap` has had this size. False:
-/// it is not known.
+/// Fills in the gap at the nodes of a frame, far apart where a body is not there; allocates nothing once `gap` has had
+/// this size. Returns false where it is not known.
 bool fill_known_gap(const Scene& scene, const PairOfBodies& pair, const Frame& frame, std::vector<double>& gap);
 
 }  // namespace rollcon

@@ -1,6 +1,6 @@
 #pragma once
-/// Solver settings by name: one table gives type, range, default and meaning of each; `Options` holds a contact's
-/// values.
+/// Provides solver settings by name: one table gives type, range, default and meaning of each; `Options` holds a
+/// contact's values.
 
 #include <cstdint>
 #include <span>
@@ -15,24 +15,24 @@ std::span<const Setting> option_table();
 struct Options {
   double tolerance = 1e-10;                   // "tolerance"
   std::int64_t max_iterations = 500;          // "max_iterations"
-  double accuracy = 1e-6;                     // "accuracy": of the half-space integrals
-  double stress_accuracy = 1e-5;              // "stress_accuracy": of stresses inside half-spaces
+  double accuracy = 1e-6;                     // "accuracy" of the half-space integrals
+  double stress_accuracy = 1e-5;              // "stress_accuracy" inside half-spaces
   double frame_accuracy = 0.005;              // "frame_accuracy"
   std::int64_t conformal = 0;                 // "conformal"
   std::string convection = "characteristic";  // "convection"
   std::string linear_solver = "auto";         // "linear_solver"
   std::int64_t warm_start = 2;                // "warm_start"
   std::string operators = "auto";             // "operators"
-  // Which of the published solution procedures (contact/scene/procedure.hpp).
+  // Settings of the published solution procedures (contact/scene/procedure.hpp).
   std::string system = "condensed";     // "system"
   std::string jacobian = "exact";       // "jacobian"
   std::string slip_estimate = "auto";   // "slip_estimate"
   double linear_tolerance = 0;          // "linear_tolerance"
   std::string preconditioner = "auto";  // "preconditioner"
   std::string line_search = "auto";     // "line_search"
-  std::int64_t revision = 0;            ///< counts changes
+  std::int64_t revision = 0;            ///< number of changes
 
-  /// err_option: unknown name, wrong type, out of range (the message names them).
+  /// Throw err_option for an unknown name, a wrong type, or a value out of range (the message names them).
   void set_int(const char* name, std::int64_t value);
   void set_real(const char* name, double value);
   void set_text(const char* name, const char* value);

@@ -99,7 +99,7 @@ Procedure choose_procedure(const Options& o) {
 }
 
 double adaptive_tolerance(double eta_max, double merit, double last_merit, double eta) {
-  constexpr double c = 0.3;          // of (72)
+  constexpr double c = 0.3;          // constant of (72)
   constexpr double threshold = 0.1;  // below it the safeguard rests
   if (!(eta > 0)) return eta_max;
   double next = last_merit > 0 ? c * merit / last_merit : eta_max;

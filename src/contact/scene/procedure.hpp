@@ -1,6 +1,6 @@
 #pragma once
-/// Which solution procedure the options ask for: rollcon's own iteration, or one of those of Rodriguez-Tembleque &
-/// Abascal (2010), section 11. docs/procedures.md compares them.
+/// Tells which solution procedure the options ask for: rollcon's own iteration, or one of those of Rodriguez-Tembleque
+/// & Abascal (2010), section 11. docs/procedures.md compares them.
 
 #include <memory>
 
@@ -19,11 +19,11 @@ struct Procedure {
   SlipEstimate estimate = SlipEstimate::jacobi;
   LinearMethod linear = LinearMethod::automatic;
   double eta = 0;         ///< 0: chosen by the iteration
-  double eta_max = 0.01;  ///< of gmres_adaptive
+  double eta_max = 0.01;  ///< greatest tolerance of gmres_adaptive
   Preconditioner preconditioner = Preconditioner::automatic;
   LineSearch line_search = LineSearch::automatic;
 
-  /// rollcon's own iteration on the condensed system (newton.hpp), the standard.
+  /// Says whether it is rollcon's own iteration on the condensed system (newton.hpp), the standard.
   bool standard() const { return !monolithic && jacobian == Jacobian::exact; }
 };
 
@@ -31,8 +31,8 @@ struct Procedure {
 /// procedure in a build without them.
 Procedure choose_procedure(const Options& options);
 
-/// Next linear tolerance by (72)-(74) and the safeguard after them. merit: Psi of this and of the last iterate (half
-/// the squared norm of the residual), eta: the last tolerance.
+/// Returns the next linear tolerance by (72)-(74) and the safeguard after them. merit: Psi of this and of the last
+/// iterate (half the squared norm of the residual), eta: the last tolerance.
 double adaptive_tolerance(double eta_max, double merit, double last_merit, double eta);
 
 class PublishedSolver;  // contact/settle/solve_prepared.hpp

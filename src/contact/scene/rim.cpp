@@ -1,4 +1,4 @@
-/// Where a frame cuts the contact off, and where it ends because a body does.
+/// Finds where a frame cuts the contact off, and where it ends because a body does.
 
 #include <algorithm>
 #include <array>
@@ -13,21 +13,21 @@
 namespace rollcon {
 namespace {
 
-/// In the axes (t1, t2, n).
+/// Returns coordinates in the axes (t1, t2, n).
 Vec3 in_axes(const Axes& axes, const Vec3& x) {
   const Vec3 r = x - axes.origin;
   return {dot(r, axes.t1), dot(r, axes.t2), dot(r, axes.n)};
 }
 
-/// A straight piece of an edge of the body, in the axes; `side`: length of the element's side.
+/// Holds a straight piece of an edge of the body, in the axes; `side`: length of the element's side.
 struct Piece {
   Vec3 from, to;
   double side;
 
-  /// Whether the point stands on it, seen along the normal of the axes.
+  /// Says whether the point stands on it, seen along the normal of the axes.
   bool holds(const Vec3& p) const {
     constexpr double within = 1e-3,
-                     above = 1e-2;  // of the side: frames are at most 60 degrees steep
+                     above = 1e-2;  // fractions of the side: frames are at most 60 degrees steep
     const Vec3 d = to - from, r = p - from;
     const double square = d[0] * d[0] + d[1] * d[1];
     const double t = square > 0 ? std::clamp((r[0] * d[0] + r[1] * d[1]) / square, 0.0, 1.0) : 0.0;
@@ -38,8 +38,8 @@ struct Piece {
 
 class BodyEdges {
  public:
-  /// Those at which faces that a frame may lie on end: nothing goes on beyond them, or a face that is too steep for a
-  /// frame.
+  /// Collects the edges at which faces that a frame may lie on end: nothing goes on beyond them, or a face that is too
+  /// steep for a frame.
   BodyEdges(const Frame& frame, const Body& body, const Pose& pose, int which)
       : axes_(frame.axes),
         mesh_(body.mesh().surface),
@@ -86,9 +86,9 @@ class BodyEdges {
       if (std::max({a[c], b[c], middle[c]}) < low_[c] - length(b - a) ||
           std::min({a[c], b[c], middle[c]}) > high_[c] + length(b - a))
         return;
-    // A curved side as chords: they miss it by 1/64 of its own height.
+    // Chords stand for a curved side: they miss it by 1/64 of its own height.
     const int pieces = k < 0 ? 1 : 8;
-    const auto curve = [&](double t) {  // -1 to 1
+    const auto curve = [&](double t) {  // t from -1 to 1
       return 0.5 * t * (t - 1) * a + (1 - t * t) * middle + 0.5 * t * (t + 1) * b;
     };
     for (int i = 0; i < pieces; ++i)
@@ -99,16 +99,16 @@ class BodyEdges {
   const SurfaceMesh& mesh_;
   const TractionNodes& fans_;
   const Pose& pose_;
-  Vec3 out_;  ///< of the body, in its axes
+  Vec3 out_;  ///< outward normal of the body, in its axes
   static constexpr double far = std::numeric_limits<double>::infinity();
-  std::array<double, 2> low_{far, far}, high_{-far, -far};  ///< of the frame
+  std::array<double, 2> low_{far, far}, high_{-far, -far};  ///< box of the frame
   std::vector<Piece> piece_;
 };
 
 }  // namespace
 
-// Where the contact itself ends beside the end of a body, it does so at the corner, too: nodes are within the frame's
-// rim only where all that bounds it there is a body's end.
+// Frees nodes of the rim only where all that bounds the frame there is a body's end: a contact that itself ends beside
+// the end of a body does so at the corner, too.
 void find_rim(Frame& frame, const PairOfBodies& pair, const KnownGap* gap) {
   const std::vector<Side> sides = sorted_sides(split_elements(frame.mesh));
   frame.rim = rim_nodes(frame.nodes(), sides);

@@ -12,7 +12,7 @@ namespace rollcon {
 
 namespace {
 
-/// Takes n values over; false if they were there already. Allocates only for a new length.
+/// Takes n values over; returns false if they were there already. Allocates only for a new length.
 bool replace(std::vector<double>& held, std::int64_t n, const double* value) {
   const auto size = static_cast<std::size_t>(n);
   if (held.size() == size && std::equal(value, value + n, held.begin())) return false;
@@ -205,7 +205,7 @@ void Scene::scale_friction(const Scene& of, double factor) {
   ++revision.friction;
 }
 
-// What does not fit is refused before a solve.
+// Combines the law with memory and yield; what does not fit is refused before a solve.
 void Scene::choose_law() {
   law_in_use_ = memory_.length > 0 && law_ && law_->falls() ? with_memory(law_, memory_) : law_;
   if (yield_.stress > 0 && (!law_in_use_ || law_in_use_->of_field())) law_in_use_ = with_yield(law_in_use_, yield_);

@@ -1,5 +1,5 @@
 #pragma once
-/// Everything a caller gave for one contact, checked on the way in. The solver only reads it.
+/// Holds everything a caller gave for one contact, checked on the way in. The solver only reads it.
 
 #include <array>
 #include <cstdint>
@@ -21,17 +21,17 @@
 namespace rollcon {
 
 enum class Direction : std::int32_t { longitudinal = 1, lateral = 2, normal = 3, spin = 4, tilt1 = 6, tilt2 = 7 };
-/// by_velocity: creepages and spin that follow from the velocities of the bodies.
+/// Says what a load follows from; by_velocity: creepages and spin follow from the velocities of the bodies.
 enum class How : std::int32_t { by_velocity = 0, by_motion = 1, by_force = 2 };
 
-/// One direction's loading. value: force (or spin moment) on body 1 when by force - except for the normal direction,
-/// where it is the compressive load >= 0 - else approach, creepage or spin.
+/// Loads one direction. value: force (or spin moment) on body 1 when by force - except for the normal direction, where
+/// it is the compressive load >= 0 - else approach, creepage or spin.
 struct Load {
   How how = How::by_motion;
   double value = 0;
 };
 
-/// Revision counters tell the solver what changed since it last looked. Setting equal values again counts nothing.
+/// Tells the solver by counters what changed since it last looked. Setting equal values again counts nothing.
 /// kinematics: speed, velocities and creep field; load: what is prescribed, creepages included. mesh: nodes and
 /// elements of the frame; a frame that moves with its body counts as pose alone.
 struct Revisions {
@@ -40,57 +40,56 @@ struct Revisions {
   bool operator==(const Revisions&) const = default;
 };
 
-/// Where a mesh of the unit disc, or another that was given in the axes, lies as a frame: x = length X + shear Y, y =
-/// width Y.
+/// Places a mesh of the unit disc, or another that was given in the axes, as a frame: x = length X + shear Y, y = width
+/// Y.
 struct FramePlace {
   double length = 1, width = 1, shear = 0;
   bool operator==(const FramePlace&) const = default;
 };
 
-/// Where a frame that was taken from a body comes from.
+/// Tells where a frame that was taken from a body comes from.
 struct FrameSource {
   int body = -1;  ///< 0 or 1; -1: the caller's own mesh
   std::int32_t tag = 0;
-  std::vector<std::int64_t> element;  ///< the body's, of each frame element
-  std::vector<std::int32_t> node;     ///< the body's, of each frame node
+  std::vector<std::int64_t> element;  ///< body's element of each frame element
+  std::vector<std::int32_t> node;     ///< body's node of each frame node
   std::vector<Vec3> place;            ///< frame nodes in the body's coordinates
 };
 
-/// Setters throw Error and then leave everything as it was. Those of a time loop (all but frame nodes and elements)
-/// allocate nothing once their arrays have the frame's size.
+/// Collects what is set for a contact. Setters throw Error and then leave everything as it was; those of a time loop
+/// (all but frame nodes and elements) allocate nothing once their arrays have the frame's size.
 class Scene {
  public:
-  /// index_base: how messages count before elements tell the caller's way.
+  /// Makes an empty scene; messages count from index_base before elements tell the caller's way.
   explicit Scene(std::int32_t index_base = 0);
 
-  /// Forgets elements, gap array and fields.
+  /// Replaces the frame's nodes; forgets elements, gap array and fields.
   void set_frame_nodes(std::int64_t n, const double* x, std::int64_t node_stride, std::int64_t component_stride);
   void add_frame_elements(std::int32_t type, std::int64_t n, const std::int32_t* connectivity, std::int32_t index_base,
                           std::int32_t tag);
-  /// The faces of body `which` (0 or 1) with that tag, nodes numbered anew in ascending order; those of body 2 are
-  /// turned over. They follow the body's pose. Forgets what set_frame_nodes forgets.
+  /// Takes the faces of body `which` (0 or 1) with that tag, nodes numbered anew in ascending order; those of body 2
+  /// are turned over. They follow the body's pose. Forgets what set_frame_nodes forgets.
   void set_frame_from(int which, const SurfaceMesh& body, std::int32_t tag);
-  /// A frame in the plane of the axes that the library made. ends_at_edge: nodes on its outline lie where the contact
-  /// ends and carry no traction. given: asked for by the caller; else the next solve may take another one. Forgets what
-  /// set_frame_nodes forgets.
+  /// Takes a frame in the plane of the axes that the library made. ends_at_edge: nodes on its outline lie where the
+  /// contact ends and carry no traction. given: the caller asked for it; else the next solve may take another one.
+  /// Forgets what set_frame_nodes forgets.
   void set_made_frame(SurfaceMesh mesh, bool ends_at_edge, bool given);
-  /// A frame of the library's choice that ends at the contact's edge: a mesh with nodes (X, Y, 0), to be placed anew
-  /// where contacts change.
-  /// in_steps: its shapes are a few that come again, so operators of each are made, and none between them: they do not
-  /// depend on which came before.
+  /// Takes a frame of the library's choice that ends at the contact's edge: a mesh with nodes (X, Y, 0), to be placed
+  /// anew where contacts change. in_steps: its shapes are a few that come again; each has operators of its own, which
+  /// do not depend on what came before.
   void set_placed_frame(SurfaceMesh mesh, const FramePlace& place, bool in_steps = false);
-  /// Of such a frame; follows the axes, too.
+  /// Moves a placed frame; it follows the axes, too.
   void place_frame(const FramePlace& place);
   bool placed() const { return !unplaced_.empty(); }
   const FramePlace& place() const { return place_; }
   bool placed_in_steps() const { return in_steps_; }
-  /// Of a placed frame, elsewhere.
+  /// Returns the mesh of a placed frame as it would be elsewhere.
   SurfaceMesh mesh_at(const FramePlace& place) const;
-  /// From now on the library makes the frame, as in a new scene.
+  /// Lets the library make the frame from now on, as in a new scene.
   void forget_frame();
   /// Takes over what was set in another scene, apart from the frame and what is given node by node.
   void take_over(const Scene& other);
-  /// Where body `which` (1 or 2) stands: x = rotation x_body + translation, rotation row by row.
+  /// Sets where body `which` (1 or 2) stands: x = rotation x_body + translation, rotation row by row.
   void set_pose(std::int32_t which, const double* rotation, const double* translation);
   void set_axes(const double* origin, const double* rolling, const double* normal);
   void set_gap(std::int64_t n, const double* gap);  ///< each of the three replaces the others
@@ -99,29 +98,29 @@ class Scene {
   void set_speed(double speed);
   /// Makes every solve a step of dt (StepKind's numbers); dt counts for nothing where it is steady.
   void set_step(std::int32_t kind, double dt);
-  /// Of body `which` (1 or 2) or of the contact (0), in the axes of space, as Velocity has it; at rest so far.
-  /// Creepages and spin follow from the velocities from then on, until they are prescribed, and the speed from that of
-  /// the contact, until it is set.
+  /// Sets the velocity of body `which` (1 or 2) or of the contact (0), in the axes of space, as Velocity has it; those
+  /// not set are at rest. Creepages and spin follow from the velocities from then on, until they are prescribed, and
+  /// the speed from that of the contact, until it is set.
   void set_velocity(std::int32_t which, const double* velocity, const double* angular_velocity, const double* point);
-  /// Forgets velocities.
+  /// Prescribes creepages and spin; forgets velocities.
   void set_creep(double longitudinal, double lateral, double spin);
-  /// Rigid slip velocity at each node, (c1, c2) pairs in the axes; added to creepages and spin.
+  /// Sets the rigid slip velocity at each node, (c1, c2) pairs in the axes; it adds to creepages and spin.
   void set_creep_field(std::int64_t n, const double* slip);
   void prescribe(std::int32_t direction, std::int32_t how, double value);
   void set_friction(const char* law, std::int32_t n, const double* parameters);
-  /// The coefficients of `of` times a factor, of Coulomb's law without a field.
+  /// Takes the coefficients of `of`, which has Coulomb's law without a field, times a factor.
   void scale_friction(const Scene& of, double factor);
   void set_friction_field(std::int64_t n, const double* mu);
-  /// Of laws that fall, whichever is set; a length of 0: none.
+  /// Sets the memory of laws that fall, whichever is set; a length of 0: none.
   void set_friction_memory(double length, double least_speed);
-  /// An elastic layer between the bodies: tangential displacement per traction; 0: none.
+  /// Sets an elastic layer between the bodies: tangential displacement per traction; 0: none.
   void set_layer(double flexibility);
-  /// It flows under a traction of stress + hardening times the flow; a stress of 0: never.
+  /// Makes the layer flow under a traction of stress + hardening times the flow; a stress of 0: never.
   void set_layer_yield(double stress, double hardening);
-  /// Coefficients along t2, linear between points (y, mu) with ascending y; in place of that of the law, where no field
-  /// is given. n = 0: none.
+  /// Sets coefficients along t2, linear between points (y, mu) with ascending y; they replace that of the law where no
+  /// field is given. n = 0: none.
   void set_friction_across(std::int64_t n, const double* points);
-  /// Of body `which` (1 or 2).
+  /// Sets the thermal properties of body `which` (1 or 2) and its temperature.
   void set_heat(std::int32_t which, double conductivity, double capacity, double temperature);
 
   const SurfaceMesh& mesh() const { return mesh_; }
@@ -130,37 +129,37 @@ class Scene {
   const FrameSource& frame_source() const { return frame_source_; }
   const Pose& pose(std::size_t body) const { return pose_[body]; }  ///< 0 or 1
   const Axes& axes() const { return axes_; }
-  /// At a point of the axes: what was set, or the speed of the contact over both bodies.
+  /// Returns the speed at a point of the axes: what was set, or the speed of the contact over both bodies.
   double speed(const Vec3& point) const;
   StepKind step_kind() const { return step_kind_; }
   double step_time() const { return step_time_; }
   bool velocities_given() const { return velocities_given_; }
-  /// Of body 1 relative to body 2, in the directions of the axes; its point is their origin.
+  /// Returns the velocity of body 1 relative to body 2, in the directions of the axes; its point is their origin.
   Velocity relative_velocity() const;
   const Load& load(Direction d) const { return load_[motion_of(d)]; }
-  /// Whether body 1 turns about t1 or t2, by a motion or a moment that is given.
+  /// Says whether body 1 turns about t1 or t2, by a motion or a moment that is given.
   bool tilts() const;
   const std::vector<double>& creep_field() const { return creep_field_; }
   bool has_gap() const { return gap_kind_ != GapKind::none; }
-  /// a, b, c of set_gap_quadratic, where that is what was given last.
+  /// Returns a, b, c of set_gap_quadratic, where that is what was given last.
   std::optional<std::array<double, 3>> quadratic_gap() const;
-  /// Of set_gap_grid, likewise; else null.
+  /// Returns the gap of set_gap_grid where that was given last; else null.
   const HeightGrid* gap_grid() const { return gap_kind_ == GapKind::grid ? gap_grid_.get() : nullptr; }
-  /// Gap of node k at local coordinates (x, y); needs has_gap(). err_argument: the node lies where a grid has no gap.
+  /// Returns the gap of node k at (x, y) in the axes; needs has_gap(). err_argument: a grid has no gap there.
   double gap(std::int64_t k, double x, double y) const;
-  /// Of node k, at y.
+  /// Returns the friction coefficient of node k, which lies at y.
   double friction(std::int64_t k, double y) const {
     if (!friction_field_.empty()) return friction_field_[static_cast<std::size_t>(k)];
     return across_y_.empty() ? friction_ : linear_between(across_y_, across_mu_, y);
   }
-  /// Null: Coulomb's.
+  /// Returns null for Coulomb's law.
   const std::shared_ptr<const FrictionLaw>& law() const { return law_in_use_; }
   bool friction_varies_across() const { return friction_field_.empty() && !across_y_.empty(); }
   double layer() const { return layer_; }
   const BothHeats& heat() const { return heat_; }
   /// Throws err_state naming what is missing: nodes, elements, gap (unless a body has a surface), friction, speed
-  /// (where there are velocities). (Arrays always fit the frame: their length is checked when they are set, and new
-  /// nodes forget them.)
+  /// (where there are velocities). Arrays always fit the frame: their length is checked when they are set, and new
+  /// nodes forget them.
   void require_complete(bool has_surface = false) const;
 
   Options options;
@@ -183,22 +182,22 @@ class Scene {
   enum class GapKind { none, nodes, quadratic, grid } gap_kind_ = GapKind::none;
   std::vector<double> gap_;
   std::array<double, 3> quadratic_{0, 0, 0};
-  std::shared_ptr<const HeightGrid> gap_grid_;  ///< shared by the scenes that follow this one
+  std::shared_ptr<const HeightGrid> gap_grid_;  ///< owned together with the scenes that follow this one
   StepKind step_kind_ = StepKind::steady;
   double step_time_ = 0;
   double speed_ = 1;
   bool speed_given_ = false, velocities_given_ = false, travel_given_ = false;
-  std::array<Velocity, 3> velocity_{};  ///< of the contact and both bodies
+  std::array<Velocity, 3> velocity_{};  ///< velocities of the contact and both bodies
   std::array<Load, motion_count> load_{};
   std::vector<double> creep_field_;
   double friction_ = 0;
-  std::shared_ptr<const FrictionLaw> law_, law_in_use_;  ///< as named, and with what else was set
+  std::shared_ptr<const FrictionLaw> law_, law_in_use_;  ///< law as named, and with what else was set
   FrictionMemory memory_;
   LayerYield yield_;
   std::vector<double> across_y_, across_mu_;
   double layer_ = 0;
   BothHeats heat_{};
-  const LawName* law_name_ = nullptr;  ///< none was given yet
+  const LawName* law_name_ = nullptr;  ///< null: no law was given yet
   std::vector<double> law_parameters_;
   std::vector<double> friction_field_;
 };

@@ -1,4 +1,4 @@
-/// What a scene takes from its bodies: where they stand, how they move, and frames made of their faces.
+/// Holds what a scene takes from its bodies: where they stand, how they move, and frames made of their faces.
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +15,8 @@ double determinant(const std::array<Vec3, 3>& r) {
   return dot(r[0], cross(r[1], r[2]));
 }
 
-/// The rotation next to a matrix that is one but for rounding: Newton's iteration for the polar decomposition, R <- (R
-/// + R^-T) / 2.
+/// Returns the rotation next to a matrix that is one but for rounding, by Newton's iteration for the polar
+/// decomposition, R <- (R + R^-T) / 2.
 std::array<Vec3, 3> nearest_rotation(std::array<Vec3, 3> r) {
   for (int i = 0; i < 3; ++i) {
     const double scale = 1 / determinant(r);

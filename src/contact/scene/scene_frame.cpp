@@ -1,4 +1,4 @@
-/// Frame and axes of a scene.
+/// Sets frame and axes of a scene.
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace rollcon {
 
 namespace {
 
-/// Unit vector; scaled first, so that no finite input overflows or underflows.
+/// Returns the unit vector; v is scaled first, so that no finite input overflows or underflows.
 Vec3 unit(const double* v, const char* name) {
   const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
   if (largest == 0) fail(Status::err_argument, "%s is the zero vector", name);
@@ -153,7 +153,7 @@ void Scene::set_axes(const double* origin, const double* rolling, const double* 
   if (dot(axes.t2, axes.t2) < least_sine * least_sine)
     fail(Status::err_argument, "rolling is parallel to normal: no direction in the tangent plane");
   axes.t2 = unit(axes.t2.data(), "rolling");
-  const double leftover = dot(axes.t2, axes.n);  // rounding over the sine
+  const double leftover = dot(axes.t2, axes.n);  // rounding, divided by the sine
   for (std::size_t i = 0; i < 3; ++i) axes.t2[i] -= leftover * axes.n[i];
   axes.t2 = unit(axes.t2.data(), "rolling");
   axes.t1 = cross(axes.t2, axes.n);
