@@ -1,4 +1,4 @@
-/// Columns of a list's results, by name.
+/// Finds columns of a list's results by name.
 
 #include <algorithm>
 #include <cstring>

@@ -46,7 +46,7 @@ class Walk {
  private:
   double at(std::int64_t row, std::size_t depth) const { return value_[row * columns_ + priority_[depth]]; }
   bool differs(std::int64_t a, std::int64_t b, std::size_t depth) const { return at(a, depth) != at(b, depth); }
-  /// By all columns, that of `depth` first.
+  /// Compares by all columns, that of `depth` first.
   int compare(std::int64_t a, std::int64_t b, std::size_t depth) const {
     for (std::size_t i = 0; i < priority_.size(); ++i) {
       const std::size_t d = (depth + i) % priority_.size();

@@ -29,7 +29,7 @@ void SharedFrameSolver::begin_chain() {
 
 Status SharedFrameSolver::solve(std::span<const Parameter> parameter, const double* value, Monitor& monitor) {
   for (std::size_t j = 0; j < parameter.size(); ++j) {
-    const double v = value[j] + 0.0;  // no negative zero
+    const double v = value[j] + 0.0;  // + 0.0 turns a negative zero
     const std::size_t m = motion_of(parameter[j]);
     if (parameter[j] == Parameter::friction)
       given_.friction = v;
@@ -90,9 +90,9 @@ void SharedFrameSolver::derivatives(std::span<const Parameter> parameter, const 
   std::fill_n(d, 10 * parameter.size(), none);
   if (outcome != Outcome::converged && outcome != Outcome::no_contact) return;
   for (std::size_t j = 0; j < parameter.size(); ++j, d += 10) {
-    double unit = 1;  // per relative change of the coefficients, so far
+    double unit = 1;  // so far per relative change of the coefficients
     if (parameter[j] == Parameter::friction && !frictionless_) unit = value[j];
-    if (unit == 0) continue;  // one-sided: not in the system of a frictionless solution
+    if (unit == 0) continue;  // one-sided derivative: not in the system of a frictionless solution
     try {
       const Rates r = solver_->rates(parameter[j]);
       std::copy(r.force.begin(), r.force.end(), d);

@@ -1,6 +1,6 @@
 #pragma once
-/// What solves the load cases of a list, one object for each thread: on the frame of the scene, which they share with
-/// its operators, compliance and bodies, read only; or each on frames of its own.
+/// Solves the load cases of a list, by one object for each thread: on the frame of the scene, whose operators,
+/// compliance and bodies all threads read; or each on frames of its own.
 
 #include <cstddef>
 #include <cstdint>
@@ -21,23 +21,23 @@ class CaseSolver {
  public:
   virtual ~CaseSolver() = default;
 
-  /// The next case starts cold, whatever was solved before.
+  /// Makes the next case start cold, whatever was solved before.
   virtual void begin_chain() = 0;
-  /// Solves one case, starting from the last one of the chain if that converged. parameter: what value[i] is of.
+  /// Solves one case, starting from the last one of the chain if that converged; value[i] belongs to parameter[i].
   /// Returns its status >= 0; throws Error.
   virtual Status solve(std::span<const Parameter> parameter, const double* value, Monitor& monitor) = 0;
 
-  /// What a column says of the last case; derivatives by each parameter's value, NaN where there are none.
+  /// Writes what a column says of the last case: derivatives by each parameter's value, NaN where there are none.
   virtual void write(const CaseColumn& column, std::span<const Parameter> parameter, const double* value,
                      double* to) = 0;
 
-  /// What this solver holds beyond what it shares.
+  /// Counts what this solver holds beyond what all use together.
   virtual std::size_t bytes() const = 0;
 };
 
 class SharedFrameSolver final : public CaseSolver {
  public:
-  /// `scene` must be prepared, and outlive this object unchanged.
+  /// Makes a solver on the frame of `scene`, which must be prepared and outlive this object unchanged.
   explicit SharedFrameSolver(const Solver& scene);
   ~SharedFrameSolver() override;
 
@@ -50,8 +50,8 @@ class SharedFrameSolver final : public CaseSolver {
   void derivatives(std::span<const Parameter> parameter, const double* value, double* d);
 
   std::unique_ptr<Solver> solver_;
-  Prescribed given_;           ///< of the last case
-  bool frictionless_ = false;  ///< the scene
+  Prescribed given_;           ///< givens of the last case
+  bool frictionless_ = false;  ///< scene has no friction
   bool warm_ = false;
 };
 

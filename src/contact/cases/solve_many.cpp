@@ -1,5 +1,5 @@
-/// Lists of load cases over threads. Chains of neighbouring cases are what threads take: a chain is solved alike by
-/// whichever thread, so that results do not depend on how many there are.
+/// Solves lists of load cases over threads, which take chains of neighbouring cases: every thread solves a chain alike,
+/// so that results do not depend on how many there are.
 
 #include "contact/cases/solve_many.hpp"
 
@@ -23,7 +23,8 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// Columns of CaseList::value, what changes the normal problem first: cases that share it come one after the other.
+/// Orders columns of CaseList::value, what changes the normal problem first: cases with the same normal problem come
+/// one after the other.
 std::vector<std::int64_t> priority(std::span<const Parameter> parameter) {
   std::vector<std::int64_t> columns;
   for (const Parameter p :
@@ -47,13 +48,13 @@ class ManyCases final : public Interrupt {
 
   /// Solves the chains; returns what all solvers held. Rethrows what a progress callback threw.
   std::size_t run(const std::function<std::unique_ptr<CaseSolver>()>& make, int threads);
-  /// Copies to the repeated cases, and says what the call returns.
+  /// Copies results to the repeated cases, and says what the call returns.
   Status finish();
   bool wanted() const override { return host_.cancel->load(); }
 
  private:
   void tell() override { tell(Phase::cases, solved_.load(), 0); }
-  /// Told of iterations in the calling thread, silent in others.
+  /// Tells of iterations in the calling thread and is silent in others.
   class Watch final : public Monitor {
    public:
     Watch(ManyCases& many, bool calling) : many_(many), calling_(calling) {}
@@ -85,7 +86,7 @@ class ManyCases final : public Interrupt {
   const double start_ = now_seconds();
   Batch batch_;
   std::atomic<std::int64_t> solved_{0};
-  std::exception_ptr thrown_;  ///< by a callback
+  std::exception_ptr thrown_;  ///< exception from a callback
 };
 
 void ManyCases::forget_results(std::int64_t i) {
@@ -118,7 +119,7 @@ Status ManyCases::solve_case(CaseSolver& solver, std::int64_t i, Monitor& monito
 }
 
 void ManyCases::solve_chain(CaseSolver& solver, std::size_t chain, bool calling) {
-  const BlasThreads blas(1);  // this thread needs a buffer of its own
+  const BlasThreads blas(1);  // each thread needs a buffer of its own
   Watch watch(*this, calling);
   solver.begin_chain();
   for (std::int64_t k = order_.chain_begin[chain]; k < order_.chain_begin[chain + 1] && !wanted(); ++k) {

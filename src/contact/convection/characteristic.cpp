@@ -17,11 +17,11 @@ bool quadratic_quad(ElementType type) {
   return type == ElementType::quad8 || type == ElementType::quad9;
 }
 
-// Area of the frame that a node stands for: its dual cell. In quadratic quadrilaterals the parts that equally spaced
-// nodes have (corner 1/16, midside 1/8, centre 1/4): the dual cells of their linear cells differ by 2.5 between midside
-// nodes and corners, and so would the steps. Two thirds of them: tractions that are quadratic between the nodes want
-// steps that much shorter (measured: 0.4 of the spacing halves the error of friction forces on quad8 and quad9 against
-// 0.6).
+// Returns the area of the frame that each node stands for: its dual cell. Nodes of quadratic quadrilaterals get the
+// parts that equally spaced nodes have (corner 1/16, midside 1/8, centre 1/4), as the dual cells of their linear cells,
+// and so the steps, differ by 2.5 between midside nodes and corners; and two thirds of these, as tractions that are
+// quadratic between the nodes want steps that much shorter (0.4 of the spacing halves the error of friction forces on
+// quad8 and quad9 against 0.6).
 std::vector<double> area_of_nodes(const Frame& frame) {
   const auto type = [&](std::int64_t e) { return frame.mesh.type[static_cast<std::size_t>(e)]; };
   if (std::none_of(frame.mesh.type.begin(), frame.mesh.type.end(), quadratic_quad)) return projected_cell_area(frame);
@@ -45,7 +45,7 @@ std::vector<double> area_of_nodes(const Frame& frame) {
   return area;
 }
 
-// Spacing along the flow (t1): area over half the extent of the neighbours across it.
+// Returns the spacing along the flow (t1): area over half the extent of the neighbours across it.
 std::vector<double> spacing_along_flow(const Frame& frame) {
   const auto n = static_cast<std::size_t>(frame.nodes());
   std::vector<double> low(frame.y), high(frame.y), spacing(n);
@@ -73,8 +73,8 @@ std::vector<double> spacing_along_flow(const Frame& frame) {
   return spacing;
 }
 
-// Where the traction of a node acts along the flow, as seen from it: mean and mean square of the distance upstream,
-// weighted by the squares of the shape functions (which have no negative lobes).
+// Tells where the traction of a node acts along the flow, as seen from it: mean and mean square of the distance
+// upstream, weighted by the squares of the shape functions (which have no negative lobes).
 struct Spread {
   double mean = 0, square = 0;
 };
@@ -98,7 +98,7 @@ std::vector<Spread> spread_along_flow(const Frame& frame) {
   return spread;
 }
 
-// w(x_I) - w(x_I + delta e), both displacements exact.
+// Makes the rows w(x_I) - w(x_I + delta e), both displacements exact.
 SparseRows differences(const std::vector<double>& ahead) {
   SparseRows rows;
   const std::size_t n = ahead.size();
@@ -117,11 +117,11 @@ SparseRows differences(const std::vector<double>& ahead) {
 
 }  // namespace
 
-// Steps upstream: a part of the spacing. A node's own traction must move the surface there less than at the node, or
-// slip grows with the friction that opposes it. Where it acts upstream of its node, as on the rim that material leaves
-// and where elements grow fast, the step passes that place by more than the node's distance from it. Inside, elements
-// that grow threefold from one to the next do not need that yet. Regular grids have the same step everywhere, so that
-// all rows are alike.
+// Chooses steps upstream as a part of the spacing. A node's own traction must move the surface there less than at the
+// node, or slip grows with the friction that opposes it. Where it acts upstream of its node, as on the rim that
+// material leaves and where elements grow fast, the step passes that place by more than the node's distance from it.
+// Inside, elements that grow threefold from one to the next do not need that yet. Regular grids have the same step
+// everywhere, so that all rows are alike.
 std::vector<double> characteristic_steps(const Frame& frame, double part) {
   constexpr double uniform = 10;  // squared spacing over the mean square, on a uniform grid
   constexpr double further_on_rim = 0.8, further_inside = 0.3;
@@ -146,7 +146,7 @@ Convection make_characteristic(const Frame& frame, double step, bool ends_at_edg
   Convection c = at_nodes(frame, differences(ahead));
   for (std::size_t i = 0; i < ahead.size(); ++i) {
     c.factor[i] = ahead[i] > 0 ? 1 / ahead[i] : 0;
-    c.slip_x[i] += ahead[i] / 2;  // second order: the difference is centred there
+    c.slip_x[i] += ahead[i] / 2;  // the difference is centred there: second order
   }
   c.ahead = ahead;
   if (ends_at_edge) take_slip_at_nodes(frame, c);

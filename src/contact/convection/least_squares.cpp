@@ -7,8 +7,8 @@
 #include "contact/convection/rows.hpp"
 #include "mesh/topology.hpp"
 
-/// Fit of the gradient over upwind neighbours, equations (43)-(45), in coordinates along the path: d = s e + t (e
-/// turned by 90 degrees), so that the row is minus the gradient's component along e.
+/// Fits the gradient over upwind neighbours, equations (43)-(45), in coordinates along the path: d = s e + t (e turned
+/// by 90 degrees), so that the row is minus the gradient's component along e.
 ///
 /// The fit is weighted by (cos theta / |d|)^2, theta the angle between d and e. Neighbours across the flow (ties) then
 /// enter and leave without a jump as the flow turns, and both sides alike; they keep a small weight, because next to a
@@ -24,9 +24,9 @@
 namespace rollcon {
 namespace {
 
-/// cos^2 of a tie in the weights.
+/// Weight cos^2 of a tie.
 constexpr double tie_weight = 1e-6;
-/// Growth of an error in w per step of the march downstream, sum |c_J| / |sum c_J|: what a stencil may have where one
+/// Growth of an error in w per step of the march downstream, sum |c_J| / |sum c_J|, that a stencil may have where one
 /// without growth exists, and where the path leaves the frame next to the node.
 constexpr double usable_growth = 1.5, tolerable_growth = 4;
 /// Amplification sum |c_J| |x_J - x_I| (1 for a node straight upstream) up to which the neighbours' own fit is taken
@@ -43,7 +43,7 @@ struct Stencil {
   std::vector<std::int32_t> node;
   std::vector<double> c;
   double growth = 0, amplification = 0;
-  double truncation = 0;  ///< sum |c_J| |x_J - x_I|^2, bounds the error of a smooth field
+  double truncation = 0;  ///< sum |c_J| |x_J - x_I|^2, which bounds the error of a smooth field
 
   void add(const Neighbour& j, double coefficient) {
     if (coefficient == 0) return;
@@ -60,7 +60,7 @@ struct Stencil {
   double sum_ = 0;
 };
 
-/// The weighted fit; nothing if all neighbours are collinear and not along the path.
+/// Makes the weighted fit; nothing if all neighbours are collinear and not along the path.
 std::optional<Stencil> fit(std::span<const Neighbour> upwind) {
   double ss = 0, st = 0, tt = 0;  // moments of the directions d / |d|
   auto weight = [](double cosine) { return std::max(cosine * cosine, tie_weight); };
@@ -89,8 +89,8 @@ std::optional<Stencil> fit(std::span<const Neighbour> upwind) {
   return stencil;
 }
 
-/// Two neighbours with the path between them: e = alpha d_J + beta d_K, alpha, beta >= 0. Exact for linear fields
-/// without growth. The pair with the least truncation.
+/// Finds the pair of neighbours with the path between them that has the least truncation: e = alpha d_J + beta d_K,
+/// alpha, beta >= 0. It is exact for linear fields without growth.
 std::optional<Stencil> enclosing_pair(std::span<const Neighbour> neighbours) {
   std::optional<Stencil> best;
   for (const Neighbour& j : neighbours)
@@ -107,7 +107,7 @@ std::optional<Stencil> enclosing_pair(std::span<const Neighbour> neighbours) {
   return best;
 }
 
-/// Difference along the nearest path of the neighbours: the fit of least norm. Last resort.
+/// Takes the difference along the nearest path of the neighbours, the fit of least norm, as the last resort.
 Stencil along_neighbours(std::span<const Neighbour> upwind) {
   double sum = 0;
   for (const Neighbour& j : upwind) sum += j.s * j.s / (j.length() * j.length());
@@ -125,8 +125,8 @@ class LeastSquares {
   LeastSquares(const Frame& frame, double ex, double ey)
       : frame_(frame), ex_(ex), ey_(ey), near_(neighbours(frame.nodes(), split_elements(frame.mesh), false)) {}
 
-  /// The candidates but i itself, seen from node i. Rounding beside the path or across it is taken out: on lines of
-  /// nodes it must not decide which stencil encloses the path.
+  /// Returns the candidates but i itself, seen from node i. Rounding beside the path or across it is taken out: on
+  /// lines of nodes it must not decide which stencil encloses the path.
   std::vector<Neighbour> around(std::int32_t i, std::span<const std::int32_t> candidates) const {
     std::vector<Neighbour> found;
     const auto a = static_cast<std::size_t>(i);
@@ -145,7 +145,7 @@ class LeastSquares {
 
   std::span<const std::int32_t> ring(std::int32_t i) const { return near_[i]; }
 
-  /// Neighbours of neighbours, those of the first ring included.
+  /// Returns neighbours of neighbours, those of the first ring included.
   std::vector<std::int32_t> two_rings(std::int32_t i) const {
     std::vector<std::int32_t> node;
     for (std::int32_t j : near_[i]) {
@@ -163,7 +163,7 @@ class LeastSquares {
   Neighbours near_;
 };
 
-/// Those upstream or across the flow; none if nothing lies upstream.
+/// Returns those upstream or across the flow; none if nothing lies upstream.
 std::vector<Neighbour> upwind_of(std::vector<Neighbour> neighbours) {
   std::erase_if(neighbours, [](const Neighbour& j) { return j.s < 0; });
   const bool upstream = std::any_of(neighbours.begin(), neighbours.end(), [](const Neighbour& j) { return j.s > 0; });
@@ -171,7 +171,7 @@ std::vector<Neighbour> upwind_of(std::vector<Neighbour> neighbours) {
   return neighbours;
 }
 
-/// The one with the least truncation among those that grow no more than allowed.
+/// Returns the one with the least truncation among those that grow no more than allowed.
 std::optional<Stencil> better(std::optional<Stencil> a, std::optional<Stencil> b, double growth) {
   if (a && a->growth > growth) a.reset();
   if (b && b->growth > growth) b.reset();

@@ -1,5 +1,5 @@
 #pragma once
-/// Assembly of the rows of a convective operator.
+/// Assembles the rows of a convective operator.
 
 #include <cstdint>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace rollcon {
 
-/// A direction across the flow to this part of its length counts as exactly across it.
+/// Directions that lie along the flow by less than this fraction of their length count as exactly across it.
 constexpr double flow_rounding = 1e-10;
 
 class RowBuilder {
@@ -16,7 +16,7 @@ class RowBuilder {
   explicit RowBuilder(std::int64_t rows) : rows_(rows) {}
   /// Adds to entry (row, column).
   void add(std::int32_t row, std::int32_t column, double value) { entry_.push_back({row, column, value}); }
-  /// Sorted, entries of one place summed. The builder is empty afterwards.
+  /// Returns the rows sorted, entries of one place summed. The builder is empty afterwards.
   SparseRows finish();
 
  private:

@@ -1,4 +1,4 @@
-/// Schemes by name, and what they have in common.
+/// Lists schemes by name, with what they have in common.
 
 #include <utility>
 
@@ -8,7 +8,7 @@
 
 namespace rollcon {
 
-// Each in the file of its scheme.
+// Each maker is in the file of its scheme.
 MakeConvection make_characteristic, make_godunov, make_least_squares, make_time_step;
 
 namespace {
@@ -21,7 +21,7 @@ constexpr Scheme schemes[] = {
 
 }  // namespace
 
-// Others may use them before main.
+// Initialisers of other files may use these before main.
 constinit const Scheme Scheme::characteristic = schemes[0];
 constinit const Scheme Scheme::time_step = {"none: a step in time, displacements of the step before are carried along",
                                             make_time_step};
@@ -52,7 +52,7 @@ Convection at_nodes(const Frame& frame, SparseRows rows) {
 Convection make_convection(const Frame& frame, const Scheme& scheme, bool ends_at_edge, double step) {
   Convection c = scheme.make(frame, step, ends_at_edge);
   if (scheme == Scheme::time_step) return c;
-  // Along the surface.
+  // On a curved frame derivatives are along the surface.
   for (std::size_t i = 0; i < frame.t1.size(); ++i) c.factor[i] *= dot(frame.t1[i], frame.axes.t1);
   return c;
 }

@@ -1,4 +1,4 @@
-/// The characteristic scheme's slip, which belongs half a step upstream of each node, carried back to the node.
+/// Carries the characteristic scheme's slip, which belongs half a step upstream of each node, back to the node.
 
 #include <algorithm>
 #include <cmath>
@@ -15,11 +15,11 @@ namespace {
 
 constexpr std::int32_t none = -1;
 
-/// Part of a line's length at its upstream end that the contact may not reach: outlines are found to 0.3 %, strips are
-/// 0.4 % longer, friction between unlike bodies moves the edge by up to 2.5 % (measured).
+/// Fraction of a line's length at its upstream end that the contact may not reach: outlines are found to 0.3 %, strips
+/// are 0.4 % longer, friction between unlike bodies moves the edge by up to 2.5 % (measured).
 constexpr double doubtful = 0.03;
 
-/// Of each node the next one upstream on a line along the flow.
+/// Finds the next node upstream of each on a line along the flow.
 std::vector<std::int32_t> next_upstream(const Frame& frame) {
   constexpr double same_line = 1e-9;
   const std::vector<Side> sides = sorted_sides(split_elements(frame.mesh));
@@ -33,12 +33,12 @@ std::vector<std::int32_t> next_upstream(const Frame& frame) {
   return next;
 }
 
-/// Without those near the upstream ends of their lines.
+/// Drops those near the upstream ends of their lines.
 void drop_doubtful(const Frame& frame, std::vector<std::int32_t>& next) {
   std::vector<std::size_t> order(next.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return frame.x[a] > frame.x[b]; });
-  std::vector<std::size_t> first(next.size());  // of each node's line
+  std::vector<std::size_t> first(next.size());  // first node of each node's line
   std::vector<double> last(next.size(), 0.0);   // x where the line of this first node ends
   for (const std::size_t k : order) {
     first[k] = next[k] == none ? k : first[at(next[k])];

@@ -5,7 +5,7 @@
 
 namespace rollcon {
 
-// Every node's own displacement.
+// Makes rows that take every node's own displacement.
 Convection make_time_step(const Frame& frame, double /*step*/, bool /*ends_at_edge*/) {
   const std::size_t nodes = frame.x.size();
   SparseRows rows;

@@ -21,7 +21,7 @@
 namespace rollcon {
 namespace {
 
-// Step that the characteristic scheme is compared with, over its own.
+// Factor between the step that the characteristic scheme is compared with and its own.
 constexpr double longer = 5.0 / 3;
 
 using Tractions = std::vector<double>[3];
@@ -30,7 +30,7 @@ double ratio(double part, double whole) {
   return whole > 0 ? part / whole : 0;
 }
 
-// Forces and squared L2 norms of tractions.
+// Holds forces and squared L2 norms of tractions.
 struct Sums {
   double normal = 0, tangential = 0;  ///< forces
   double magnitude = 0;               ///< integral of |tangential traction|
@@ -61,7 +61,7 @@ Sums difference(const Solution& s, const Tractions& a, const Tractions& b) {
   return sums_of(s, d);
 }
 
-// Area of the linear cells that the edge of the contact runs through.
+// Returns the area of the linear cells that the edge of the contact runs through.
 double fringe(const Frame& frame, const std::vector<double>& normal) {
   const LinearCells cells = split_elements(frame.mesh);
   double sum = 0;
@@ -79,7 +79,7 @@ double fringe(const Frame& frame, const std::vector<double>& normal) {
   return sum;
 }
 
-// A variant with the step wished for or, where that finds no solution, the most stable one.
+// Solves a variant with the step wished for or, where that finds no solution, the most stable one.
 template <class Make>
 std::optional<Variant> solved(const Solution& s, bool given_load, double step, Make make) {
   constexpr double stable_step = 1;
@@ -91,8 +91,8 @@ std::optional<Variant> solved(const Solution& s, bool given_load, double step, M
   return std::nullopt;
 }
 
-// Errors of forces are of second order in the spacing for pressures and of first order for friction, those of tractions
-// of first order: their edges.
+// Estimates from coarser lattices. Errors of forces are of second order in the spacing for pressures and of first order
+// for friction; those of tractions are of first order, because of their edges.
 void estimate_on_lattice(const Solution& s, ErrorEstimate& e) {
   constexpr double tolerance = 1e-6;
   Iterate coarse, coarser;
@@ -126,13 +126,13 @@ void estimate(const Solution& s, ErrorEstimate& e) {
   const bool friction = !s.frictionless;
   e.normal = e.tractions = 1;
   e.tangential = friction ? 1 : 0;
-  // What two discretisations of an edge have in common says nothing about a contact.
+  // A comparison of two discretisations of an edge says nothing about a contact.
   if (too_few_nodes(s)) return;
   if (s.prepared->problem.op->influence()) return estimate_on_lattice(s, e);
   const Sums whole = sums_of(s, solution);
   const bool characteristic = s.prepared->scheme == Scheme::characteristic;
 
-  // The same nodes, and another scheme.
+  // The first comparison has the same nodes and another scheme.
   std::optional<Variant> same = solved(s, false, characteristic ? longer * characteristic_step : characteristic_step,
                                        [&](double d) { return Variant::same_nodes(s, friction, d); });
   if (!same) return;
@@ -142,13 +142,13 @@ void estimate(const Solution& s, ErrorEstimate& e) {
   std::vector<double> rate;
   if (same->pressure_rate(rate)) e.normal = ratio(std::abs(gap_force(s, rate)), whole.normal);
 
-  // Fewer nodes, and the same scheme.
+  // The second comparison has fewer nodes and the same scheme.
   const std::optional<Variant> coarse =
       solved(s, s.given.by_force[approach], characteristic_step, [&](double d) { return Variant::coarse(s, d); });
   if (!coarse || coarse->space().node.size() == s.prepared->frame.used.size()) return;
   const Sums change = difference(s, coarse->tractions(), friction && !characteristic ? same->tractions() : solution);
   // Errors come from the edge of the contact, which is known to one spacing of the nodes there, and are taken to be
-  // proportional to it. Those of the forces add up with it; those of the tractions sit beside each other.
+  // proportional to it. Errors of the forces add up with it; errors of the tractions lie side by side.
   const double spacing =
       ratio(fringe(coarse->space().frame, coarse->iterate().lambda[2]), fringe(s.prepared->frame, normal));
   const double more = std::clamp(spacing - 1, 0.5, 3.0);
@@ -175,7 +175,7 @@ const ErrorEstimate& find_error_estimate(const Solution& s, Derived& derived) {
       else if (s.report.outcome != Outcome::no_contact)
         e.normal = e.tangential = e.tractions = 1;
     } catch (const Error&) {
-      // A coarse frame that would be none. What is known by then stays.
+      // A coarse frame would be invalid; what is known by then stays.
     }
   }
   e.known = true;

@@ -1,7 +1,7 @@
 #pragma once
-/// How far the last solution is from that of the continuous problem of the same bodies: estimated from the gap between
-/// the nodes, another convective scheme and a coarser frame (docs/theory.md, section 8). Found when first asked for and
-/// kept until the next solve; it changes nothing else.
+/// Estimates how far the last solution is from that of the continuous problem of the same bodies, by the gap between
+/// the nodes, another convective scheme and a coarser frame (docs/theory.md, section 8). It is found when first asked
+/// for and kept until the next solve; it changes nothing else.
 
 namespace rollcon {
 
@@ -9,8 +9,8 @@ struct Derived;        // contact/derived.hpp
 struct ErrorEstimate;  // contact/derived.hpp
 struct Solution;
 
-/// 0 without contact; 1 where nothing can be said: the solve did not converge, or the frame has too few nodes to leave
-/// any out.
+/// Returns 0 without contact; 1 where nothing can be said: the solve did not converge, or the frame has too few nodes
+/// to leave any out.
 const ErrorEstimate& find_error_estimate(const Solution& solution, Derived& derived);
 
 }  // namespace rollcon

@@ -19,7 +19,8 @@ struct Silent final : Monitor {
   bool step(const StepRecord&) override { return false; }
 };
 
-// Rows over samples of the space's nodes; where one of another node is missing, the difference at the node itself.
+// Picks rows over samples of the space's nodes; where one of another node is missing, the difference at the node
+// itself.
 Convection pick(const TractionSpace& space, const Convection& whole) {
   Convection c;
   c.factor = pick(space, whole.factor);
@@ -71,7 +72,7 @@ void Variant::take_problem(const Solution& s) {
   for (std::size_t t = 0; t < 2; ++t) p.tilting[t] = pick(*space_, from.tilting[t]);
   p.cell_area = gather(*space_, from.cell_area);
   p.gap = pick(*space_, from.gap);
-  std::vector<double> mu = from.mu;  // that of the solution, where friction follows it
+  std::vector<double> mu = from.mu;  // the solution's coefficients, where friction follows it
   for (std::size_t k = 0; k < mu.size() && !s.given.utilisation.empty(); ++k) mu[k] *= s.given.utilisation[k];
   p.mu = pick(*space_, mu);
   p.slip1 = pick(*space_, from.slip1);
@@ -84,7 +85,7 @@ void Variant::take_problem(const Solution& s) {
   iterate_.motion = s.iterate.motion;
 }
 
-// A step in time on these nodes, from what the step before left on the fine frame.
+// Takes a step in time on these nodes, from what the step before left on the fine frame.
 void Variant::take_step(const Solution& s) {
   const Convection& fine = s.prepared->problem.convection;
   problem_.convection = make_convection(space_->frame, Scheme::time_step, false);
@@ -92,7 +93,7 @@ void Variant::take_step(const Solution& s) {
   problem_.convection.slip_y = pick(*space_, fine.slip_y);
 }
 
-// Slip that is given at nodes, taken where the characteristic scheme takes slip: half a step upstream.
+// Takes slip that is given at nodes where the characteristic scheme takes slip: half a step upstream.
 void Variant::move_given_slip(const Solution& s) {
   Problem& p = problem_;
   if (p.slip1.empty()) return;
@@ -114,7 +115,7 @@ void Variant::move_given_slip(const Solution& s) {
 void Variant::assemble(const Solution& s, bool tangential) {
   frictionless_ = !tangential;
   const auto op = std::make_shared<DenseOperators>();
-  // Under a monolithic solve there are no rows to take.
+  // A monolithic solve has no rows to take.
   if (s.prepared->problem.op->normal) take_normal_rows(*s.prepared->problem.op->dense(), *space_, *op);
   assemble_operators(space_->frame, *compliance_, problem_.convection, tangential, *op);
   op->loosen_held_tangents(problem_.used, !problem_.convection.ahead.empty());

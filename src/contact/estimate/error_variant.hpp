@@ -1,5 +1,5 @@
 #pragma once
-/// The contact of a solution once more, discretised otherwise: what error estimates compare with.
+/// Solves the contact of a solution once more, discretised otherwise, for error estimates to compare with.
 
 #include <memory>
 #include <vector>
@@ -13,18 +13,18 @@ struct Solution;
 
 class Variant {
  public:
-  /// The solution's nodes in contact alone, tangential rows by the characteristic scheme. tangential: false leaves
-  /// these out.
+  /// Keeps the solution's nodes in contact alone, with tangential rows by the characteristic scheme. tangential: false
+  /// leaves these out.
   static Variant same_nodes(const Solution& state, bool tangential, double step);
-  /// About a quarter of the nodes. Throws Error where the coarse triangles are no valid frame.
+  /// Keeps about a quarter of the nodes. Throws Error where the coarse triangles are no valid frame.
   static Variant coarse(const Solution& state, double step);
 
-  /// Solves with the motions of the solution; with its normal load instead of the approach if given_load. False:
-  /// nothing useful was found.
+  /// Solves with the motions of the solution; with its normal load instead of the approach if given_load. Returns false
+  /// if nothing useful was found.
   bool solve(const Solution& state, bool given_load);
-  /// Tractions at the nodes of the solution's frame.
+  /// Returns tractions at the nodes of the solution's frame.
   const std::vector<double> (&tractions() const)[3] { return traction_; }
-  /// Of a solved variant: rate of these pressures with the approach, tangential tractions held.
+  /// Finds the rate of a solved variant's pressures with the approach, tangential tractions held.
   bool pressure_rate(std::vector<double>& rate);
   const TractionSpace& space() const { return *space_; }
   const Iterate& iterate() const { return iterate_; }
@@ -35,7 +35,7 @@ class Variant {
   void assemble(const Solution& state, bool tangential);
   void move_given_slip(const Solution& state);
 
-  std::unique_ptr<TractionSpace> space_;  // in one place: the compliance refers to it
+  std::unique_ptr<TractionSpace> space_;  // on the heap, as the compliance refers to it
   std::unique_ptr<Compliance> compliance_;
   std::unique_ptr<Newton> newton_;
   bool frictionless_ = false;

@@ -8,9 +8,9 @@
 namespace rollcon {
 namespace {
 
-// Measured over grids and triangles that see Hertzian contacts of ratios 0.1 to 10 through 1 to 300 nodes: without a
-// node inside forces are off by up to 135 %, pressures by up to 200 %; from one on the normal force is within 6 %, from
-// five on nine of ten friction forces are within 17 %.
+// Bounds measured over grids and triangles that see Hertzian contacts of ratios 0.1 to 10 through 1 to 300 nodes:
+// without a node inside, forces are off by up to 135 %, pressures by up to 200 %; from one on the normal force is
+// within 6 %, from five on nine of ten friction forces are within 17 %.
 constexpr std::int64_t least_inside = 1, least_inside_with_friction = 5;
 
 std::int64_t least(const Solution& s) {
@@ -19,7 +19,7 @@ std::int64_t least(const Solution& s) {
 
 constexpr std::uint8_t touching = 1, edge = 2;
 
-// Of an element where some nodes touch and some are open, all are at the edge.
+// Marks all nodes of an element where some nodes touch and some are open: they are at the edge.
 template <std::size_t count>
 void mark_edge(std::uint8_t* state, const std::int32_t* node) {
   int all = touching, any = 0;
@@ -37,7 +37,7 @@ std::int64_t nodes_inside(const SurfaceMesh& mesh, const std::vector<double>& no
                           const std::uint8_t* inner) {
   node.resize(normal.size());
   for (std::size_t k = 0; k < normal.size(); ++k) node[k] = normal[k] < 0 || (inner && !inner[k]) ? touching : 0;
-  // Bytes may alias anything: what the loop reads is in locals.
+  // Locals hold what the loop reads, as bytes may alias anything.
   std::uint8_t* const state = node.data();
   const ElementType* const type = mesh.type.data();
   const std::int32_t* n = mesh.connectivity.data();
@@ -66,7 +66,7 @@ std::int64_t nodes_inside(const SurfaceMesh& mesh, const std::vector<double>& no
 }
 
 std::int64_t nodes_inside(const Solution& s) {
-  // Beyond the last nodes that may touch there is an edge that is known.
+  // The edge beyond the last nodes that may touch is known.
   const Frame& frame = s.prepared->frame;
   thread_local std::vector<std::uint8_t> node;  // solves allocate nothing
   return nodes_inside(frame.mesh, s.iterate.lambda[2], node, s.prepared->ends_at_edge ? frame.used.data() : nullptr);

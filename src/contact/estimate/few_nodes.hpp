@@ -1,5 +1,5 @@
 #pragma once
-/// Whether enough nodes touch for a solution to mean anything (docs/theory.md, section 8).
+/// Tells whether enough nodes touch for a solution to mean anything (docs/theory.md, section 8).
 
 #include <cstdint>
 #include <vector>
@@ -11,18 +11,18 @@ namespace rollcon {
 
 struct Solution;
 
-/// Nodes in contact without an open node in any of their elements: the contact's extent is known to one element, so
-/// that all others are its edge.
+/// Counts nodes in contact without an open node in any of their elements: the contact's extent is known to one element,
+/// so that all others are its edge.
 std::int64_t nodes_inside(const Solution& state);
-/// Likewise, of a mesh's nodes those whose normal traction is negative; `node` is workspace. inner: 0 for nodes on an
-/// outline that is the contact's; null: the contact ends where nodes are open.
+/// Counts such nodes of a mesh, those whose normal traction is negative being in contact; `node` is workspace. inner: 0
+/// for nodes on an outline that is the contact's; null: the contact ends where nodes are open.
 std::int64_t nodes_inside(const SurfaceMesh& mesh, const std::vector<double>& normal, std::vector<std::uint8_t>& node,
                           const std::uint8_t* inner = nullptr);
 
-/// The contact has no inside, or with friction not enough of it.
+/// Says whether the contact has no inside, or with friction not enough of it.
 bool too_few_nodes(const Solution& state);
 
-/// How many touch, what that means and what to do about it.
+/// Says how many touch, what that means and what to do about it.
 Line describe_few_nodes(const Solution& state);
 
 }  // namespace rollcon

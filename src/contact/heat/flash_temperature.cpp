@@ -9,7 +9,7 @@
 namespace rollcon {
 namespace {
 
-/// Where heat comes from along one line.
+/// Holds where heat comes from along one line.
 class HeatedLine {
  public:
   HeatedLine(const HeatedSurface& surface, double y, std::vector<LinePiece>& pieces) : surface_(surface) {
@@ -37,7 +37,7 @@ class HeatedLine {
     const double sum = penetration_[0] + penetration_[1], rise = flash(x, sum);
     const auto& heat = surface_.heat;
     const double common = (penetration_[0] * heat[0].temperature + penetration_[1] * heat[1].temperature) / sum;
-    double share = 0;  // of the way from a body's own temperature to the common one
+    double share = 0;  // fraction of the way from a body's own temperature to the common one
     if (touches_ && x <= entry_)
       share = x >= exit_ ? 1 : 2 / std::numbers::pi * std::asin(std::sqrt((entry_ - exit_) / (entry_ - x)));
     std::array<double, 2> t{};
@@ -46,8 +46,8 @@ class HeatedLine {
   }
 
  private:
-  // 1/((beta1 + beta2) sqrt(pi V)) times the integral of q(x')/sqrt(x' - x) over x' > x, with beta = sqrt(lambda rho
-  // c); exact for a q that is linear on each piece.
+  // Returns 1/((beta1 + beta2) sqrt(pi V)) times the integral of q(x')/sqrt(x' - x) over x' > x, with beta =
+  // sqrt(lambda rho c); exact for a q that is linear on each piece.
   double flash(double x, double sum) const {
     double integral = 0;
     for (const LinePiece& piece : pieces_) {
@@ -56,7 +56,7 @@ class HeatedLine {
       double q0 = piece.downstream.value(surface_.power.data()), from = piece.downstream.x;
       const double slope = (q1 - q0) / piece.length();
       if (from < x) q0 += slope * (x - from), from = x;
-      // With a and b the distances of the ends, s and r their roots: no difference of nearly equal numbers.
+      // The form with roots s, r of the ends' distances has no difference of nearly equal numbers.
       const double h = piece.upstream.x - from, s = std::sqrt(from - x), r = std::sqrt(piece.upstream.x - x);
       integral += q0 * 2 * h / (r + s) + slope * (2.0 / 3) * h * h * (r + 2 * s) / ((r + s) * (r + s));
     }

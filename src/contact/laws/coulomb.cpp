@@ -1,4 +1,4 @@
-/// Coulomb's law as a projection (Alart & Curnier 1991; docs/theory.md, sections 2 and 6).
+/// Implements Coulomb's law as a projection (Alart & Curnier 1991; docs/theory.md, sections 2 and 6).
 
 #include <array>
 #include <cmath>
@@ -28,7 +28,7 @@ class Coulomb final : public FrictionLaw {
     const double gamma = bound / length;
     law.direction[0] = e1;
     law.direction[1] = e2;
-    // gamma (I - e e^T): the rotation of the slip direction
+    // gamma (I - e e^T) is the rotation of the slip direction.
     const double r11 = gamma * e2 * e2, r12 = -gamma * e1 * e2, r22 = gamma * e1 * e1;
     law.own[0][0] = 1 - r11;
     law.own[0][1] = law.own[1][0] = -r12;

@@ -1,5 +1,5 @@
 #pragma once
-/// Coulomb's law for coefficients that something else gives: node by node what Coulomb's does.
+/// Does node by node what Coulomb's law does, with coefficients that something else gives.
 
 #include "contact/laws/friction_law.hpp"
 

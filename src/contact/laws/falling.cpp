@@ -1,6 +1,7 @@
-/// Friction that depends on the slip speed s (docs/friction.md): mu = muk + sum mui f(s/si), with f that falls from 1.
+/// Implements friction that depends on the slip speed s (docs/friction.md): mu = muk + sum mui f(s/si), f falling from
+/// 1.
 ///
-/// A projection like Coulomb's, onto a disk whose radius follows the slip of the iterate.
+/// It is a projection like Coulomb's, onto a disk whose radius follows the slip of the iterate.
 
 #include <algorithm>
 #include <array>
@@ -17,14 +18,14 @@ namespace rollcon {
 namespace {
 
 struct Fall {
-  double value, slope;  ///< slope: by its argument, not positive
+  double value, slope;  ///< derivative by its argument, not positive
 };
 
 Fall linear(double x, std::size_t) {
   return x < 2 ? Fall{1 - x / 2, -0.5} : Fall{0, 0};
 }
 
-// The second term falls with the square.
+// Lets the second term fall with the square.
 Fall rational(double x, std::size_t term) {
   const double y = term == 0 ? 1 + x : 1 + x * x;
   return {1 / y, -(term == 0 ? 1 : 2 * x) / (y * y)};
@@ -43,7 +44,7 @@ constexpr Family linear_family{"linear", linear}, rational_family{"rational", ra
     exponential_family{"exponential", exponential};
 
 struct Term {
-  double part = 0, speed = 1;  ///< of the coefficient at rest
+  double part = 0, speed = 1;  ///< fraction of the coefficient at rest
 };
 
 class Falling final : public FrictionLaw {
@@ -56,7 +57,8 @@ class Falling final : public FrictionLaw {
     return within_bound(a1, a2, std::hypot(a1, a2), coefficient(p) * p.pressure);
   }
 
-  // The speed at a new slip s is that of the iterate's direction u, u.s: Newton's row is linear in it and in p.
+  // Takes the speed at a new slip s as that along the iterate's direction u, u.s: Newton's row is linear in it and in
+  // p.
   TangentialLaw linearise(const FrictionPoint& p, bool bound_follows) const override {
     const double a1 = p.t1 - p.rt * p.s1, a2 = p.t2 - p.rt * p.s2;
     const double length = std::hypot(a1, a2), speed = std::hypot(p.s1, p.s2);
@@ -67,7 +69,7 @@ class Falling final : public FrictionLaw {
     TangentialLaw law{};
     law.sliding = true;
     const double e[2] = {a1 / length, a2 / length}, gamma = bound / length;
-    const double slope = p.mu * p.pressure * at.slope * p.falling;  // of the bound by the speed
+    const double slope = p.mu * p.pressure * at.slope * p.falling;  // slope of the bound by the speed
     const double u[2] = {speed > 0 ? p.s1 / speed : 0, speed > 0 ? p.s2 / speed : 0};
     const double across[2] = {-e[1], e[0]};
     for (std::size_t i = 0; i < 2; ++i) {
@@ -86,7 +88,7 @@ class Falling final : public FrictionLaw {
     return law;
   }
 
-  // From rest on: the least speed at which the traction that belongs to it leaves that slip.
+  // Finds the least speed, from rest on, at which the traction that belongs to it leaves that slip.
   std::array<double, 2> solve(const NodeResponse& response, const FrictionPoint& p) const override {
     const auto& b = response.b;
     const double s1 = p.s1 - b[0][0] * p.t1 - b[0][1] * p.t2, s2 = p.s2 - b[1][0] * p.t1 - b[1][1] * p.t2;
@@ -133,7 +135,7 @@ class Falling final : public FrictionLaw {
   }
 
  private:
-  /// Of the coefficient at rest, by the slip over rolling speed.
+  /// Returns the ratio to the coefficient at rest, by the slip over rolling speed.
   Fall ratio(double slip) const {
     Fall sum{kept_, 0};
     for (std::size_t i = 0; i < terms_.size(); ++i) {

@@ -1,6 +1,6 @@
 #pragma once
-/// Friction that follows the whole solution, not the node alone: its temperature, its past along the line. A solve has
-/// its coefficients given, as Coulomb's law has, and is repeated until they are those of what it finds.
+/// Defines friction that follows the whole solution, not the node alone: its temperature, its past along the line. A
+/// solve has its coefficients given, as Coulomb's law has, and is repeated until they are those of what it finds.
 
 #include <span>
 
@@ -8,20 +8,20 @@
 
 namespace rollcon {
 
-/// At the nodes of a solution.
+/// Holds fields at the nodes of a solution.
 struct FrictionField {
   const StreamLines& lines;
-  std::span<const double> mu;  ///< that the law reaches at most
+  std::span<const double> mu;  ///< coefficients that the law reaches at most
   std::span<const double> slip_speed;
   std::span<const double> pressure;
-  std::span<const double> temperature;  ///< of both surfaces, two a node; empty where no law wants it
-  double speed = 0;                     ///< of the material against x
+  std::span<const double> temperature;  ///< temperatures of both surfaces, two a node; empty where no law wants them
+  double speed = 0;                     ///< speed of the material against x
 };
 
 class FieldLaw {
  public:
   virtual ~FieldLaw() = default;
-  /// Of each node, over the coefficient that its law reaches at most: 0 to 1.
+  /// Finds the coefficient of each node over what its law reaches at most: 0 to 1.
   virtual void ratios(const FrictionField& field, std::span<double> ratio) const = 0;
   virtual bool wants_temperature() const { return false; }
 };

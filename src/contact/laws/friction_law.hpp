@@ -1,6 +1,6 @@
 #pragma once
-/// Friction at one node: what Newton's iteration, the limit of loads and the relaxation ask of it. A law is one file of
-/// this folder.
+/// Defines friction at one node: what Newton's iteration, the limit of loads and the relaxation ask of it. A law is one
+/// file of this folder.
 
 #include <array>
 #include <cmath>
@@ -12,26 +12,26 @@ namespace rollcon {
 
 class FieldLaw;  // contact/laws/field_law.hpp
 
-/// How the tangential row of one node depends on its own tractions and slip:
+/// Tells how the tangential row of one node depends on its own tractions and slip:
 ///   row = own[i][0] lt1 + own[i][1] lt2 + own[i][2] ln + slip[i][0] s1 + slip[i][1] s2 =
 ///   constant[i]
-/// linearised at the iterate. With the slip already multiplied by rt.
+/// linearised at the iterate, with the slip already multiplied by rt.
 struct TangentialLaw {
   double own[2][3];
   double slip[2][2];
   double constant[2];
-  double direction[2];  ///< of slip, where it slides: the row along it has no slip; 0: any
+  double direction[2];  ///< direction of slip, where it slides: the row along it has no slip; 0: any
   bool sliding;
 };
 
-/// rt s = 0.
+/// Returns the law of stick, rt s = 0.
 inline TangentialLaw stick_law() {
   TangentialLaw law{};
   law.slip[0][0] = law.slip[1][1] = 1;
   return law;
 }
 
-/// The law where nothing can be carried: lt = 0.
+/// Returns the law where nothing can be carried: lt = 0.
 inline TangentialLaw law_without_friction() {
   TangentialLaw law{};
   law.sliding = true;
@@ -39,106 +39,107 @@ inline TangentialLaw law_without_friction() {
   return law;
 }
 
-/// A node as friction sees it.
+/// Describes a node as friction sees it.
 struct FrictionPoint {
-  double mu;              ///< its coefficient: the greatest that its law can reach there
-  double pressure;        ///< augmented: -(ln + rn gap)
+  double mu;              ///< coefficient of the node: the greatest that its law can reach there
+  double pressure;        ///< augmented pressure, -(ln + rn gap)
   double t1, t2;          ///< tangential traction
   double s1 = 0, s2 = 0;  ///< slip over rolling speed
   double rt = 0;          ///< scale of the slip
   double falling = 1;     ///< factor on the slip speed that friction falls with; 0: as at rest
 };
 
-/// The tangential traction that belongs to a point.
+/// Holds the tangential traction that belongs to a point.
 struct FrictionTraction {
   double t1, t2;
   double bound;   ///< greatest traction there
-  double length;  ///< of the augmented traction, as the law measures it against the bound
-  bool sliding;   ///< it is at the bound
+  double length;  ///< length of the augmented traction, as the law measures it against the bound
+  bool sliding;   ///< the traction is at the bound
 };
 
-/// A vector, shortened where its length, as the law measures it, is beyond the bound.
+/// Shortens a vector where its length, as the law measures it, is beyond the bound.
 inline FrictionTraction within_bound(double a1, double a2, double length, double bound) {
   const double factor = length > bound ? bound / length : 1;
   return {factor * a1, factor * a2, bound, length, !(length < bound)};
 }
 
-/// Slip (over speed) of a node per unit of its own tangential tractions.
+/// Holds the slip (over speed) of a node per unit of its own tangential tractions.
 struct NodeResponse {
   double b[2][2];
 };
 
-/// Coefficients of a law are those of the nodes times functions that are the law's own: none exceeds 1, so a node's
-/// coefficient is the greatest there.
+/// Defines a law, whose coefficients are those of the nodes times functions that are the law's own: none exceeds 1, so
+/// a node's coefficient is the greatest there.
 class FrictionLaw {
  public:
   virtual ~FrictionLaw() = default;
-  /// The law as a projection of the augmented traction lt - rt s: its residual is lt minus this.
+  /// Projects the augmented traction lt - rt s; the law's residual is lt minus the result.
   virtual FrictionTraction traction(const FrictionPoint& point) const = 0;
-  /// Its derivative. The bound follows the normal traction of the new iterate if `bound_follows` (full problem), else
-  /// it is a given number.
+  /// Linearises that projection. The bound follows the normal traction of the new iterate if `bound_follows` (full
+  /// problem), else it is a given number.
   virtual TangentialLaw linearise(const FrictionPoint& point, bool bound_follows) const = 0;
-  /// Tractions that are admitted under a pressure: the unit disk times this matrix. A motion of the node then takes at
-  /// most the power |M^T s|.
+  /// Returns a matrix M: the tractions admitted under a pressure are the unit disk times M. A motion of the node then
+  /// takes at most the power |M^T s|.
   virtual std::array<std::array<double, 2>, 2> capacity(double mu, double pressure) const {
     return {{{mu * pressure, 0}, {0, mu * pressure}}};
   }
-  /// Tractions that keep the law at one node under the pressure, the slip being linear in them; the point has the
+  /// Finds tractions that keep the law at one node under the pressure, the slip being linear in them; the point has the
   /// tractions and the slip so far, and needs no scale.
   virtual std::array<double, 2> solve(const NodeResponse& response, const FrictionPoint& point) const = 0;
-  /// Against which direction (of unit length) a node slides under the point's traction, which is not zero.
+  /// Returns the direction (of unit length) against which a node slides under the point's traction, which is not zero.
   virtual std::array<double, 2> against(const FrictionPoint& point) const {
     const double length = std::hypot(point.t1, point.t2);
     return {point.t1 / length, point.t2 / length};
   }
-  /// Friction is the same in all directions.
+  /// Says whether friction is the same in all directions.
   virtual bool isotropic() const { return true; }
-  /// Where coefficients follow the whole solution: they are given while a node is looked at. Null: they do not.
+  /// Returns the law by which coefficients follow the whole solution; they are given while a node is looked at. Null:
+  /// none.
   virtual const FieldLaw* of_field() const { return nullptr; }
-  /// Friction depends on the slip speed: there may be several solutions.
+  /// Says whether friction depends on the slip speed, so that there may be several solutions.
   virtual bool falls() const { return false; }
-  /// Friction coefficient at the point.
+  /// Returns the friction coefficient at the point.
   virtual double coefficient(const FrictionPoint& point) const { return point.mu; }
-  /// The law where slip speeds count by this rolling speed; null: it does not matter.
+  /// Returns the law with slip speeds over this rolling speed; null: it does not matter.
   virtual std::shared_ptr<const FrictionLaw> at_speed(double /*speed*/) const { return nullptr; }
-  /// One line for the plan, of a law that is not Coulomb's.
+  /// Returns one line for the plan, of a law that is not Coulomb's.
   virtual std::string description() const { return {}; }
 };
 
-/// Coulomb's: no slip, or a traction of mu times the pressure against it.
+/// Returns Coulomb's law: no slip, or a traction of mu times the pressure against it.
 const FrictionLaw& coulomb();
 
-/// A law with its parameters, and the coefficient of every node where no field gives it.
+/// Holds a law with its parameters, and the coefficient of every node where no field gives it.
 struct GivenFriction {
   std::shared_ptr<const FrictionLaw> law;
   double mu = 0;
 };
 
-/// How long a slip it takes until friction follows the slip speed.
+/// Tells how long a slip it takes until friction follows the slip speed.
 struct FrictionMemory {
   double length = 0;       ///< 0: none
-  double least_speed = 0;  ///< that counts for lesser ones
+  double least_speed = 0;  ///< speed that counts for lesser ones
   bool operator==(const FrictionMemory&) const = default;
 };
-/// law: one that falls.
+/// Adds a memory to a law that falls.
 std::shared_ptr<const FrictionLaw> with_memory(std::shared_ptr<const FrictionLaw> law, FrictionMemory memory);
 
-/// A layer between the bodies that flows under a traction of stress + hardening times the flow.
+/// Describes a layer between the bodies that flows under a traction of stress + hardening times the flow.
 struct LayerYield {
   double stress = 0;  ///< 0: it never flows
   double hardening = 0;
   bool operator==(const LayerYield&) const = default;
 };
-/// law: null: Coulomb's; else one that follows the whole solution.
+/// Adds the yielding of a layer to a law that follows the whole solution, or (null) to Coulomb's.
 std::shared_ptr<const FrictionLaw> with_yield(std::shared_ptr<const FrictionLaw> law, LayerYield yield);
 
-/// Throws Error naming the parameter and what is allowed. The parameters are finite.
+/// Makes a law from finite parameters. Throws Error naming the parameter and what is allowed.
 using MakeFriction = GivenFriction(std::span<const double> parameters);
 
-/// What callers may name (law_names.cpp).
+/// Describes a law that callers may name (law_names.cpp).
 struct LawName {
   const char* name;
-  const char* parameters;  ///< in words
+  const char* parameters;  ///< parameters in words
   int least, greatest;     ///< number of parameters
   MakeFriction* make;
 };

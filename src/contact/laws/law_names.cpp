@@ -2,7 +2,7 @@
 
 namespace rollcon {
 
-// Each in the file of its law.
+// Each maker is in the file of its law.
 MakeFriction make_coulomb, make_exponential, make_linear, make_orthotropic, make_orthotropic_collinear, make_rational,
     make_temperature;
 

@@ -1,6 +1,6 @@
-/// Friction that follows the slip speed after a length of slip: d mu/dt = -max(s, s0)/dc (mu - mu_s(s)) for a particle
-/// of the surface, mu_s being what the law without memory gives (docs/friction.md). Where surfaces come into contact mu
-/// is that at rest.
+/// Implements friction that follows the slip speed after a length of slip: d mu/dt = -max(s, s0)/dc (mu - mu_s(s)) for
+/// a particle of the surface, mu_s being what the law without memory gives (docs/friction.md). Where surfaces come into
+/// contact mu is that at rest.
 
 #include <algorithm>
 #include <cmath>
@@ -40,10 +40,10 @@ class Remembering final : public CoulombGiven, public FieldLaw {
   double speed_;
 };
 
-// Along each line from where its surfaces touch first. Over a piece exactly for its mean speed and a coefficient
-// without memory that varies linearly: of second order and stable for any length.
+// Integrates along each line from where its surfaces touch first, over a piece exactly for its mean speed and a
+// coefficient without memory that varies linearly: of second order and stable for any length.
 void Remembering::ratios(const FrictionField& field, std::span<double> ratio) const {
-  constexpr double at_end = 1e-6;  // of a piece
+  constexpr double at_end = 1e-6;  // fraction of a piece
   std::vector<LinePiece> pieces;
   std::fill(ratio.begin(), ratio.end(), 1.0);
   for (std::size_t i = 0; i < field.lines.size(); ++i) {

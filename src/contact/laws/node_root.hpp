@@ -1,5 +1,5 @@
 #pragma once
-/// A node whose slip is linear in its tractions, solved under a bound.
+/// Solves a node whose slip is linear in its tractions under a bound.
 
 #include <array>
 #include <cmath>
@@ -8,9 +8,10 @@
 
 namespace rollcon {
 
-/// t with B t = -s, or with (B + g I) t = -s and |t| = bound: what is left of slip is -g t. |t| falls as g grows, from
-/// where B + g I is positive. A response that is not positive (a node at the rim where material leaves, under the
-/// characteristic scheme) allows several tractions; the one taken slides. `old`: where there is none.
+/// Returns t with B t = -s, or with (B + g I) t = -s and |t| = bound: what is left of slip is -g t. |t| falls as g
+/// grows, from where B + g I is positive. A response that is not positive (a node at the rim where material leaves,
+/// under the characteristic scheme) allows several tractions; the one taken slides. Where there is none, `old` is
+/// returned.
 inline std::array<double, 2> solve_on_disk(const NodeResponse& response, double s1, double s2, double bound,
                                            std::array<double, 2> old) {
   if (!(bound > 0)) return {0, 0};

@@ -1,5 +1,5 @@
-/// Friction that differs between two directions of a surface: |(t1/mu1, t2/mu2)| <= p in axes that are turned by an
-/// angle, with the slip along the normal of the ellipse or against the traction (docs/friction.md).
+/// Implements friction that differs between two directions of a surface: |(t1/mu1, t2/mu2)| <= p in axes that are
+/// turned by an angle, with the slip along the normal of the ellipse or against the traction (docs/friction.md).
 ///
 /// N = R diag(r1, r2) R^T with r_i = mu_i / max(mu1, mu2) makes the ellipse a disk of radius mu p: tau = N^-1 t. Slip
 /// normal to the ellipse is against tau for sigma = N s, so the law is Coulomb's for tau and sigma.
@@ -16,9 +16,9 @@
 namespace rollcon {
 namespace {
 
-constexpr double most_apart = 1e3;  // ratio of the coefficients
+constexpr double most_apart = 1e3;  // greatest ratio of the coefficients
 
-/// Symmetric.
+/// Holds a symmetric matrix.
 struct Plane2 {
   double xx = 1, xy = 0, yy = 1;
   std::array<double, 2> times(double a, double b) const { return {xx * a + xy * b, xy * a + yy * b}; }
@@ -34,7 +34,7 @@ class Ellipse : public FrictionLaw {
   Ellipse(double mu1, double mu2, double angle) : mu1_(mu1), mu2_(mu2), angle_(angle) {
     const double largest = std::max(mu1, mu2), r1 = largest > 0 ? mu1 / largest : 1,
                  r2 = largest > 0 ? mu2 / largest : 1;
-    // No angle where the axes do not matter: not even rounding.
+    // Where the axes do not matter the angle is left out, lest it brings rounding.
     n_ = turned(r1, r2, r1 == r2 ? 0 : angle);
     inverse_ = turned(1 / r1, 1 / r2, r1 == r2 ? 0 : angle);
   }
@@ -53,15 +53,15 @@ class Ellipse : public FrictionLaw {
                   angle_, slip);
     return text;
   }
-  /// Traction in the plane of the disk.
+  /// Maps a traction into the plane of the disk.
   std::array<double, 2> tau(double t1, double t2) const { return inverse_.times(t1, t2); }
 
   double mu1_, mu2_, angle_;
   Plane2 n_, inverse_;
 };
 
-/// The row of a node whose traction P has P(a, p) = p P(a, 1), in terms of a derivative by the scaled slip: `by_t` that
-/// by the traction, `by_s` minus that by the slip, both symmetric or not; `per_pressure`: P over p.
+/// Makes the row of a node whose traction P has P(a, p) = p P(a, 1), in terms of a derivative by the scaled slip:
+/// `by_t` that by the traction, `by_s` minus that by the slip, both symmetric or not; `per_pressure`: P over p.
 TangentialLaw rows(const double (&by_t)[2][2], const double (&by_s)[2][2], const std::array<double, 2>& per_pressure,
                    double pressure, bool bound_follows) {
   TangentialLaw law{};
@@ -119,7 +119,7 @@ class Associated final : public Ellipse {
     return law;
   }
 
-  // B in the plane of the disk: sigma = N B N tau.
+  // Solves in the plane of the disk, where B becomes sigma = N B N tau.
   std::array<double, 2> solve(const NodeResponse& response, const FrictionPoint& p) const override {
     const auto& b = response.b;
     const double s1 = p.s1 - b[0][0] * p.t1 - b[0][1] * p.t2, s2 = p.s2 - b[1][0] * p.t1 - b[1][1] * p.t2;
@@ -161,7 +161,7 @@ class Collinear final : public Ellipse {
     return within_bound(a1, a2, std::hypot(on[0], on[1]), p.mu * p.pressure);
   }
 
-  // P = mu p a / rho with rho = |N^-1 a|, whose gradient is g = N^-2 a / rho.
+  // Linearises P = mu p a / rho with rho = |N^-1 a|, whose gradient is g = N^-2 a / rho.
   TangentialLaw linearise(const FrictionPoint& p, bool bound_follows) const override {
     const double a1 = p.t1 - p.rt * p.s1, a2 = p.t2 - p.rt * p.s2;
     const auto on = tau(a1, a2);
@@ -178,7 +178,8 @@ class Collinear final : public Ellipse {
     return law;
   }
 
-  // The bound depends on the direction of what is found: halved in between, it settles in a few rounds.
+  // Repeats with the bound, which depends on the direction of what is found: halved in between, it settles in a few
+  // rounds.
   std::array<double, 2> solve(const NodeResponse& response, const FrictionPoint& p) const override {
     const auto& b = response.b;
     const double s1 = p.s1 - b[0][0] * p.t1 - b[0][1] * p.t2, s2 = p.s2 - b[1][0] * p.t1 - b[1][1] * p.t2;

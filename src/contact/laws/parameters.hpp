@@ -1,5 +1,5 @@
 #pragma once
-/// Checks that the laws' parameters have in common.
+/// Checks what the laws' parameters have in common.
 
 #include "support/error.hpp"
 

@@ -1,5 +1,5 @@
-/// Friction that depends on the temperature of the surfaces where they touch: linear between given points, constant
-/// beyond them (docs/friction.md).
+/// Implements friction that depends on the temperature of the surfaces where they touch: linear between given points,
+/// constant beyond them (docs/friction.md).
 
 #include <algorithm>
 #include <cstdio>
@@ -15,7 +15,7 @@ namespace {
 
 class OfTemperature final : public CoulombGiven, public FieldLaw {
  public:
-  /// Temperatures that ascend, with ratios of at most 1.
+  /// Takes temperatures that ascend, with ratios of at most 1.
   OfTemperature(std::vector<double> temperature, std::vector<double> ratio, double mu)
       : temperature_(std::move(temperature)), ratio_(std::move(ratio)), mu_(mu) {}
 

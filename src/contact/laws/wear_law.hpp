@@ -1,18 +1,18 @@
 #pragma once
-/// Laws of wear.
+/// Defines laws of wear.
 
 #include <span>
 #include <vector>
 
 namespace rollcon {
 
-/// Depth worn off per length rolled, at a point.
+/// Gives the depth worn off per length rolled, at a point.
 class WearLaw {
  public:
-  /// "archard": i, or i1, i2 and the angle of their axes from t1; "t_gamma": pairs of energy and rate. err_option:
-  /// unknown name; err_argument, err_nonfinite.
+  /// Makes a law: "archard" takes i, or i1, i2 and the angle of their axes from t1; "t_gamma" pairs of energy and rate.
+  /// err_option: unknown name; err_argument, err_nonfinite.
   WearLaw(const char* name, std::span<const double> parameters);
-  /// slip: over the rolling speed; traction: of friction.
+  /// Returns the depth; slip is over the rolling speed, traction that of friction.
   double rate(double pressure, const double (&traction)[2], const double (&slip)[2]) const;
 
  private:

@@ -1,6 +1,6 @@
-/// A layer between the bodies that flows along the surface under a traction of tc = tc0 + k up, up being how far it has
-/// flowed since the surfaces came into contact (docs/friction.md). Flow and slip together are the slip of the contact;
-/// whichever takes less traction bounds it.
+/// Implements a layer between the bodies that flows along the surface under a traction of tc = tc0 + k up, up being how
+/// far it has flowed since the surfaces came into contact (docs/friction.md). Flow and slip together are the slip of
+/// the contact; whichever takes less traction bounds it.
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 
 class Yielding final : public CoulombGiven, public FieldLaw {
  public:
-  /// law: null: Coulomb's.
+  /// Takes a law; null: Coulomb's.
   Yielding(std::shared_ptr<const FrictionLaw> law, LayerYield yield) : law_(std::move(law)), yield_(yield) {}
 
   const FieldLaw* of_field() const override { return this; }
@@ -38,7 +38,7 @@ class Yielding final : public CoulombGiven, public FieldLaw {
 
  private:
   double critical(double flowed) const { return std::max(0.0, yield_.stress + yield_.hardening * flowed); }
-  /// Flow after which tc is the bound.
+  /// Returns the flow after which tc is the bound.
   double until(double bound) const {
     return yield_.hardening > 0 ? (bound - yield_.stress) / yield_.hardening : std::numeric_limits<double>::infinity();
   }
@@ -48,13 +48,13 @@ class Yielding final : public CoulombGiven, public FieldLaw {
   LayerYield yield_;
 };
 
-// Along each line: the slip of a piece is flow where tc is the lesser bound at its end.
+// Integrates along each line: the slip of a piece is flow where tc is the lesser bound at its end.
 void Yielding::ratios(const FrictionField& field, std::span<double> ratio) const {
   if (inner())
     inner()->ratios(field, ratio);
   else
     std::fill(ratio.begin(), ratio.end(), 1.0);
-  constexpr double at_end = 1e-6;  // of a piece
+  constexpr double at_end = 1e-6;  // fraction of a piece
   const std::vector<double> friction(ratio.begin(), ratio.end());
   std::vector<LinePiece> pieces;
   for (std::size_t i = 0; i < field.lines.size(); ++i) {
@@ -73,7 +73,7 @@ void Yielding::ratios(const FrictionField& field, std::span<double> ratio) const
         const auto own = [&](std::int32_t k) { return friction[at(k)] * field.mu[at(k)] * field.pressure[at(k)]; };
         return (1 - e.part) * own(e.node[0]) + e.part * own(e.node[1]);
       };
-      // Slip is that of the way to the end of the piece.
+      // The slip at the end of a piece counts for the way to it.
       const double slip = piece.downstream.value(field.slip_speed.data());
       const double further = flowed + slip * piece.length() / field.speed;
       const double bound = bound_at(piece.downstream);

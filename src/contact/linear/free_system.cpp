@@ -8,7 +8,7 @@
 namespace rollcon {
 namespace {
 
-// e (own, slip) = (e, any, 0): the row along e has the node's own tractions alone.
+// Says whether e (own, slip) = (e, any, 0), so that the row along e has the node's own tractions alone.
 bool gives_traction(const TangentialLaw& law, double (&e)[2]) {
   if (!law.sliding) return false;
   constexpr double rounding = 1e-12;
@@ -77,7 +77,7 @@ void FreeSystem::write_across(const double* y, double* x) const {
   for (std::size_t k = 0; k < whole_.size(); ++k) x[na_ + static_cast<std::size_t>(whole_[k])] = y[na_ + k];
 }
 
-// Free unknowns y in the order of all unknowns.
+// Writes free unknowns y in the order of all unknowns.
 void FreeSystem::write(const double* y, double* x) const {
   const std::size_t na = na_, nw = whole_.size();
   double* const end = x + system_->size();
@@ -152,7 +152,7 @@ void FreeSystem::subtract_from_normal(const double* y, double* out) {
            &one);
 }
 
-// One row over all tractions, in free unknowns.
+// Turns one row over all tractions into one over free unknowns.
 template <class T>
 void FreeSystem::columns(Rows rows, const double* row, T* out) const {
   const std::size_t na = na_;
@@ -181,7 +181,7 @@ void FreeSystem::dense(Rows rows, T* out) {
   const auto with_tangential = static_cast<std::int64_t>(tangential_ ? 2 * na : 0);
   const std::size_t needed =
       rows == Rows::tangential ? 2 * na : static_cast<std::size_t>(with_tangential) + (normal_ ? na : 0);
-  // Rows q1 (slip row 1) + q2 (slip row 2) + own tractions of node a.
+  // Rows are q1 (slip row 1) + q2 (slip row 2) + own tractions of node a.
   const auto tangential_row = [&](std::size_t a, const double(&q)[2], const double(&own)[3]) {
     const auto i = static_cast<std::int64_t>(a);
     const double *m1 = system_->row(i), *m2 = system_->row(static_cast<std::int64_t>(na) + i);

@@ -1,6 +1,6 @@
 #pragma once
-/// The linear system of a Newton step without what friction's law gives at once: at a sliding node the traction along
-/// the direction of slip is -mu times the pressure (or a given number), so that only the component across it is
+/// Leaves out of the linear system of a Newton step what friction's law gives at once: at a sliding node the traction
+/// along the direction of slip is -mu times the pressure (or a given number), so that only the component across it is
 /// unknown.
 
 #include <cstdint>
@@ -11,24 +11,25 @@
 
 namespace rollcon {
 
-/// Unknowns, and rows likewise: of every active node its first tangential component, or at sliding nodes the one across
-/// the direction of slip; of every node that does not slide the second one; the normal ones; the motions. As far as the
-/// part has them.
+/// Orders unknowns and rows alike: each active node's first tangential component, or at sliding nodes the one across
+/// the direction of slip; the second one of every node that does not slide; the normal ones; the motions. It has those
+/// of them that the part has.
 class FreeSystem final : public LinearOperator {
  public:
   enum class Rows { tangential, normal, all };
 
-  /// The system must outlive its use here and keep its laws.
+  /// Takes a system, which must outlive its use here and keep its laws.
   void take(ReducedSystem& system);
-  /// Right side b of the free rows for right side `whole` of all rows; keeps what expand() adds.
+  /// Makes the right side b of the free rows for right side `whole` of all rows; keeps what expand() adds.
   void reduce(const std::vector<double>& whole, std::vector<double>& b);
-  /// All unknowns. The system's product() is then that of x; the last apply() must be of y.
+  /// Returns all unknowns. The system's product() is then that of x; the last apply() must be of y.
   void expand(const double* y, double* x);
   void apply(const double* y, double* out) override;
-  /// Row-major matrix of some of the rows and the same columns. Tangential rows leave out motions that change the gap.
+  /// Writes the row-major matrix of some of the rows and the same columns. Tangential rows leave out motions that
+  /// change the gap.
   template <class T>
   void dense(Rows rows, T* out);
-  /// What tangential unknowns y add to the normal rows: out -= A_nt y.
+  /// Subtracts what tangential unknowns y add to the normal rows: out -= A_nt y.
   void subtract_from_normal(const double* y, double* out);
 
   ReducedSystem& system() const { return *system_; }
@@ -37,11 +38,11 @@ class FreeSystem final : public LinearOperator {
   std::int64_t active() const { return static_cast<std::int64_t>(na_); }
   bool tangential() const { return tangential_; }
   bool normal() const { return normal_; }
-  /// Number of motions among the unknowns of the rows.
+  /// Counts the motions among the unknowns of the rows.
   std::int64_t borders(Rows rows) const;
-  /// Active nodes that do not slide.
+  /// Lists the active nodes that do not slide.
   std::span<const std::int32_t> whole() const { return whole_; }
-  /// Unit vector across the direction of slip of active node a; (1, 0) where it does not slide.
+  /// Returns the unit vector across the direction of slip of active node a; (1, 0) where it does not slide.
   double across(int c, std::size_t a) const { return across_[c][a]; }
   std::size_t bytes() const;
 

@@ -15,7 +15,7 @@
 namespace rollcon {
 namespace {
 
-// The kernel of A^-1 falls off like 1/r^3: a narrow margin keeps the periods apart.
+// Returns a period with a narrow margin, which keeps the periods apart: the kernel of A^-1 falls off like 1/r^3.
 constexpr std::int64_t margin(std::int64_t n) {
   return n + n / 10 + 2;
 }
@@ -50,21 +50,21 @@ class LatticePreconditioner final : public FieldPreconditioner {
   void sum_along_flow(std::vector<float>& s) const;
 
   Lattice lattice_;
-  bool displacements_;  ///< slip rows give them, not their derivatives along the flow
+  bool displacements_;  ///< slip rows give displacements, not their derivatives along the flow
   PlaneFft<float> fft_;
   std::vector<std::int32_t> place_;           ///< frame node -> place on the lattice
-  std::array<std::vector<float>, 4> symbol_;  ///< of A^-1: 11, 12, 22 and normal
+  std::array<std::vector<float>, 4> symbol_;  ///< symbols of A^-1: 11, 12, 22 and normal
   std::array<std::vector<float>, 2> grid_;
   std::vector<float> masked_;
   AlignedArray<std::complex<float>> spectrum_[2];
 
   const ReducedSystem* system_ = nullptr;
-  std::vector<std::uint8_t> stick_;  ///< by active node
-  std::vector<double> inverse_;      ///< of sliding nodes' own 2 x 2, by active node
+  std::vector<std::uint8_t> stick_;  ///< flags by active node
+  std::vector<double> inverse_;      ///< inverses of sliding nodes' own 2 x 2, by active node
   std::vector<double> columns_, work_;
   Lu<double> schur_;
   int borders_ = 0;
-  double softness_ = 1;  ///< under normal waves of 2 pi dx
+  double softness_ = 1;  ///< softness under normal waves of 2 pi dx
 };
 
 void LatticePreconditioner::make_symbols(const TranslationKernel& kernel) {
@@ -72,8 +72,9 @@ void LatticePreconditioner::make_symbols(const TranslationKernel& kernel) {
   for (auto& s : symbol_) s.assign(at(fft_.waves_x() * fft_.stride()), 0.0f);
   const double lx = static_cast<double>(lattice_.nx) * lattice_.dx;
   const double ly = static_cast<double>(lattice_.ny) * lattice_.dy;
-  const double least = 1 / std::max(lx, ly);  // of a mean traction on a finite patch
-  // In units of the softness, as single precision has a narrow range; with the unit of the transform back.
+  const double least = 1 / std::max(lx, ly);  // wave number of a mean traction on a finite patch
+  // Symbols are in units of the softness, as single precision has a narrow range, and include the unit of the transform
+  // back.
   softness_ = kernel.softness(2 * std::numbers::pi / lattice_.dx).normal;
   const double unit = softness_ / static_cast<double>(mx * my);
   for (std::int64_t i = 0; i < fft_.waves_x(); ++i)
@@ -81,7 +82,7 @@ void LatticePreconditioner::make_symbols(const TranslationKernel& kernel) {
       const double kx = 2 * std::numbers::pi * static_cast<double>(i) / (static_cast<double>(mx) * lattice_.dx);
       const double ky = 2 * std::numbers::pi * static_cast<double>(j <= my / 2 ? j : j - my) /
                         (static_cast<double>(my) * lattice_.dy);
-      // In the axes of the frame.
+      // Wave numbers are turned into the axes of the frame.
       const double k1 = kx * lattice_.ex - ky * lattice_.ey;
       const double k2 = kx * lattice_.ey + ky * lattice_.ex;
       const double k = std::hypot(k1, k2);
@@ -116,7 +117,7 @@ void LatticePreconditioner::take(const ReducedSystem& system) {
       inverse[0] = block[1][1] / det, inverse[1] = -block[0][1] / det;
       inverse[2] = -block[1][0] / det, inverse[3] = block[0][0] / det;
     }
-  // Borders by their Schur complement: [A b; c 0].
+  // The Schur complement of [A b; c 0] solves for the borders.
   borders_ = system.borders();
   const std::int64_t rows = system.components() * na;
   work_.resize(at(rows));
@@ -151,7 +152,7 @@ void LatticePreconditioner::apply(const double* x, double* y) {
 }
 
 void LatticePreconditioner::apply_rows(const double* x, double* y) {
-  // The normal tractions first: sliding nodes follow them.
+  // Normal tractions come first: sliding nodes follow them.
   if (system_->part() != Part::tangential) normal_rows(x, y);
   if (system_->part() != Part::normal) tangential_rows(x, y);
 }
@@ -174,10 +175,10 @@ void LatticePreconditioner::normal_rows(const double* x, double* y) {
         largest / (softness_ * system_->normal_scale(a)) * static_cast<double>(grid[at(place_[at(nodes[at(a)])])]);
 }
 
-// w_i = (cx w_(i+1) + cy w_(j+1) + s) / (cx + cy), where i + 1 and j + 1 lie upstream; w in units of dx.
+// Sums w_i = (cx w_(i+1) + cy w_(j+1) + s) / (cx + cy), where i + 1 and j + 1 lie upstream; w in units of dx.
 void LatticePreconditioner::sum_along_flow(std::vector<float>& s) const {
   const std::int64_t nx = lattice_.nx, ny = lattice_.ny;
-  // Upstream is +t1 = ex along the first axis, -ey along the second.
+  // Upstream is +t1: ex along the first axis, -ey along the second.
   const double ux = lattice_.ex, uy = -lattice_.ey;
   const auto cx = static_cast<float>(std::abs(ux));
   const auto cy = static_cast<float>(std::abs(uy) * lattice_.dx / lattice_.dy);

@@ -1,12 +1,12 @@
 #pragma once
-/// Approximate inverse of Newton's systems on a lattice of half-spaces, by FFT in single precision.
+/// Inverts Newton's systems approximately on a lattice of half-spaces, by FFT in single precision.
 ///
 /// Rows of sticking nodes say D (A lambda)_t = given. Convection is undone first, summing slip along the flow from the
 /// leading edge (an upwind sweep), which leaves displacements; these are turned into tractions by the symbol of A^-1 on
 /// the infinite plane,
 ///   k / (2 pi) (e e^T / cn + (1 - e e^T) / (cn + cv)),   e = k / |k|,
-/// restricted to the nodes in question. Rows of the normal law likewise, by k / (2 pi cn). Rows of sliding nodes are
-/// solved node by node, borders exactly. Iterations grow slowly with the lattice (docs/theory.md, section 7).
+/// restricted to the nodes in question. Rows of the normal law are inverted by k / (2 pi cn), rows of sliding nodes
+/// node by node, borders exactly. Iterations grow slowly with the lattice (docs/theory.md, section 7).
 
 #include <cstdint>
 #include <memory>
@@ -17,7 +17,7 @@
 
 namespace rollcon {
 
-/// Approximate inverse of a system on active nodes whose operators are not formed.
+/// Inverts a system on active nodes approximately where its operators are not formed.
 class FieldPreconditioner : public LinearOperator {
  public:
   /// Brings it up to date with the system's nodes, laws and borders.
@@ -25,7 +25,7 @@ class FieldPreconditioner : public LinearOperator {
   virtual std::size_t bytes() const = 0;
 };
 
-/// The flow is along -t1 of the frame's axes.
+/// Makes one for flow along -t1 of the frame's axes.
 std::unique_ptr<FieldPreconditioner> make_lattice_preconditioner(const LatticeInfluence& influence);
 
 }  // namespace rollcon

@@ -10,18 +10,18 @@ namespace rollcon {
 namespace {
 
 constexpr int krylov_space = 60;
-// With operators that are not formed: memory for the space grows with the number of nodes.
+// These bound GMRES with operators that are not formed: memory for its space grows with the number of nodes.
 constexpr int field_krylov_space = 40, field_iterations = 400;
 constexpr double useful = 0.1;         // residual of a solution that is worth a step
-constexpr double exact_enough = 1e-7;  // and of one that rates may be made from
+constexpr double exact_enough = 1e-7;  // residual of a solution that rates may be made from
 constexpr double exact = 1e-9;         // residual of solve_exactly()
-// For the first right side of solve_exactly(); those after it need fewer. New factors are cheaper beyond this, or
-// beyond krylov_space for all together.
+// Iterations for the first right side of solve_exactly(); later ones need fewer. New factors are cheaper beyond this,
+// or beyond krylov_space for all together.
 constexpr int exact_iterations = 25;
 // Up to this many free unknowns one factorisation costs less than iterations for all right sides.
 constexpr std::int64_t exact_direct_limit = 300;
-constexpr double loosest = 0.1;  // of a linear residual
-// New factors cost about as much as this many iterations: they are made when the excess over iterations with fresh ones
+constexpr double loosest = 0.1;  // loosest linear residual
+// Returns how many iterations new factors cost, about: they are made when the excess over iterations with fresh ones
 // has added up to that much, or as many nodes have changed their state.
 int price_of_factors(std::int64_t n) {
   return static_cast<int>(2 + n / 70);
@@ -44,7 +44,7 @@ bool LinearSolver::solve_direct(const std::vector<double>& b, std::vector<double
   return finish(reduced_.data(), x);
 }
 
-// All unknowns from the free ones; leaves the product that the caller reads.
+// Finds all unknowns from the free ones; leaves the product that the caller reads.
 bool LinearSolver::finish(const double* y, std::vector<double>& x) {
   free_.apply(y, check_.data());
   free_.expand(y, x.data());
@@ -76,7 +76,7 @@ bool LinearSolver::solve_with_kept(std::int64_t node_count, const std::vector<do
   const auto part = static_cast<std::size_t>(free_.system().part()) - 2;
   gmres_.reserve(with_room(n), krylov_space);
   free_.reduce(b, reduced_);
-  // The tolerance is one of all rows.
+  // The tolerance is one for all rows.
   const double left = norm2(reduced_.data(), n);
   const double all = norm2(b.data(), free_.system().size());
   const double wanted = left > 0 ? std::min(tolerance * all / left, loosest) : tolerance;

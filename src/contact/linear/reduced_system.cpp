@@ -91,7 +91,7 @@ void ReducedSystem::add_border(const Problem& problem, const Prescribed& given, 
   const double arm = m >= spin ? problem.length : 1;
   border.scale = mean * arm;
   const double unit = area * arm;
-  const double sign = m == approach ? -1 : 1;  // of the load row: symmetric with the column
+  const double sign = m == approach ? -1 : 1;  // sign of the load row, which makes it symmetric with the column
   border.per_load = sign / unit;
   border.right = sign * given.value[static_cast<std::size_t>(m)] / unit;
   for (int c = 0; c < 3; ++c) {
@@ -123,7 +123,8 @@ void ReducedSystem::add_border(const Problem& problem, const Prescribed& given, 
   }
 }
 
-// constant(a, c): what tangential row c of node a equals; of_load(border): what its load row does.
+// Fills in a right side. constant(a, c): what tangential row c of node a equals; of_load(border): what its load row
+// does.
 template <class Constant, class OfLoad>
 void ReducedSystem::fill_side(std::span<const double> gap, std::span<const double> slip1, std::span<const double> slip2,
                               Constant constant, OfLoad of_load, std::vector<double>& b) const {
@@ -158,7 +159,7 @@ void ReducedSystem::rate_side(std::span<const double> gap, std::span<const doubl
       [&](const Border& border) { return border.per_load * load[static_cast<std::size_t>(border.motion)]; }, b);
 }
 
-// Tractions of nodes that are not active stay zero in field_lambda_.
+// Applies operators that are not formed; tractions of nodes that are not active stay zero in field_lambda_.
 void ReducedSystem::apply_field(const double* x) {
   const std::size_t na = nodes_.size();
   for (int r = 0; r < count_; ++r)
@@ -210,7 +211,7 @@ void ReducedSystem::apply_known(const double* x, std::span<const double> product
   add_laws(x, y);
 }
 
-// Rows from the scaled operator rows.
+// Adds laws and borders to the scaled operator rows.
 void ReducedSystem::add_laws(const double* x, double* y) const {
   const std::size_t na = nodes_.size();
   const std::int64_t rows = rows_;

@@ -10,7 +10,8 @@ namespace {
 
 using Rows = FreeSystem::Rows;
 
-// Single precision has a narrow range: residuals are scaled to order one. 0: nothing to solve.
+// Returns the largest entry, by which residuals are scaled to order one, as single precision has a narrow range. 0:
+// nothing to solve.
 double largest_of(const double* x, std::int64_t n) {
   double largest = 0;
   for (std::int64_t i = 0; i < n; ++i) largest = std::max(largest, std::abs(x[i]));
@@ -92,7 +93,7 @@ void SplitFactors::match(FreeSystem& system) {
   }
 }
 
-// Between the bases of both systems: components that only one of them has are left alone.
+// Solves between the bases of both systems: components that only one of them has are left alone.
 void SplitFactors::solve_tangential(const double* x, double* y) {
   const std::size_t na = at(system_->active());
   const std::int64_t present = system_->size(Rows::tangential), n = tangential_.lu.size();
@@ -127,7 +128,7 @@ void SplitFactors::solve_tangential(const double* x, double* y) {
       z2 = scale * static_cast<double>(work[second]);
     } else {
       const double e1 = across_[1][at(p)], e2 = -across_[0][at(p)];
-      double left = 0;  // the residual along the slip of then
+      double left = 0;  // the residual along the slip at the time of the factors
       if (own >= 0) left = e1 * x[a] + e2 * x[own];
       z2 = across_[1][at(p)] * z1 + e2 * left;
       z1 = across_[0][at(p)] * z1 + e1 * left;

@@ -1,6 +1,6 @@
 #pragma once
-/// Preconditioner of Newton's systems: single-precision factors of an earlier system, the tangential rows and the
-/// normal ones by themselves, mapped onto the present one node by node.
+/// Preconditions Newton's systems by single-precision factors of an earlier system, the tangential rows and the normal
+/// ones by themselves, mapped onto the present one node by node.
 
 #include <cstdint>
 #include <vector>
@@ -12,16 +12,16 @@ namespace rollcon {
 
 class SplitFactors final : public LinearOperator {
  public:
-  /// Factorises what the system's part has; normal rows not again while the same nodes are in contact. False: singular
-  /// to single precision.
+  /// Factorises what the system's part has; normal rows not again while the same nodes are in contact. Returns false if
+  /// it is singular to single precision.
   bool factor(FreeSystem& system, std::int64_t node_count);
-  /// True when the factors belong to such a part with as many unknown motions.
+  /// Says whether the factors belong to such a part with as many unknown motions.
   bool usable(const FreeSystem& system) const;
-  /// Says what the next vectors are made of. Nodes that were not active then keep their residual.
+  /// Says what the next vectors are made of. Nodes that were not active in the factors keep their residual.
   void match(FreeSystem& system);
-  /// Of match(): nodes that were not active or not in the same state of friction.
+  /// Counts the nodes that match() found not active before or in another state of friction.
   std::int64_t changed() const { return changed_; }
-  /// Tangential unknowns first; their effect on the normal rows counts in these.
+  /// Solves for the tangential unknowns first; their effect on the normal rows counts in these.
   void apply(const double* x, double* y) override;
   void forget() { tangential_.valid = normal_.valid = false; }
   std::size_t bytes() const;
@@ -31,8 +31,8 @@ class SplitFactors final : public LinearOperator {
     Lu<float> lu;
     bool valid = false;
     std::int64_t nodes = 0, borders = 0;
-    std::vector<std::int32_t> node;   ///< active when the factors were made
-    std::vector<std::int32_t> place;  ///< node -> position among those, or -1
+    std::vector<std::int32_t> node;   ///< nodes active when the factors were made
+    std::vector<std::int32_t> place;  ///< position of each node among those, or -1
     std::vector<float> work;
     bool factor(FreeSystem& system, FreeSystem::Rows rows, std::int64_t node_count);
     bool usable(const FreeSystem& system, FreeSystem::Rows rows) const;
@@ -42,9 +42,9 @@ class SplitFactors final : public LinearOperator {
   void solve_normal(const double* x, double* y);
 
   Block tangential_, normal_;
-  std::vector<double> across_[2];                        ///< of the factorised tangential rows
+  std::vector<double> across_[2];                        ///< directions across slip in the factorised tangential rows
   std::vector<std::int32_t> second_;                     ///< row of the second component there, -1: slides
-  std::vector<std::int32_t> to_tangential_, to_normal_;  ///< active node -> position, or -1
+  std::vector<std::int32_t> to_tangential_, to_normal_;  ///< position of each active node, or -1
   std::vector<std::int32_t> own_second_;                 ///< row of the second component in the present system
   std::vector<double> right_, found_, rest_;
   FreeSystem* system_ = nullptr;

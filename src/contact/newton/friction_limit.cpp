@@ -10,12 +10,12 @@ namespace rollcon {
 namespace {
 
 constexpr double settled = 1e-3;  // normal residual below which pressures are judged
-// Corners of a kink: a node at the very centre about which all others turn. Rounded off by so much of the mean, which
-// raises h by less than that over the number of nodes.
+// Kinks have corners: a node at the very centre about which all others turn. They are rounded off by so much of the
+// mean, which raises h by less than that over the number of nodes.
 constexpr double rounded = 1e-5;
 constexpr double at_limit = 1 - 1e-12;
 constexpr int most_steps = 60;
-constexpr double small_step = 1e-12;  // decrease of h, relative
+constexpr double small_step = 1e-12;  // relative decrease of h
 constexpr std::array<int, 3> motions{xi1, xi2, spin};
 
 using Three = std::array<double, 3>;
@@ -28,22 +28,22 @@ bool takes_away(const Problem& p, std::size_t k) {
   return p.weight[k] < -1e-9 * std::abs(p.cell_area[k]);
 }
 
-/// A loaded node: its load rows of both components and its slip by unit motions, where what it carries is the unit
-/// disk.
+/// Holds a loaded node: its load rows of both components and its slip by unit motions, where what it carries is the
+/// unit disk.
 struct Node {
   Three row[2];
   Three slip[2];
-  double sign;  ///< of its power
+  double sign;  ///< sign of its power
 };
 
-/// Spin and moment count by the frame's length.
+/// Measures spin and moment by the frame's length.
 class Limit {
  public:
   Limit(const Problem& p, const Prescribed& given, const std::vector<double> (&lambda)[3])
       : problem_(p), given_(given) {
     for (std::size_t i = 0; i < 3; ++i) unit_[i] = motions[i] == spin ? 1 / p.length : 1;
     double scale = 1;
-    if (given.by_force[approach]) {  // to the load that will be carried in the end
+    if (given.by_force[approach]) {  // scaled to the load that will be carried in the end
       const double carried = load_on_body1(p, approach, lambda).value;
       if (carried > 0) scale = given.value[approach] / carried;
     }
@@ -61,13 +61,13 @@ class Limit {
 
   const Three& loads() const { return loads_; }
 
-  /// h(a) of a direction, exactly.
+  /// Returns h(a) of a direction, exactly.
   double power(const Three& a) const {
     double sum = 0;
     for (const Node& n : nodes_) sum += n.sign * std::hypot(dot3(n.row[0], a), dot3(n.row[1], a));
     return sum;
   }
-  /// Of the tractions of nodes that slide with a.
+  /// Returns the power of the tractions of nodes that slide with a.
   double power_of_sliding(const Three& a) const {
     double sum = 0;
     for (const Node& n : nodes_) {
@@ -76,8 +76,8 @@ class Limit {
     }
     return sum;
   }
-  /// The direction a with a.to = |to| and the least h(a); to is not zero. Stays among the motions whose loads are
-  /// prescribed and `wanted`.
+  /// Finds the direction a with a.to = |to| and the least h(a); to is not zero. It stays among the motions whose loads
+  /// are prescribed and `wanted`.
   Three least(const Three& to, const std::array<bool, 3>& wanted) const;
 
  private:
@@ -101,7 +101,7 @@ class Limit {
     nodes_.push_back(n);
   }
 
-  /// h and its derivatives along two directions, kinks rounded off by `round`.
+  /// Holds h and its derivatives along two directions, kinks rounded off by `round`.
   struct Value {
     double h = 0, slope[2] = {}, curve[2][2] = {};
   };
@@ -134,7 +134,7 @@ Limit::Value Limit::value(const Three& a, const Three (&along)[2], std::size_t c
   return v;
 }
 
-// Newton's method in the one or two directions that leave a.to as it is.
+// Uses Newton's method in the one or two directions that leave a.to as it is.
 Three Limit::least(const Three& to, const std::array<bool, 3>& wanted) const {
   const double length = std::sqrt(dot3(to, to));
   Three a{};
@@ -155,7 +155,7 @@ Three Limit::least(const Three& to, const std::array<bool, 3>& wanted) const {
       if (count > 0) project(along[0]);
     }
     const double left = std::sqrt(dot3(e, e));
-    if (!(left > 0.1)) continue;  // of three directions two are well off the loads'
+    if (!(left > 0.1)) continue;  // two of three directions are well off the loads'
     for (double& c : e) c /= left;
     along[count++] = e;
   }
@@ -163,7 +163,7 @@ Three Limit::least(const Three& to, const std::array<bool, 3>& wanted) const {
   const double round = rounded * power(a) / static_cast<double>(nodes_.size());
   Value now = value(a, along, count, round);
   for (int step = 0; step < most_steps; ++step) {
-    // A little more than the curvature: it vanishes where every node moves along its traction.
+    // The curvature gets a little more, as it vanishes where every node moves along its traction.
     const double trace = now.curve[0][0] + now.curve[1][1];
     const double more = 1e-9 * trace + 1e-14 * std::abs(now.h);
     const double c00 = now.curve[0][0] + more, c11 = now.curve[1][1] + more, c01 = now.curve[0][1];
@@ -179,7 +179,7 @@ Three Limit::least(const Three& to, const std::array<bool, 3>& wanted) const {
     }
     const double falls = now.slope[0] * move[0] + now.slope[1] * move[1];
     if (!(falls < -small_step * std::abs(now.h))) break;
-    // Not beyond all measure where h is nearly flat.
+    // A move is limited where h is nearly flat.
     const double far = std::hypot(move[0], move[1]), most = 4 * (1 + std::sqrt(dot3(a, a)));
     double part = far > most ? most / far : 1;
     bool better = false;
@@ -228,7 +228,8 @@ FrictionShare share_of_friction(const Problem& p, const Prescribed& given, const
   return share;
 }
 
-// On a flat frame every node's share acts in the direction of the force, if friction is the same in all of them.
+// Sums the nodes' friction, which acts in the direction of the force on a flat frame if it is the same in all
+// directions.
 double share_of_forces(const Problem& p, const Prescribed& given, const std::vector<double> (&lambda)[3]) {
   const bool f1 = given.by_force[xi1], f2 = given.by_force[xi2];
   if (!f1 && !f2) return 0;

@@ -1,5 +1,5 @@
 #pragma once
-/// What the given tangential loads take of friction under the pressures of a frame without friction.
+/// Finds how much of friction the given tangential loads use under the pressures of a frame without friction.
 
 #include <optional>
 
@@ -10,7 +10,7 @@ namespace rollcon {
 /// Keeps its storage from one problem to the next.
 class FrictionlessShare {
  public:
-  /// Nothing where the pressures were not found. Throws Cancelled where the monitor asks to stop.
+  /// Returns nothing where the pressures were not found. Throws Cancelled where the monitor asks to stop.
   std::optional<FrictionShare> find(const Problem& problem, const Prescribed& given, const Procedure& procedure,
                                     double tolerance, std::int64_t max_iterations, Monitor& monitor);
 

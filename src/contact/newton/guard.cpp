@@ -1,5 +1,5 @@
-/// The last guard before a success: what was found keeps every law and carries every prescribed load, whichever part
-/// was solved last and whatever fallbacks did on the way.
+/// Guards every success: what was found keeps every law and carries every prescribed load, whichever part was solved
+/// last and whatever fallbacks did on the way.
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +14,9 @@ constexpr double slack = 10;  // images made anew have another rounding
 
 }  // namespace
 
-// The tangential problem of equal bodies stands on pressures that were found before it: they are to be those still, or
-// are judged again. The part solved last was judged when it ended, by what was prescribed then; after fallbacks, which
-// prescribe other things for a while, all is judged by what is asked.
+// Checks the whole. The tangential problem of equal bodies stands on pressures that were found before it: they are to
+// be those still, or are judged again. The part solved last was judged when it ended, by what was prescribed then;
+// after fallbacks, which prescribe other things for a while, all is judged by what is asked.
 bool Newton::holds() {
   Solve& s = solve_;
   const Iterate& it = *s.iterate;
@@ -41,8 +41,8 @@ bool Newton::holds() {
   return last.within(s.goal, slack * s.tolerance);
 }
 
-// A converged part is a solution if the guard lets it pass. Else what it stood on is found anew, for whatever is tried
-// next, and nothing returns to it.
+// Lets a converged part pass as a solution if the guard does. Else what it stood on is found anew, for whatever is
+// tried next, and nothing returns to it.
 Outcome Newton::guarded(Outcome outcome) {
   if (outcome != Outcome::converged) return outcome;
   Solve& s = solve_;

@@ -11,14 +11,14 @@ namespace rollcon {
 namespace {
 
 constexpr std::int64_t patience = 12;  // iterations without progress before a run is stuck
-constexpr double much_more = 1e3;      // times the traction found in the end
+constexpr double much_more = 1e3;      // factor on the traction found in the end
 constexpr double progress = 0.7;       // factor on the best residual that counts as progress
 constexpr double at_limit = 1 - 1e-12;
-// A search over directions, of loads with a spin moment, is for iterations that lead nowhere: those that solve a load
-// have fewer steps before them.
+// Iterations before a search over directions, for loads with a spin moment: it is for runs that lead nowhere, and those
+// that solve a load have fewer steps before them.
 constexpr std::int64_t before_search = 4;
 
-/// Values of the laws at an iterate, images brought up to date.
+/// Gives values of the laws at an iterate, images brought up to date.
 struct AtIterate {
   static constexpr bool trial = false;
   const Problem& p;
@@ -114,7 +114,7 @@ Outcome NewtonIteration::run(Part part, const Prescribed& given, const RunSettin
   StepRecord record;
   record.part = part;
   double best = INFINITY;
-  double largest = 0;  // traction since the images were made
+  double largest = 0;  // largest traction since the images were made
   std::int64_t waiting = 0, taken = 0;
   for (std::int64_t k = 0;; ++k) {
     LawResidual residual = evaluate(part, given);
@@ -163,11 +163,11 @@ Outcome NewtonIteration::run(Part part, const Prescribed& given, const RunSettin
   }
 }
 
-// No node touches: from zero tractions again, or closer. Nothing: the run goes on.
+// Goes on where no node touches, from zero tractions again or closer. Nothing: the run goes on.
 std::optional<Outcome> NewtonIteration::touch_again(Part part, std::int64_t iteration) {
   Iterate& it = *iterate_;
   if (part == Part::tangential || !given_->by_force[approach]) {
-    // Of a coupled problem, friction alone cannot tell whether the bodies touch.
+    // Friction alone cannot tell whether the bodies of a coupled problem touch.
     const bool open = part != Part::tangential || solve_->goal != Part::full;
     if (!any_pressure(it)) return open ? Outcome::no_contact : Outcome::not_converged;
     it.clear_tractions();
@@ -179,7 +179,7 @@ std::optional<Outcome> NewtonIteration::touch_again(Part part, std::int64_t iter
   return std::nullopt;
 }
 
-// The linear residual need not be smaller than the next Newton residual can be.
+// Returns the linear tolerance: the linear residual need not be smaller than the next Newton residual can be.
 double NewtonIteration::forcing_of(std::int64_t iteration, const LawResidual& residual, double worst,
                                    double tolerance) {
   double forcing =
@@ -193,7 +193,7 @@ double NewtonIteration::forcing_of(std::int64_t iteration, const LawResidual& re
   return std::max(forcing, 1e-13);
 }
 
-// By what is certain: pressures that were found before friction, or of those that friction changes the sum.
+// Judges by what is certain: pressures that were found before friction, or the sum of those that friction changes.
 bool NewtonIteration::beyond_friction(Part part, std::int64_t iteration, double residual_normal) {
   const Problem& p = *problem_;
   const Prescribed& given = *given_;
@@ -213,8 +213,8 @@ bool NewtonIteration::beyond_friction(Part part, std::int64_t iteration, double 
   return true;
 }
 
-// A body that gives way more than a half-space (a rim, a ring) parts everywhere under the guessed pressures at the
-// guessed approach. Moves the bodies together until the gap of the loaded nodes closes on average.
+// Moves the bodies together until the gap of the loaded nodes closes on average: one that gives way more than a
+// half-space (a rim, a ring) parts everywhere under the guessed pressures at the guessed approach.
 void NewtonIteration::fit_approach() {
   const Problem& p = *problem_;
   Iterate& it = *iterate_;
@@ -242,7 +242,7 @@ void NewtonIteration::remember_best(double worst) {
 void NewtonIteration::return_to_best() {
   Iterate& it = *iterate_;
   if (!std::isfinite(best_.worst)) {
-    // Nothing to return to; but what is not finite must not be handed on.
+    // A cold start replaces what is not finite where there is nothing to return to.
     bool finite = true;
     for (const auto& lambda : it.lambda)
       for (const double l : lambda) finite = finite && std::isfinite(l);
@@ -266,7 +266,7 @@ const std::vector<double> (&NewtonIteration::best_tractions() const)[3] {
 ReducedSystem& NewtonIteration::linearise(const Problem& problem, const Prescribed& given, const Iterate& iterate,
                                           Part part) {
   problem_ = &problem;
-  iterate_ = const_cast<Iterate*>(&iterate);  // which changes in runs alone
+  iterate_ = const_cast<Iterate*>(&iterate);  // it changes in runs alone
   given_ = &given;
   reserve(at(problem.nodes));
   evaluate(part, given);

@@ -1,6 +1,7 @@
 #pragma once
-/// Exact semismooth Newton iteration for frictional rolling contact (docs/theory.md, section 6) with a non-monotone
-/// line search: of one part of a problem that it does not change, with what is prescribed given to each run.
+/// Provides the exact semismooth Newton iteration for frictional rolling contact (docs/theory.md, section 6) with a
+/// non-monotone line search, for one part of a problem that it does not change; what is prescribed is given to each
+/// run.
 
 #include <array>
 #include <cstdint>
@@ -18,26 +19,26 @@
 
 namespace rollcon {
 
-/// One solve: what it works on, what it may still spend, and what came of it so far.
+/// Holds one solve: what it works on, what it may still spend, and what came of it so far.
 struct Solve {
   const Problem* problem = nullptr;
   Iterate* iterate = nullptr;
   Monitor* monitor = nullptr;
   Prescribed given;
-  Part goal = Part::normal;  ///< the part whose convergence ends the solve
+  Part goal = Part::normal;  ///< part whose convergence ends the solve
   double tolerance = 0;
-  std::int64_t max_iterations = 0;   ///< of one run
-  std::int64_t iterations_left = 0;  ///< of all
+  std::int64_t max_iterations = 0;   ///< limit of one run
+  std::int64_t iterations_left = 0;  ///< iterations left for all runs
   NewtonReport report;
 };
 
-/// How a run differs from the standard one.
+/// Tells how a run differs from the standard one.
 struct RunSettings {
   double tolerance = 0;             ///< 0: the solve's
   std::int64_t max_iterations = 0;  ///< 0: the solve's
-  int free_steps = 0;               ///< steps to be taken without line search, the first ones
+  int free_steps = 0;               ///< number of first steps that are taken without line search
   bool stick_first = false;         ///< the first step takes every node with friction for sticking
-  bool rehearsal = false;           ///< what is prescribed is not yet what is asked: no best iterate is kept
+  bool rehearsal = false;           ///< what is prescribed is not yet what is asked: no best iterate is noted
 };
 
 class NewtonIteration {
@@ -50,20 +51,21 @@ class NewtonIteration {
   /// Begins a solve, which must outlive its runs.
   void begin(Solve& solve);
   Outcome run(Part part, const Prescribed& given, const RunSettings& settings = {});
-  /// Residuals at the iterate; also finds the active nodes and makes every image that the next step needs valid.
+  /// Returns the residuals at the iterate; also finds the active nodes and makes every image that the next step needs
+  /// valid.
   LawResidual evaluate(Part part, const Prescribed& given);
-  /// The part's laws alone: the active nodes stay those of the part that was solved last.
+  /// Returns residuals of the part's laws alone: the active nodes stay those of the part that was solved last.
   LawResidual judge(Part part, const Prescribed& given);
-  /// Back to the best iterate of the runs that were no rehearsal; to a cold start where there is none and the iterate
-  /// is not finite.
+  /// Goes back to the best iterate of the runs that were no rehearsal; to a cold start where there is none and the
+  /// iterate is not finite.
   void return_to_best();
   void forget_best() { best_.worst = std::numeric_limits<double>::infinity(); }
-  /// Tractions of the best iterate, or else of the present one.
+  /// Returns the tractions of the best iterate, or else of the present one.
   const std::vector<double> (&best_tractions() const)[3];
-  /// The system of a part linearised at a solution, for its rates. The laws' own[i][2] is mu e_i at sliding nodes even
-  /// where pressures are given.
+  /// Returns the system of a part linearised at a solution, for its rates. The laws' own[i][2] is mu e_i at sliding
+  /// nodes even where pressures are given.
   ReducedSystem& linearise(const Problem& problem, const Prescribed& given, const Iterate& iterate, Part part);
-  /// Scaled rows are others than at the last step.
+  /// Tells that scaled rows are others than at the last step.
   void rows_changed() {
     rows_changed_ = true;
     linear.forget();
@@ -98,20 +100,20 @@ class NewtonIteration {
   Solve* solve_ = nullptr;
   const Problem* problem_ = nullptr;
   Iterate* iterate_ = nullptr;
-  const Prescribed* given_ = nullptr;  ///< of the present run
+  const Prescribed* given_ = nullptr;  ///< givens of the present run
 
   ReducedSystem system_;
-  std::vector<std::int32_t> active_, listed_;  ///< listed: whose images are asked for
+  std::vector<std::int32_t> active_, listed_;  ///< listed: nodes whose images are asked for
   std::vector<std::uint8_t> is_active_;
   LawScales scales_;
   std::vector<double> frozen_[3];  ///< images of the tractions that the current part holds fixed
   bool has_frozen_ = false;
-  bool images_fresh_ = false;  ///< from a step of this run
+  bool images_fresh_ = false;  ///< images come from a step of this run
   std::vector<double> next_[3], next_image_[3];
   MotionValues next_motion_{};
   std::vector<double> known_[3], b_, x_, correction_, jx_, product_;
   std::vector<double> merits_;
-  double last_worst_ = 0, last_merit_ = 0, eta_ = 0;  ///< of the step before
+  double last_worst_ = 0, last_merit_ = 0, eta_ = 0;  ///< values of the step before
   bool rows_changed_ = true;
   Best best_;
 };

@@ -8,20 +8,20 @@
 namespace rollcon {
 namespace {
 
-// Below this many nodes along a side a lattice is solved from nothing.
+// Lattices of fewer nodes along a side are solved from nothing.
 constexpr std::int64_t coarsest = 12;
 constexpr std::int64_t coarse_iterations = 60;
 // Nodes along a side of the coarsest lattice that says something about a finer one.
 constexpr std::int64_t coarsest_compared = 7;
 
-/// Every second node and the cells between them; on an even number of nodes the last one has no coarse neighbour.
+/// Holds every second node and the cells between them; on an even number of nodes the last one has no coarse neighbour.
 struct Coarser {
   Lattice lattice;
   Frame frame;
   std::vector<std::int32_t> fine;  ///< coarse node -> node of the finer frame
 };
 
-/// Of the cells that have all their nodes.
+/// Takes the cells that have all their nodes.
 Coarser coarsen(const Frame& frame, const Lattice& lattice) {
   Coarser c;
   const std::int64_t nx = (lattice.nx + 1) / 2, ny = (lattice.ny + 1) / 2;
@@ -57,7 +57,7 @@ Coarser coarsen(const Frame& frame, const Lattice& lattice) {
   return c;
 }
 
-// Coefficients that follow the solution stay as they are.
+// Makes the coarser problem; coefficients that follow the solution stay as they are.
 Problem coarser_problem(const Problem& p, const Prescribed& given, const LatticeScene& scene, const Coarser& c) {
   Problem q;
   take_frame(q, c.frame);
@@ -81,7 +81,7 @@ Problem coarser_problem(const Problem& p, const Prescribed& given, const Lattice
   return q;
 }
 
-/// Bilinear from every second node; none beyond the last.
+/// Interpolates bilinearly from every second node; beyond the last there is none.
 void interpolate(const Lattice& coarse, const std::vector<double>& from, const Lattice& fine, std::vector<double>& to) {
   const auto value = [&](std::int64_t i, std::int64_t j) {
     const std::int32_t k = i < coarse.nx && j < coarse.ny ? coarse.node[at(j * coarse.nx + i)] : -1;
@@ -114,8 +114,8 @@ bool solve(const Problem& problem, Prescribed given, const LatticeScene& scene, 
   return report.outcome == Outcome::converged;
 }
 
-/// Tractions and motions for a lattice from what `find` makes of the problem on the next coarser one. False: it found
-/// nothing.
+/// Makes tractions and motions for a lattice from what `find` makes of the problem on the next coarser one. Returns
+/// false where it found nothing.
 template <class Find>
 bool take_from_coarser(const Problem& problem, const Prescribed& given, const LatticeScene& scene, Iterate& iterate,
                        Find find) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Cold starts on lattices: the problem is solved on lattices of twice the spacing first.
+/// Starts cold on lattices: the problem is solved on lattices of twice the spacing first.
 
 #include <functional>
 
@@ -8,17 +8,17 @@
 
 namespace rollcon {
 
-/// What a coarser problem is made of beside the finer one.
+/// Holds what a coarser problem is made of beside the finer one.
 struct LatticeScene {
   const Frame& frame;
   const Lattice& lattice;
-  /// Operators and convection of the problem on another lattice.
+  /// Makes operators and convection of the problem on another lattice.
   std::function<void(const Frame&, const Lattice&, Problem&)> make_operators;
   std::function<bool()> cancelled;
 };
 
 /// Fills tractions and motions of a cold iterate from solutions on coarser lattices, the next one solved to
-/// `tolerance`. False, and nothing changed, where there is none, or where one was not found.
+/// `tolerance`. Returns false, with nothing changed, where there is none, or where one was not found.
 bool start_from_coarser(const Problem& problem, const Prescribed& given, const LatticeScene& scene, bool frictionless,
                         double tolerance, Iterate& iterate);
 constexpr double start_tolerance = 1e-3;

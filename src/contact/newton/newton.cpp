@@ -10,8 +10,8 @@
 namespace rollcon {
 namespace {
 
-constexpr double start_tolerance = 1e-2;  // of the frictionless start of a coupled problem
-constexpr double clearly = 0.05;          // beyond sliding, before fallbacks are tried
+constexpr double start_tolerance = 1e-2;  // tolerance of a coupled problem's frictionless start
+constexpr double clearly = 0.05;          // excess over sliding at which no fallback is tried
 
 bool finished(Outcome outcome) {
   return outcome != Outcome::not_converged;
@@ -49,7 +49,7 @@ Part Newton::goal(const Problem& problem, const Prescribed& given, bool friction
   return together ? Part::full : Part::tangential;
 }
 
-// The iterate is still the last solution.
+// Begins the prediction while the iterate is still the last solution.
 void Newton::begin_prediction() {
   const Problem& p = *solve_.problem;
   const Prescribed& given = solve_.given;
@@ -77,7 +77,7 @@ void Newton::begin_cold() {
   guess_start(*solve_.problem, solve_.given, *solve_.iterate);
 }
 
-// Normal first where the problems decouple, all together where they do not.
+// Solves the normal part first where the problems decouple, all together where they do not.
 Outcome Newton::attempt(bool cold) {
   Solve& s = solve_;
   Outcome outcome = Outcome::converged;
@@ -94,8 +94,8 @@ Outcome Newton::attempt(bool cold) {
     judged_motion_ = s.iterate->motion;
   }
   if (outcome != Outcome::converged || s.goal == Part::normal) return outcome;
-  // With creepages still unknown there is no slip direction to start from: full stick finds both (15 to 9 iterations on
-  // the linear quadrilaterals of the sphere example).
+  // Full stick finds both creepages and slip directions, which are not there to start from (9 instead of 15 iterations
+  // on the linear quadrilaterals of the sphere example).
   if (cold && s.problem->law->falls()) {
     outcome = run_as_at_rest(iteration_);
     if (outcome != Outcome::converged && outcome != Outcome::not_converged) return outcome;
@@ -163,7 +163,7 @@ NewtonReport Newton::solve(const Problem& problem, const Prescribed& given, Iter
   return s.report;
 }
 
-// Cheapest first.
+// Tries the fallbacks, the cheapest first.
 Outcome Newton::fall_back() {
   Outcome outcome = Outcome::not_converged;
   const auto next = [&](Rung rung, auto strategy) {
@@ -187,14 +187,14 @@ Outcome Newton::fall_back() {
   return outcome;
 }
 
-// After iterations that led nowhere: whether the loads reach those of sliding against them by so much more. Ends at the
-// best iterate.
+// Says, after iterations that led nowhere, whether the loads exceed those of sliding against them by so much. Ends at
+// the best iterate.
 bool Newton::beyond_sliding(double by) {
   const Solve& s = solve_;
   const Problem& p = *s.problem;
-  constexpr double suspicious = 0.9;  // share under pressures that are not those of the solution
+  constexpr double suspicious = 0.9;  // utilisation under pressures that are not those of the solution
   if (!s.given.tangential_load() || s.goal == Part::normal) return false;
-  // Where a frame is curved, pressures carry a part of the force across the rolling direction.
+  // Pressures carry a part of the force across the rolling direction where a frame is curved.
   if (!p.turn.empty() && s.given.by_force[xi2]) return false;
   FrictionShare& share = solve_.report.share;
   if (s.goal == Part::tangential) {

@@ -18,21 +18,21 @@ class Newton {
   /// frictionless: mu is zero at every node.
   NewtonReport solve(const Problem& problem, const Prescribed& given, Iterate& iterate, bool frictionless,
                      double tolerance, std::int64_t max_iterations, Monitor& monitor);
-  /// The part whose convergence ends a solve: all unknowns at once unless the normal problem stands alone.
+  /// Returns the part whose convergence ends a solve: all unknowns at once unless the normal problem stands alone.
   static Part goal(const Problem& problem, const Prescribed& given, bool frictionless);
   ReducedSystem& linearise(const Problem& problem, const Prescribed& given, const Iterate& iterate, Part part) {
     return iteration_.linearise(problem, given, iterate, part);
   }
   LinearSolver& linear() { return iteration_.linear; }
-  /// Tolerances of the linear systems.
+  /// Takes the tolerances of the linear systems.
   void use(const Procedure& procedure);
-  /// The next iterate is not one that this class found.
+  /// Tells that the next iterate is not one that this class found.
   void forget_prediction() { iteration_.prediction.forget(); }
-  /// Approaches count from a datum that is further by so much.
+  /// Makes approaches count from a datum that is further by so much.
   void move_datum(double change) { iteration_.prediction.move_datum(change); }
-  /// To be called when the operators or scales were assembled anew.
+  /// Must be called when the operators or scales were assembled anew.
   void operators_changed();
-  /// The next solve depends on the iterate that it is given alone.
+  /// Makes the next solve depend on the iterate that it is given alone.
   void forget_all();
   std::size_t bytes() const;
 
@@ -50,8 +50,8 @@ class Newton {
   std::vector<double> judged_;    ///< pressures that the normal part converged to
   MotionValues judged_motion_{};  ///< motions that it converged to
   bool pressures_found_ = false;  ///< the normal part converged
-  bool compared_ = false;         ///< with sliding against the loads, in this solve
-  FrictionShare slides_;          ///< what that gave
+  bool compared_ = false;         ///< compared with sliding against the loads, in this solve
+  FrictionShare slides_;          ///< result of that comparison
 };
 
 }  // namespace rollcon

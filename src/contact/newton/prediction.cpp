@@ -8,11 +8,11 @@ namespace rollcon {
 namespace {
 
 constexpr double farthest = 2;  // steps beyond the last solution, in steps before it
-constexpr double astray = 0.5;  // part of the change that may lie off the line
+constexpr double astray = 0.5;  // fraction of the change that may lie off the line
 
 }  // namespace
 
-// As a time loop goes on, nothing is allocated.
+// Reserves storage, so that a time loop allocates nothing as it goes on.
 void Prediction::reserve(std::int64_t nodes) {
   for (Iterate* it : {&last_, &before_})
     if (it->lambda[2].size() != static_cast<std::size_t>(nodes)) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Where the next solution of a sweep may lie: when the prescribed values move on along the line of their last change,
+/// Predicts the next solution of a sweep: when the prescribed values move on along the line of their last change,
 /// tractions and motions are extrapolated from the last two solutions.
 
 #include <array>
@@ -12,19 +12,19 @@ namespace rollcon {
 
 class Prediction {
  public:
-  /// To be called with the last solution, before what is prescribed now gets into it.
+  /// Must be called with the last solution, before what is prescribed now gets into it.
   void begin(const Prescribed& given, const Iterate& last);
   void reserve(std::int64_t nodes);
-  /// After a solve: the solution of begin() is then the one before the last.
+  /// Ends a solve: the solution of begin() is then the one before the last.
   void solved();
   void forget() { solved_ = known_ = false; }
-  /// Approaches count from a datum that is further by so much.
+  /// Makes approaches count from a datum that is further by so much.
   void move_datum(double change);
-  /// Length of the step from the last solution over that to the last one; 0: none, the prescribed values did not change
-  /// before or turn away from their line. weight[m]: a change of value m that would matter.
+  /// Returns the length of the step from the last solution over that to the last one; 0: none, the prescribed values
+  /// did not change before or turn away from their line. weight[m]: a change of value m that would matter.
   double ratio(const Prescribed& given, std::size_t nodes, const MotionValues& weight) const;
-  /// Extrapolated by `ratio`: images are those of the tractions, as both are linear. Nodes whose slip was not up to
-  /// date in both solutions are not `valid`.
+  /// Extrapolate by `ratio`: images are those of the tractions, as both are linear. Nodes whose slip was not up to date
+  /// in both solutions are not `valid`.
   void tractions(const Iterate& last, double ratio, int component, std::vector<double>& lambda) const;
   void image(const Iterate& last, double ratio, int component, std::vector<double>& image) const;
   double motion(const Iterate& last, double ratio, int m) const;

@@ -1,5 +1,5 @@
 #pragma once
-/// What a solve tells: its iterations as they happen, and how it ended.
+/// Tells what a solve does: its iterations as they happen, and how it ended.
 
 #include <array>
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace rollcon {
 
-/// What one iteration looked like; residuals are relative to the largest pressure and to the largest tangential
+/// Tells what one iteration looked like; residuals are relative to the largest pressure and to the largest tangential
 /// traction.
 struct StepRecord {
   Part part = Part::normal;
@@ -20,17 +20,17 @@ struct StepRecord {
   std::int64_t contact = 0, sliding = 0;
 };
 
-/// Told of every iteration; true asks to stop.
+/// Hears of every iteration; true asks to stop.
 struct Monitor {
   virtual ~Monitor() = default;
   virtual bool step(const StepRecord& record) = 0;
-  /// True once a stop was asked for; of work that has no iterations to tell of.
+  /// Says whether a stop was asked for, to work that has no iterations to tell of.
   virtual bool cancelled() const { return false; }
 };
 
 enum class Outcome { converged, not_converged, cancelled, no_contact, no_solution };
 
-/// What is tried where the full step gets stuck.
+/// Lists what is tried where the full step gets stuck.
 enum class Rung {
   approach_of_pressures,  ///< a bracket of the approach, for the normal part alone
   cold,                   ///< a warm start left for a cold one
@@ -50,7 +50,7 @@ struct NewtonReport {
   std::int64_t normal_iterations = 0, tangential_iterations = 0, full_iterations = 0;
   double residual_normal = 0, residual_tangential = 0;
   double residual_load = 0;  ///< greatest relative error of a prescribed load
-  FrictionShare share;       ///< where the loads were found to be beyond friction
+  FrictionShare share;       ///< utilisation where the loads were found to be beyond friction
   std::int64_t fallbacks = 0;
   bool from_nothing = false;                ///< no solution was there to start from, or it was left
   std::array<std::int64_t, rungs> saved{};  ///< solves (parts) that a rung brought to its end

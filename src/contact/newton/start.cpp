@@ -10,7 +10,7 @@
 namespace rollcon {
 namespace {
 
-// The bodies cut at half the approach, where a smooth Hertzian contact has its edge.
+// Holds the bodies cut at half the approach, where a smooth Hertzian contact has its edge.
 struct Cut {
   double low = INFINITY;  ///< least gap, as an approach
   double half = 0;        ///< half the approach beyond it
@@ -21,7 +21,7 @@ double gap_at(const Problem& p, const MotionValues& m, std::size_t k) {
   return p.tilted_gap(k, m) / p.closing(k);
 }
 
-// An unknown approach is taken from Hertz's formula for a circle of the same overlap.
+// Cuts the bodies; an unknown approach is taken from Hertz's formula for a circle of the same overlap.
 Cut cut(const Problem& p, const Prescribed& given, const MotionValues& m) {
   Cut c;
   double high = -INFINITY;
@@ -37,7 +37,7 @@ Cut cut(const Problem& p, const Prescribed& given, const MotionValues& m) {
       if (p.used[k] && gap_at(p, m, k) < c.low + depth) area += p.cell_area[k];
     return area;
   };
-  // Half approach d, contact area A = pi a^2: p0 = 2 E* (2 d) / (pi a), F = 2/3 p0 A.
+  // Half approach d and contact area A = pi a^2 give p0 = 2 E* (2 d) / (pi a), F = 2/3 p0 A.
   const auto peak = [&](double half, double area) {
     return area > 0 ? 4 * p.stiffness * half / std::sqrt(std::numbers::pi * area) : 0.0;
   };
@@ -50,7 +50,7 @@ Cut cut(const Problem& p, const Prescribed& given, const MotionValues& m) {
     };
     double a = 0, b = std::max(high - c.low, 1e-12 * std::abs(high));
     if (!(b > 0)) b = load / (p.stiffness * p.length);
-    // Gaps of nodes that are never to touch may be of any size: not by halves from there.
+    // Gaps of nodes that are never to touch may be of any size: halving from there would take too long.
     while (load > 0 && b > 0 && carried(b / 1024) >= load) b /= 1024;
     for (int i = 0; i < 200 && carried(b) < load; ++i) a = b, b *= 2;
     for (int i = 0; i < 400 && b - a > 1e-6 * b; ++i) {
@@ -76,8 +76,8 @@ void guess_approach(const Problem& p, const Prescribed& given, MotionValues& mot
   if (c.low < INFINITY) motion[approach] = c.low + 2 * c.half;
 }
 
-// Tilts whose moments are given level the gap where the load presses: they start from the gap's slope near that point,
-// fitted over a part of the frame.
+// Guesses tilts whose moments are given, which level the gap where the load presses, by the gap's slope near that
+// point, fitted over a part of the frame.
 void guess_tilts(const Problem& p, const Prescribed& given, MotionValues& m) {
   constexpr double part = 0.15;
   double load = given.value[approach];
@@ -89,7 +89,7 @@ void guess_tilts(const Problem& p, const Prescribed& given, MotionValues& m) {
   double b[3] = {};
   for (std::size_t k = 0; k < at(p.nodes); ++k) {
     if (!p.used[k]) continue;
-    // The columns of the tilts are y and -x.
+    // Columns of the tilts are y and -x.
     const double row[3] = {1, p.tilting[0][k] - y0, p.tilting[1][k] + x0};
     const double w = std::exp(-0.5 * (row[1] * row[1] + row[2] * row[2]) / (width * width));
     for (int r = 0; r < 3; ++r) {
@@ -103,12 +103,12 @@ void guess_tilts(const Problem& p, const Prescribed& given, MotionValues& m) {
     if (given.by_force[t] && std::isfinite(b[t - spin])) m[t] = b[t - spin];
 }
 
-// The overlap gets the semi-elliptic pressure p0 sqrt(1 - h/(approach/2)), exact for a paraboloid.
+// Gives the overlap the semi-elliptic pressure p0 sqrt(1 - h/(approach/2)), exact for a paraboloid.
 void guess_start(const Problem& p, const Prescribed& given, Iterate& it) {
   guess_tilts(p, given, it.motion);
   Cut c = cut(p, given, it.motion);
   if (!(c.low < INFINITY)) return;
-  // Nodes on one line carry no moment about it.
+  // Enough nodes are not all on one line, about which they would carry no moment.
   constexpr std::int64_t enough = 8;
   const auto touching = [&] {
     std::int64_t count = 0;

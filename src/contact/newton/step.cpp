@@ -1,5 +1,5 @@
-/// One step of Newton's iteration: the linear system, the line search along its solution, and what the step makes of
-/// the images at hand.
+/// Takes one step of Newton's iteration: the linear system, the line search along its solution, and what the step makes
+/// of the images at hand.
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ double blend(double from, double to, double alpha) {
   return alpha == 0 ? from : from + alpha * (to - from);
 }
 
-/// Values of the laws on the way to the next iterate. Slip is known of the active nodes.
+/// Gives values of the laws on the way to the next iterate. Slip is known at the active nodes.
 struct OnTheWay {
   static constexpr bool trial = true;
   const Problem& p;
@@ -41,7 +41,7 @@ struct OnTheWay {
 
 }  // namespace
 
-// Loads are linear in the tractions.
+// Interpolates the loads, which are linear in the tractions.
 double NewtonIteration::load_error_at(Part part, double alpha) const {
   return load_error(*given_, part, [&](int m) {
     LoadSum sum = load_on_body1(*problem_, m, iterate_->lambda);
@@ -85,9 +85,9 @@ TangentialLaw NewtonIteration::law_of(Part part, std::int32_t node, bool bound_f
                             p.rigid_slip2(node, it.motion) + it.image[1][k], pressure, bound_follows);
 }
 
-// After a step the images at hand are the product of the system with the iterate, unless nodes that have just left the
-// contact still carry tractions. False: they do. The first step of a run makes the product anew, lest rounding adds up
-// over solves.
+// Takes the images at hand after a step for the product of the system with the iterate. Returns false where nodes that
+// have just left the contact still carry tractions. The first step of a run makes the product anew, lest rounding adds
+// up over solves.
 bool NewtonIteration::take_product(Part part) {
   if (!images_fresh_) return false;
   const Problem& p = *problem_;
@@ -131,7 +131,7 @@ bool NewtonIteration::newton_step(Part part, bool stick, double forcing) {
   }
   system_.right_side(known_[2], known_[0], known_[1], b_);
 
-  // Solve for the correction: the forcing term is then relative to the present residual.
+  // The correction is solved for: the forcing term is then relative to the present residual.
   const std::size_t n = at(system_.size());
   x_.resize(n);
   jx_.resize(n);
@@ -149,7 +149,7 @@ bool NewtonIteration::newton_step(Part part, bool stick, double forcing) {
   return true;
 }
 
-// Tractions, motions and images of the step, from the solution x_ and the products of the system.
+// Makes tractions, motions and images of the step from the solution x_ and the products of the system.
 void NewtonIteration::take_step(Part part) {
   const Problem& p = *problem_;
   const Iterate& it = *iterate_;
@@ -180,9 +180,9 @@ void NewtonIteration::take_step(Part part) {
   p.op->images(normal_component, {}, listed_, next_, next_image_);
 }
 
-// Non-monotone Armijo rule with halving; the best step seen is taken when none satisfies it. The first steps of a warm
-// start are taken whole (`free`): the merit of a solution of a neighbouring problem is far below that of every useful
-// iterate.
+// Follows a non-monotone Armijo rule with halving; the best step seen is taken when none satisfies it. The first steps
+// of a warm start are taken whole (`free`): the merit of a solution of a neighbouring problem is far below that of
+// every useful iterate.
 double NewtonIteration::line_search(Part part, bool free) {
   if (free) {
     merits_.push_back(INFINITY);
@@ -223,7 +223,7 @@ void NewtonIteration::advance(Part part, double alpha) {
   }
 }
 
-// A warm start moved on along the line of the last change, where that lowers the error function. Images of the
+// Moves a warm start on along the line of the last change, where that lowers the error function. Images of the
 // extrapolated tractions are extrapolated too. They are not brought back to where the laws admit them: the step after
 // that does it, and the error function counts it.
 bool NewtonIteration::start_predicted(Part part) {

@@ -1,4 +1,4 @@
-/// Rows of the discrete operators from the compliance and the convective scheme.
+/// Assembles rows of the discrete operators from the compliance and the convective scheme.
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::int64_t chunk = 64;  // rows of compliance held at a time
 
-// Transpose of the convective rows: which slip rows use a sample, with what factor.
+// Holds the transpose of the convective rows: which slip rows use a sample, with what factor.
 struct Users {
   std::vector<std::int64_t> start;
   std::vector<std::int32_t> row;
@@ -65,13 +65,13 @@ void drop_vanished_coupling(DenseOperators& op) {
   op.coupling_vanished = true;
 }
 
-// Which blocks to assemble.
+// Tells which blocks to assemble.
 struct Wanted {
   bool block[3][3] = {};
   bool slip() const { return block[0][0]; }
 };
 
-/// The blocks wanted, as sums over samples.
+/// Assembles the blocks wanted, as sums over samples.
 class Assembly {
  public:
   Assembly(const Frame& frame, const Compliance& compliance, const Convection& convection, const Wanted& wanted,
@@ -110,16 +110,16 @@ class Assembly {
   }
 
  private:
-  /// Some rows at a time: the system takes seconds to give gigabytes.
+  /// Clears some rows at a time: the system takes seconds to give gigabytes.
   static void clear(RowMatrix<double>& block) {
     for (std::int64_t first = 0; first < block.rows(); first += chunk) {
       check_interrupt();
       std::fill_n(block.row(first), std::min(chunk, block.rows() - first) * block.columns(), 0.0);
     }
   }
-  /// Rows of this node are those of its mirror image.
+  /// Says whether the rows of this node are those of its mirror image.
   bool mirrored(std::size_t k) const { return !mirror_.empty() && at(mirror_[k]) < k; }
-  /// Components along t2 change their sign.
+  /// Fills rows of mirror images, where components along t2 change their sign.
   void fill_mirrored() {
     for (int r = 0; r < 3; ++r)
       for (int c = 0; c < 3; ++c) {
@@ -134,7 +134,7 @@ class Assembly {
       }
   }
   std::size_t samples() const { return at(n_) + convection_.ahead.size(); }
-  /// By a slip row.
+  /// Says whether a slip row uses the sample.
   bool used(std::size_t sample) const { return users_.start[sample] < users_.start[sample + 1]; }
 
   template <class Take>
@@ -221,7 +221,7 @@ void assemble_operators(const Frame& frame, const Compliance& compliance, const 
   if (op.normal && !first) return;
   Wanted wanted;
   wanted.block[2][2] = !op.normal;
-  // With coupling, a frictionless scene still needs no tangential column.
+  // A frictionless scene needs no tangential column even with coupling.
   for (int c = 0; c < 2; ++c) wanted.block[2][c] = op.coupled && slip && (!op.normal || op.block[2][c].empty());
   for (int r = 0; r < 2; ++r)
     for (int c = 0; c < 3; ++c) wanted.block[r][c] = first && (c < 2 || op.coupled);

@@ -15,8 +15,8 @@ void end_row(SparseRows& rows) {
   rows.start.push_back(static_cast<std::int64_t>(rows.value.size()));
 }
 
-// Barycentric coordinates in the triangle that the node lies in (rounding can put one on an edge outside of all: then
-// in the nearest).
+// Interpolates by barycentric coordinates in the triangle that the node lies in, or in the nearest one where rounding
+// puts a node on an edge outside of all.
 void interpolate(const Frame& fine, std::size_t k, const CoarseMesh& mesh, SparseRows& rows) {
   double best = -std::numeric_limits<double>::infinity();
   std::array<double, 3> weight{};
@@ -40,7 +40,7 @@ void interpolate(const Frame& fine, std::size_t k, const CoarseMesh& mesh, Spars
   }
 }
 
-// to[i] += sum over fine nodes of from[k] fine(k, i)
+// Adds to[i] += sum over fine nodes of from[k] fine(k, i).
 void add_columns(const TractionSpace& space, const double* from, double* to) {
   const SparseRows& rows = space.fine;
   for (std::size_t k = 0; k + 1 < rows.start.size(); ++k)
@@ -103,7 +103,7 @@ TractionSpace coarse_space(const Frame& fine) {
   space.node = coarse.node;
   SurfaceMesh mesh;
   mesh.offset = {0};
-  // In the plane: triangles of nodes that lie on a line there could stand steeply in space.
+  // Triangles are made in the plane: those of nodes that lie on a line there could stand steeply in space.
   const Axes& axes = fine.axes;
   for (const std::int32_t k : coarse.node)
     mesh.node.push_back(axes.origin + fine.x[at(k)] * axes.t1 + fine.y[at(k)] * axes.t2);

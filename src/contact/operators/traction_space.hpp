@@ -1,6 +1,6 @@
 #pragma once
-/// Tractions that depend on fewer numbers than the nodes of a frame, as the unknowns of another discrete problem of the
-/// same contact (contact/estimate/error_estimate.hpp).
+/// Describes tractions that depend on fewer numbers than the nodes of a frame, as the unknowns of another discrete
+/// problem of the same contact (contact/estimate/error_estimate.hpp).
 
 #include <cstdint>
 #include <memory>
@@ -14,27 +14,27 @@
 namespace rollcon {
 
 struct TractionSpace {
-  Frame frame;                     ///< its nodes carry the unknowns; those of `loaded` no elements
-  std::vector<std::int32_t> node;  ///< of the fine frame, for each of them
+  Frame frame;                     ///< nodes of this frame carry the unknowns; in loaded_space() it has no elements
+  std::vector<std::int32_t> node;  ///< fine frame's node for each of them
   SparseRows fine;                 ///< tractions at the fine frame's nodes from the unknowns
 };
 
-/// Linear triangles on about a quarter of the nodes (mesh/coarsen.hpp); tractions in between are interpolated in the
-/// projection, by components in the local triads. err_mesh: the coarse triangles do not make a valid frame.
+/// Makes linear triangles on about a quarter of the nodes (mesh/coarsen.hpp); tractions in between are interpolated in
+/// the projection, by components in the local triads. err_mesh: the coarse triangles do not make a valid frame.
 TractionSpace coarse_space(const Frame& fine);
-/// The nodes with pressure, all others unloaded.
+/// Takes the nodes with pressure; all others are unloaded.
 TractionSpace loaded_space(const Frame& fine, const std::vector<double>& normal);
 
-/// Displacements of tractions in the space: same bodies, same integrals. Both must outlive it.
+/// Returns displacements of tractions in the space: same bodies, same integrals. Both must outlive it.
 std::unique_ptr<Compliance> compliance_of(const Compliance& fine, const TractionSpace& space);
-/// Normal rows from those of the fine frame, without any integral.
+/// Makes normal rows from those of the fine frame, without any integral.
 void take_normal_rows(const DenseOperators& fine, const TractionSpace& space, DenseOperators& op);
 
-/// Sums over the fine frame's nodes (weights), as sums over the space's.
+/// Turns sums over the fine frame's nodes (weights) into sums over the space's.
 std::vector<double> gather(const TractionSpace& space, const std::vector<double>& fine);
-/// Values at the space's nodes.
+/// Picks values at the space's nodes.
 std::vector<double> pick(const TractionSpace& space, const std::vector<double>& fine);
-/// Tractions at the fine frame's nodes.
+/// Returns tractions at the fine frame's nodes.
 std::vector<double> spread(const TractionSpace& space, const std::vector<double>& unknowns);
 
 }  // namespace rollcon

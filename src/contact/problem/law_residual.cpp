@@ -38,7 +38,7 @@ LawResidual residual_of(const LawSums& s, const LawScales& scales, double load, 
   r.normal = s.worst_n / scales.pressure;
   r.tangential = s.worst_t / scales.traction;
   r.load = load;
-  // What rounding of gaps and slips alone makes of the tractions: no iteration gets below that.
+  // Rounding of gaps and slips alone makes this much of the tractions: no iteration gets below that.
   r.normal_rounding = rounding_of_terms * s.gap_rounding / scales.pressure;
   r.tangential_rounding = rounding_of_terms * (s.slip_rounding + s.bound_rounding) / scales.traction;
   r.merit = merit_of(s, scales, load, nodes);

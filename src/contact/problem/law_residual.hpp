@@ -1,6 +1,6 @@
 #pragma once
-/// The residual of the laws, written once: unilateral contact and friction as projections of the augmented tractions
-/// (docs/theory.md, section 6).
+/// Evaluates the residual of the laws, written once: unilateral contact and friction as projections of the augmented
+/// tractions (docs/theory.md, section 6).
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +13,10 @@
 
 namespace rollcon {
 
-/// Of what gaps and slips are summed from.
+/// Relative rounding of the terms that gaps and slips are summed from.
 inline constexpr double rounding_of_terms = 8 * std::numeric_limits<double>::epsilon();
 
-/// A gap or a slip, and the size of the terms it is summed from.
+/// Holds a gap or a slip, and the size of the terms it is summed from.
 struct SummedGap {
   double value = 0, terms = 0;
 };
@@ -24,35 +24,36 @@ struct SummedSlip {
   double s1 = 0, s2 = 0, terms = 0;
 };
 
-/// Over the nodes: greatest values and sums of squares of what the laws leave.
+/// Holds greatest values and sums of squares, over the nodes, of what the laws leave.
 struct LawSums {
   double worst_n = 0, worst_t = 0, sum_n = 0, sum_t = 0;
-  double pressure = 0, traction = 0, bound = 0;                    ///< greatest
-  double gap_rounding = 0, slip_rounding = 0, bound_rounding = 0;  ///< of the terms, as tractions
+  double pressure = 0, traction = 0, bound = 0;                    ///< greatest values
+  double gap_rounding = 0, slip_rounding = 0, bound_rounding = 0;  ///< rounding of the terms, as tractions
   std::int64_t contact = 0, sliding = 0;
 };
 
-/// What residuals are relative to.
+/// Holds what residuals are relative to.
 struct LawScales {
   double pressure = 1, traction = 1;
 };
 
-/// Relative residuals.
+/// Holds relative residuals.
 struct LawResidual {
   double normal = 0, tangential = 0, load = 0;          ///< relative maxima
   double normal_rounding = 0, tangential_rounding = 0;  ///< what rounding leaves of them
   double merit = 0;                   ///< error function Psi: half the squared norm of the relative residuals
-  double pressure = 0, traction = 0;  ///< the largest
+  double pressure = 0, traction = 0;  ///< largest values
   std::int64_t contact = 0, sliding = 0;
 
   double worst(Part part) const;
-  /// Within the tolerance, or within what rounding leaves.
+  /// Says whether residuals are within the tolerance, or within what rounding leaves.
   bool within(Part part, double tolerance) const;
 };
 
-/// `at` gives a node's values: lambda(c, k), gap(k) -> SummedGap, slip(k) -> SummedSlip and slip_known(k); gaps are
-/// asked for if the part has normal tractions, slips of nodes that touch. `visit` is told of every used node, whether
-/// it touches and whether it slides. Where Values::trial is true, sums of squares will do for the tangential laws.
+/// Sums what the laws leave. `at` gives a node's values: lambda(c, k), gap(k) -> SummedGap, slip(k) -> SummedSlip and
+/// slip_known(k); gaps are asked for if the part has normal tractions, slips of nodes that touch. `visit` is told of
+/// every used node, whether it touches and whether it slides. Where Values::trial is true, sums of squares will do for
+/// the tangential laws.
 template <class Values, class Visit>
 LawSums sum_laws(const Problem& p, const Prescribed& given, Part part, Values&& at, Visit&& visit) {
   constexpr bool trial = std::remove_cvref_t<Values>::trial;
@@ -86,7 +87,7 @@ LawSums sum_laws(const Problem& p, const Prescribed& given, Part part, Values&& 
         t = friction.traction({mu, -augmented, l1, l2, s.s1, s.s2, rt, given.falling});
         sliding = t.sliding;
         if constexpr (!trial) {
-          // Where nodes slide only the share across the traction counts, which shrinks with the bound.
+          // Only the part across the traction counts where nodes slide; it shrinks with the bound.
           const double share = t.length > t.bound ? t.bound / t.length : 1;
           r.slip_rounding = std::max(r.slip_rounding, share * rt * s.terms);
           r.bound_rounding = std::max(r.bound_rounding, mu * gap_terms);
@@ -106,14 +107,15 @@ LawSums sum_laws(const Problem& p, const Prescribed& given, Part part, Values&& 
   return r;
 }
 
-/// Tangential residuals hide under normal ones, so they are judged by the tangential tractions themselves as soon as
-/// there are any.
+/// Returns the scales. Tangential residuals hide under normal ones, so they are judged by the tangential tractions
+/// themselves as soon as there are any.
 LawScales scales_of(const LawSums& sums);
-/// Psi. load: greatest relative error of a load, which stands for that error of the traction at each of `nodes` nodes.
+/// Returns Psi. load: greatest relative error of a load, which stands for that error of the traction at each of `nodes`
+/// nodes.
 double merit_of(const LawSums& sums, const LawScales& scales, double load, std::int64_t nodes);
 LawResidual residual_of(const LawSums& sums, const LawScales& scales, double load, std::int64_t nodes);
 
-/// The law of node k for a step; pressure: what bounds its friction.
+/// Returns the law of node k for a step; pressure: what bounds its friction.
 TangentialLaw linearise_friction(const Problem& p, const Prescribed& given, std::size_t k,
                                  const std::vector<double> (&lambda)[3], double s1, double s2, double pressure,
                                  bool bound_follows);

@@ -9,8 +9,8 @@
 namespace rollcon {
 namespace {
 
-/// Sums by node, with those of their terms' magnitudes: what rounding leaves of a sum that vanishes is no moment arm.
-/// With it a contact of one node at the origin would answer a moment of zero by a spin beyond all measure.
+/// Sums by node, with the terms' magnitudes: what rounding leaves of a sum that vanishes is no moment arm. With it a
+/// contact of one node at the origin would answer a moment of zero by a spin beyond all measure.
 class NodeSums {
  public:
   explicit NodeSums(std::int64_t nodes)

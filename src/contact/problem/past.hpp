@@ -1,5 +1,5 @@
 #pragma once
-/// What a contact remembers of its past between steps in time: the tractions at the end of the last one.
+/// Holds what a contact remembers between steps in time: the tractions at the end of the last one.
 
 #include <cstdint>
 #include <memory>
@@ -13,13 +13,13 @@ namespace rollcon {
 
 struct Iterate;
 
-/// A frame and the pair's compliance there.
+/// Holds a frame and the pair's compliance there.
 struct FrameOfPast {
   Frame frame;
   std::unique_ptr<Compliance> compliance;  ///< made when tractions are carried to another frame
 };
 
-/// The contact at the end of a step.
+/// Holds the contact at the end of a step.
 struct PastStep {
   bool loaded = false;            ///< false: the bodies are at rest, unstressed
   std::vector<double> lambda[3];  ///< t1, t2, n
@@ -33,17 +33,17 @@ struct PastStep {
 };
 
 struct StepWorkspace {
-  std::vector<double> traction, displacement;  ///< three a node
+  std::vector<double> traction, displacement;  ///< three values a node
 };
 
 struct StepHistory {
-  PastStep last;    ///< what the next step starts from
-  PastStep before;  ///< what the last one started from
+  PastStep last;    ///< start of the next step
+  PastStep before;  ///< start of the last step
   bool can_repeat = false;
   bool of_steps = false;           ///< the last solve was a step: `last` is what it left
   bool failed = false;             ///< the last solve, a steady one, found nothing
   bool iterate_is_last = false;    ///< the iterate is that of `last`
-  std::vector<double> carried[3];  ///< displacements of the step before at the particles that are at the nodes now
+  std::vector<double> carried[3];  ///< displacements a step before of the particles that are at the nodes now
   StepWorkspace work;
 
   std::size_t bytes() const;

@@ -1,6 +1,6 @@
 #pragma once
-/// What is prescribed of motions and loads, apart from the problem: a case of a list has its own, and strategies try
-/// others on a copy.
+/// Holds what is prescribed of motions and loads, apart from the problem: a case of a list has its own, and strategies
+/// try others on a copy.
 
 #include <array>
 #include <cstddef>
@@ -15,7 +15,7 @@ constexpr bool changes_gap(int m) {
   return m == approach || m >= tilt1;
 }
 
-/// Which tractions are unknown: the normal ones, the tangential ones under a given bound, or all.
+/// Says which tractions are unknown: the normal ones, the tangential ones under a given bound, or all.
 enum class Part : std::int32_t { normal = 2, tangential = 3, full = 4 };
 
 inline bool has_normal(Part part) {
@@ -24,37 +24,37 @@ inline bool has_normal(Part part) {
 inline bool has_tangential(Part part) {
   return part != Part::normal;
 }
-/// Whether motion m (or its load) is the part's.
+/// Says whether motion m (or its load) is the part's.
 inline bool has_motion(Part part, int m) {
   return changes_gap(m) ? has_normal(part) : has_tangential(part);
 }
 
-/// Less friction counts as none: squares of its tractions vanish.
+/// Friction below which it counts as none: squares of its tractions vanish.
 inline constexpr double least_friction = 1e-100;
 
 struct Prescribed {
-  std::array<bool, motion_count> by_force{};  ///< motion unknown, conjugate load given
+  std::array<bool, motion_count> by_force{};  ///< motion is unknown, conjugate load given
   MotionValues value{};                       ///< load (on body 1) where by force, else motion
-  double full_approach = 0;                   ///< a prescribed approach as it was given, from no approach on
+  double full_approach = 0;                   ///< prescribed approach as it was given, counted from the gap as given
   double friction = 1;                        ///< factor on the nodes' coefficients
   double falling = 1;                         ///< factor on the slip speed that friction falls with; 0: as at rest
   double slip_scale = 1;                      ///< factor on the nodes' scales of slip: another path, same solution
   /// Factor on the coefficient of each node, where friction follows the whole solution; empty: 1.
   std::vector<double> utilisation{};
 
-  /// Of node k, from those that the problem has.
+  /// Returns the coefficient of node k, from those that the problem has.
   double coefficient(const std::vector<double>& mu, std::size_t k) const {
     return friction * mu[k] * (utilisation.empty() ? 1 : utilisation[k]);
   }
 
   bool tangential_load() const { return by_force[xi1] || by_force[xi2] || by_force[spin]; }
-  /// What is prescribed in the normal direction: a load, or an approach from no approach on.
+  /// Prescribes the normal direction: a load, or an approach that counts from the gap as given.
   void prescribe_normal(bool force, double v, double datum) {
     by_force[approach] = force;
     full_approach = v;
     value[approach] = force ? v : v - datum;
   }
-  /// Approach of an iterate from no approach on; a prescribed one exactly as it was given.
+  /// Returns the approach of an iterate from the gap as given; a prescribed one exactly as it was given.
   double approach_of(const MotionValues& motion, double datum) const {
     return by_force[approach] ? motion[approach] + datum : full_approach;
   }

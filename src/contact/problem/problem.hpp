@@ -1,6 +1,6 @@
 #pragma once
-/// The discrete contact problem in the form that Newton's iteration sees: affine relations between tractions, gap and
-/// slip, laws per node, and loads. Slip is per unit rolling speed throughout.
+/// Defines the discrete contact problem in the form that Newton's iteration sees: affine relations between tractions,
+/// gap and slip, laws per node, and loads. Slip is per unit rolling speed throughout.
 ///
 ///   kn = gap - approach n - (tilt x r) n - (A lambda)_n
 ///   s  = rigid slip + D (A lambda)_t,   rigid slip = (xi1 - phi y, xi2 + phi x) + given field
@@ -26,14 +26,14 @@
 
 namespace rollcon {
 
-/// Local triad of a node in the axes: [i][j] = local direction i times axis j (t1, t2, n).
+/// Holds the local triad of a node in the axes: [i][j] = local direction i times axis j (t1, t2, n).
 using Turn = std::array<std::array<double, 3>, 3>;
 
 struct Problem {
   std::int64_t nodes = 0;
   std::shared_ptr<const Operators> op;
   Convection convection;
-  std::vector<double> rn, rt;  ///< per-node scales of the augmented tractions
+  std::vector<double> rn, rt;  ///< scales of the augmented tractions, per node
   std::vector<Turn> turn;      ///< empty: the frame is flat
   /// Gap at the approach `datum`, displacements given elsewhere included. Approaches of a problem and its iterates
   /// count from the datum: where it is the least of those that touch, the overlap under the smallest load keeps its
@@ -52,7 +52,7 @@ struct Problem {
   std::vector<double> moment_z;            ///< integral of N_i z
   std::vector<double> tilting[2];          ///< gap lost per unit of a tilt
   std::vector<std::uint8_t> used;          ///< nodes that may carry traction
-  double length = 1;                       ///< of the frame; scales spin
+  double length = 1;                       ///< length of the frame; scales spin
   double motion_scale = 1;                 ///< slip per unit of a creepage
   double stiffness = 1;                    ///< E* of the pair, for the first guess of an approach
   std::vector<double> cell_area;
@@ -63,7 +63,7 @@ struct Problem {
   double rigid_slip2(std::int64_t i, const MotionValues& m) const {
     return motion_slip(1, i, m) + (slip2.empty() ? 0 : slip2[static_cast<std::size_t>(i)]);
   }
-  /// The part of component c that motions cause.
+  /// Returns the part of component c that motions cause.
   double motion_slip(std::size_t c, std::int64_t i, const MotionValues& m) const {
     const auto k = static_cast<std::size_t>(i);
     const double along = motion_scale * (m[xi1] - m[spin] * convection.slip_y[k]);
@@ -71,33 +71,33 @@ struct Problem {
     if (turn.empty()) return c == 0 ? along : across;
     return turn[k][c][0] * along + turn[k][c][1] * across;
   }
-  /// Gap lost per unit of approach.
+  /// Returns the gap lost per unit of approach.
   double closing(std::size_t k) const { return turn.empty() ? 1 : turn[k][2][2]; }
-  /// Gap lost per unit of any motion.
+  /// Returns the gap lost per unit of any motion.
   double closing(int motion, std::size_t k) const {
     return motion >= tilt1 ? tilting[motion - tilt1][k] : motion == approach ? closing(k) : 0;
   }
   double rigid_gap(std::size_t k, const MotionValues& m) const { return tilted_gap(k, m) - closing(k) * m[approach]; }
-  /// Gap at the approach `datum`.
+  /// Returns the gap at the approach `datum`.
   double tilted_gap(std::size_t k, const MotionValues& m) const {
     if (m[tilt1] == 0 && m[tilt2] == 0) return gap[k];
     return gap[k] - tilting[0][k] * m[tilt1] - tilting[1][k] * m[tilt2];
   }
-  /// Gaps at no approach.
+  /// Returns the gaps at no approach.
   std::vector<double> undeformed_gaps() const;
-  /// Slip of node k per unit of a motion (zero for those that change the gap).
+  /// Returns the slip of node k per unit of a motion (zero for those that change the gap).
   std::array<double, 2> slip_column(int motion, std::size_t k) const;
-  /// Load on body 1 (see LoadSum) per unit of the node's tractions.
+  /// Returns the load on body 1 (see LoadSum) per unit of the node's tractions.
   std::array<double, 3> load_row(int motion, std::size_t k) const;
 };
 
-/// What depends on the frame alone: weights, moments, areas, local triads.
+/// Takes what depends on the frame alone: weights, moments, areas, local triads.
 void take_frame(Problem& problem, const Frame& frame);
 
-/// An iterate: tractions by component, the operator rows applied to them, and the motions.
+/// Holds an iterate: tractions by component, the operator rows applied to them, and the motions.
 struct Iterate {
   std::vector<double> lambda[3];  ///< t1, t2, n
-  // What the tractions determine, found when it is needed.
+  // The mutable members follow from the tractions and are found when they are needed.
   mutable std::vector<double> image[3];          ///< D (A lambda)_t1, D (A lambda)_t2, (A lambda)_n
   mutable std::vector<std::uint8_t> slip_valid;  ///< image[0], image[1] up to date at this node
   mutable std::vector<std::uint8_t> gap_valid;   ///< image[2] up to date at this node
@@ -106,9 +106,9 @@ struct Iterate {
   void resize(std::int64_t n);
   void clear();
   void invalidate();
-  /// Zero tractions, motions kept.
+  /// Sets tractions to zero; motions stay.
   void clear_tractions();
-  /// Computes the wanted image rows of one node from the tractions.
+  /// Compute the wanted image rows of one node from the tractions.
   void update_slip(const Problem& problem, std::int64_t i) const;
   void update_gap(const Problem& problem, std::int64_t i) const;
 
@@ -116,18 +116,18 @@ struct Iterate {
   void update(const Problem& problem, Components wanted, std::int64_t i) const;
 };
 
-/// The rows of the part's laws.
+/// Returns the rows of the part's laws.
 inline Components components_of(Part part) {
   return {has_tangential(part) ? 0 : 2, has_normal(part) ? 2 : 1};
 }
 
-/// A load on body 1 that tractions add up to (the compressive load for the approach), and the sum of its terms'
+/// Holds a load on body 1 that tractions add up to (the compressive load for the approach), and the sum of its terms'
 /// magnitudes.
 struct LoadSum {
   double value = 0, magnitude = 0;
 };
 LoadSum load_on_body1(const Problem& problem, int motion, const std::vector<double> (&lambda)[3]);
-/// Largest relative error of the part's prescribed loads; sum_of: a motion's LoadSum.
+/// Returns the largest relative error of the part's prescribed loads; sum_of: a motion's LoadSum.
 template <class SumOf>
 double load_error(const Prescribed& given, Part part, SumOf sum_of) {
   double worst = 0;
@@ -141,17 +141,17 @@ double load_error(const Prescribed& given, Part part, SumOf sum_of) {
   return worst;
 }
 double load_error(const Problem& problem, const Prescribed& given, Part part, const std::vector<double> (&lambda)[3]);
-/// The part of a tangential load (or spin moment) that normal tractions carry: none on flat frames.
+/// Returns the part of a tangential load (or spin moment) that normal tractions carry: none on flat frames.
 double load_of_pressures(const Problem& problem, int motion, const std::vector<double>& normal);
 
-/// Force on body 1 and its moment about the origin, in the axes, of tractions at the nodes.
+/// Sums force on body 1 and its moment about the origin, in the axes, from tractions at the nodes.
 void sum_tractions(const Problem& problem, const std::vector<double> (&lambda)[3], Vec3& force, Vec3& moment);
 
-/// rn = 1/diagonal of the normal compliance; rt = 1/(2-norm of the node's slip rows) (docs/theory.md, section 2). A
-/// node whose rows vanish gets the mean of the others.
+/// Sets rn = 1/diagonal of the normal compliance; rt = 1/(2-norm of the node's slip rows) (docs/theory.md, section 2).
+/// A node whose rows vanish gets the mean of the others.
 void set_scales(Problem& problem);
-/// Likewise, of half-spaces on cells of the frame's size: without a look at any operator, so that both forms of the
-/// published system walk the same path.
+/// Sets the scales of half-spaces on cells of the frame's size, without a look at any operator, so that both forms of
+/// the published system walk the same path.
 void estimate_scales(Problem& problem);
 
 }  // namespace rollcon

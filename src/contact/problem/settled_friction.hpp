@@ -1,5 +1,5 @@
 #pragma once
-/// Where friction follows the whole solution: the coefficients that the last solve ended with.
+/// Holds the coefficients that the last solve ended with, where friction follows the whole solution.
 
 #include <cstdint>
 #include <vector>
@@ -7,10 +7,10 @@
 namespace rollcon {
 
 struct SettledFriction {
-  /// Of each node, over what its law reaches at most; empty: a solve starts from nothing.
+  /// Coefficient of each node over what its law reaches at most; empty: a solve starts from nothing.
   std::vector<double> utilisation;
   std::int64_t rounds = 0;  ///< solves with given coefficients
-  double change = 0;        ///< of mu p in the last one, over the greatest mu p
+  double change = 0;        ///< change of mu p in the last one, over the greatest mu p
 };
 
 }  // namespace rollcon

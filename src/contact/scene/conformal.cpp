@@ -57,7 +57,7 @@ class Section {
 
   const Axes& axes_;
   const PairOfBodies& pair_;
-  std::array<double, 2> share_{};  ///< of the bodies in the surface between them
+  std::array<double, 2> share_{};  ///< weights of the bodies in the surface between them
 };
 
 std::vector<double> distinct(std::vector<double> y) {

@@ -68,7 +68,7 @@ class BodyEdges {
     return fans_.of[at(mesh_.offset[at(element)] + i)];
   }
   bool carries(const Side& side) const {
-    constexpr double smallest_cosine = 0.5;  // as for frames
+    constexpr double smallest_cosine = 0.5;  // equal to that of frames
     const ReferencePoint middle = side_middle(mesh_.type[at(side.cell)], side_number(mesh_, side));
     return dot(unit_normal(mesh_, side.cell, middle.xi, middle.eta), out_) >= smallest_cosine;
   }

@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t most = 5;
 using Matrix = std::array<std::array<double, most>, most>;
 
-// Symmetric and positive, but for rounding: directions that say nothing new are left out.
+// Solves a system that is symmetric and positive but for rounding: directions that say nothing new are left out.
 void solve(Matrix& a, std::array<double, most>& b, std::size_t n) {
   constexpr double new_enough = 1e-12;
   std::array<double, most> diagonal{};

@@ -1,5 +1,6 @@
 #pragma once
-/// Fixed points x = g(x) by Anderson's mixing (Walker & Ni 2011): the next x is the best combination of the last few.
+/// Finds fixed points x = g(x) by Anderson's mixing (Walker & Ni 2011): the next x is the best combination of the last
+/// few.
 
 #include <array>
 #include <cstddef>
@@ -11,7 +12,7 @@ namespace rollcon {
 class Mixing {
  public:
   void start() { steps_ = 0; }
-  /// x becomes the next one; f = g(x) - x; weight: of each entry in what is to become small.
+  /// Makes x the next one; f = g(x) - x; weight: that of each entry in what is to become small.
   void next(std::span<double> x, std::span<const double> f, std::span<const double> weight);
 
  private:

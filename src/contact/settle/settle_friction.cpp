@@ -14,9 +14,9 @@ namespace {
 constexpr std::int64_t most_rounds = 100;
 constexpr int most_retreats = 6;
 constexpr double slack = 10;   // what solves leave open shows in the coefficients
-constexpr double rough = 0.1;  // of the last change: the tolerance of a solve whose coefficients will change
+constexpr double rough = 0.1;  // tolerance of a solve whose coefficients will change, over the last change
 
-/// What a law or heat wants to know of a solution.
+/// Holds what a law or heat wants to know of a solution.
 struct AtNodes {
   std::vector<double> mu, slip_speed, pressure, power, temperature;
 };
@@ -49,7 +49,7 @@ HeatedSurface heated(const Solution& s, const StreamLines& lines, const AtNodes&
   return {lines, a.power, a.pressure, s.prepared->speed, heat};
 }
 
-/// Counts of the rounds before, which a solve's own report does not have.
+/// Adds counts of the rounds before, which a solve's own report does not have.
 void add_counts(const NewtonReport& before, NewtonReport& report) {
   report.normal_iterations += before.normal_iterations;
   report.tangential_iterations += before.tangential_iterations;
@@ -90,7 +90,7 @@ void settle_friction(Solution& s, double tolerance, const std::function<void(dou
     Outcome outcome = s.report.outcome;
     const bool retreat = (outcome == Outcome::not_converged || outcome == Outcome::no_solution) && settled.rounds > 1;
     if (retreat && retreats < most_retreats && settled.rounds < most_rounds) {
-      // Coefficients that went too far: half the way, without what was learnt.
+      // Coefficients that went too far go half the way back, without what was learnt.
       ++retreats;
       for (std::size_t k = 0; k < n; ++k) utilisation[k] = 0.5 * (utilisation[k] + before[k]);
       mixing.start();

@@ -10,7 +10,7 @@ void run_standard(Newton& newton, Solution& s, Effort& effort, const Options& op
   LinearSolver& linear = newton.linear();
   newton.use(s.procedure);
   newton.predict = options.warm_start == 2;
-  linear.unknowns = 0;  // where nothing needs a system
+  linear.unknowns = 0;  // it stays 0 where nothing needs a system
   effort.linear_iterations = -linear.iterations;
   effort.right_sides = -linear.right_sides;
   effort.factorizations = -linear.factorizations;
@@ -42,7 +42,7 @@ void solve_prepared(Engine& engine, Solution& s, Effort& effort, const Options& 
     if (!engine.published) engine.published = engine.make_published();
     engine.published->run(s, engine.newton, effort, options, monitor);
   }
-  // What nodes_at_rim() looks at.
+  // nodes_at_rim() needs these gaps.
   const Problem& p = s.prepared->problem;
   if (s.prepared->ends_at_edge && !s.prepared->placed && p.op->normal)
     for (std::size_t k = 0; k < p.used.size(); ++k)

@@ -1,5 +1,5 @@
 #pragma once
-/// Keeps the history of a solve and passes its iterations to the caller's callback.
+/// Keeps the iteration log of a solve and passes its iterations to the caller's callback.
 
 #include <algorithm>
 #include <atomic>
@@ -12,7 +12,7 @@
 
 namespace rollcon {
 
-/// Asks alone whether to stop.
+/// Asks only whether to stop.
 class CancelOnly final : public Monitor {
  public:
   explicit CancelOnly(const std::atomic<bool>& cancel) : cancel_(cancel) {}
@@ -47,7 +47,7 @@ class Watch final : public Monitor {
 
   bool cancelled() const override { return cancel_.load(); }
 
-  /// Seconds until now: the first iteration is told of with them, its clock need not be read.
+  /// Takes the seconds until now, with which the first iteration is told of: its clock need not be read.
   void prepared(double seconds) { prepared_ = seconds; }
 
   bool tell(Phase phase, std::int64_t iteration, double residual, double seconds) {

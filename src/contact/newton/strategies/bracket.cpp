@@ -1,4 +1,4 @@
-/// One prescribed load, found from the outside: given motions converge where given forces get stuck, and a tangential
+/// Finds one prescribed load from the outside: given motions converge where given forces get stuck, and a tangential
 /// load falls as its motion grows, the normal one grows with the approach.
 
 #include <algorithm>
@@ -13,9 +13,9 @@ namespace {
 
 constexpr int most_evaluations = 120;
 constexpr int most_doublings = 40;     // every node slides long before that
-constexpr double close_enough = 1e-4;  // of the load's terms: Newton's step takes over
+constexpr double close_enough = 1e-4;  // fraction of the load's terms, where Newton's step takes over
 
-/// A load of the part as a function of its motion m, by solves with that given.
+/// Evaluates a load of the part as a function of its motion m, by solves with that given.
 class LoadOfMotion {
  public:
   LoadOfMotion(NewtonIteration& newton, int m, Part part, double tolerance)
@@ -32,7 +32,7 @@ class LoadOfMotion {
   Outcome outcome = Outcome::converged;
   int evaluations = 0;
 
-  /// What the load lacks (approach) or exceeds (creepages) at a given motion: falls as that grows.
+  /// Returns what the load lacks (approach) or exceeds (creepages) at a given motion, which falls as that grows.
   double excess(double motion) {
     Iterate& it = *s_.iterate;
     given_.value[at(m_)] = it.motion[at(m_)] = motion;
@@ -45,7 +45,7 @@ class LoadOfMotion {
     const double load = load_on_body1(*s_.problem, m_, it.lambda).value;
     return m_ == approach ? target_ - load : load - target_;
   }
-  /// With what it is at two motions, above 0 at `low` and not at `high`: to where the load is met.
+  /// Closes in from the excesses at two motions, above 0 at `low` and not at `high`, to where the load is met.
   Outcome close_in(double low, double at_low, double high, double at_high);
 
  private:
@@ -62,7 +62,7 @@ Outcome LoadOfMotion::close_in(double low, double at_low, double high, double at
   while (outcome == Outcome::converged && evaluations < most_evaluations) {
     const double limit = close_enough * load_on_body1(*s_.problem, m_, s_.iterate->lambda).magnitude;
     if (std::min(std::abs(at_low), std::abs(at_high)) <= limit) break;
-    // Regula falsi with halved weight of the end that stays (Illinois), bisection where it stalls.
+    // Regula falsi with halved weight of the end that stays (Illinois) closes in, bisection where it stalls.
     double next = (low * at_high - high * at_low) / (at_high - at_low);
     const double least = std::min(low, high), greatest = std::max(low, high);
     if (!(next > least && next < greatest) || evaluations % 4 == 0) next = 0.5 * (low + high);
@@ -82,7 +82,7 @@ Outcome LoadOfMotion::close_in(double low, double at_low, double high, double at
   return newton_.run(part_, s_.given, {.tolerance = tolerance_, .free_steps = 2});
 }
 
-// Motion m of the part, from `from` on in steps of `scale`.
+// Brackets motion m of the part, from `from` on in steps of `scale`.
 Outcome bracket(NewtonIteration& newton, int m, Part part, double from, double scale, double tolerance) {
   if (!(scale > 0) || !std::isfinite(scale)) return Outcome::not_converged;
   LoadOfMotion load(newton, m, part, tolerance);
@@ -100,7 +100,7 @@ Outcome bracket(NewtonIteration& newton, int m, Part part, double from, double s
   return load.close_in(low, at_low, high, at_high);
 }
 
-/// The one tangential load that is prescribed; -1: none, or several, which have no bracket.
+/// Returns the one tangential load that is prescribed; -1: none, or several, which have no bracket.
 int single_load(const Prescribed& given) {
   int m = -1;
   for (const int candidate : {xi1, xi2, spin})
@@ -122,13 +122,13 @@ Outcome bracket_creep(NewtonIteration& newton) {
                  s.tolerance);
 }
 
-// From stick outwards in steps that double: the first motion whose load is enough ends a bracket. Where none is, the
-// greatest load is sought between the neighbours of the best one.
+// Goes from stick outwards in steps that double: the first motion whose load is enough ends a bracket. Where none is,
+// the greatest load is sought between the neighbours of the best one.
 Outcome bracket_before_fall(NewtonIteration& newton) {
   constexpr int steps = 26;
-  constexpr double first = 1.0 / 64;  // of the creepage at which friction saturates
+  constexpr double first = 1.0 / 64;  // fraction of the creepage at which friction saturates
   constexpr int searches = 14;        // golden section
-  constexpr double certainly = 1e-3;  // of the load, by which the greatest falls short
+  constexpr double certainly = 1e-3;  // fraction of the load by which the greatest falls short
   Solve& s = newton.solve();
   const int m = single_load(s.given);
   if (m < 0) return Outcome::not_converged;
@@ -141,7 +141,7 @@ Outcome bracket_before_fall(NewtonIteration& newton) {
   LoadOfMotion load(newton, m, s.goal, s.tolerance);
   double motion[steps + 1] = {}, excess[steps + 1] = {};
   int best = 0;
-  // sign: of what is left at no motion; excess times sign falls where the load grows.
+  // The sign is that of the excess at no motion; excess times sign falls where the load grows.
   double sign = 0;
   const auto enough = [&](double e) { return e * sign <= 0; };
   for (int i = 0; i <= steps; ++i) {
@@ -154,7 +154,7 @@ Outcome bracket_before_fall(NewtonIteration& newton) {
                       : load.close_in(motion[i], excess[i], motion[std::max(0, i - 1)], excess[std::max(0, i - 1)]);
     if (sign * excess[i] < sign * excess[best]) best = i;
   }
-  if (best == steps) return Outcome::not_converged;  // it grows on and on
+  if (best == steps) return Outcome::not_converged;  // the load grows on and on
   const double golden = 0.5 * (std::sqrt(5.0) - 1);
   double a = motion[std::max(0, best - 1)], b = motion[std::min(steps, best + 1)], least = sign * excess[best];
   double c = b - golden * (b - a), d = a + golden * (b - a), at_c = 0, at_d = 0;

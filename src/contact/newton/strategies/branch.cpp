@@ -1,5 +1,5 @@
-/// Several tangential loads under friction that falls with the slip speed: the branch of solutions that begins with
-/// stick, followed while all loads grow in proportion. It turns back where they are greatest.
+/// Follows, for several tangential loads under friction that falls with the slip speed, the branch of solutions that
+/// begins with stick while all loads grow in proportion. It turns back where they are greatest.
 
 #include <algorithm>
 #include <array>
@@ -13,19 +13,20 @@
 namespace rollcon {
 namespace {
 
-constexpr double first_step = 0.05;  // of the creepage at which friction saturates
+constexpr double first_step = 0.05;  // fraction of the creepage at which friction saturates
 constexpr double least_step = 1e-4;
-constexpr double close_enough = 1e-4;  // of the loads
+constexpr double close_enough = 1e-4;  // fraction of the loads
 constexpr double rough = 1e-6;         // tolerance of the solves on the way
-constexpr double difference = 1e-3;    // of that creepage
-constexpr double turned_back = 0.97;   // of the greatest loads: they will not be reached again
-constexpr double far = 100;            // of that creepage: all nodes have been sliding for long
-constexpr double certainly = 1e-3;     // by which the greatest loads fall short of those wanted
-constexpr double likely = 0.95;        // of those wanted: so near it matters what exactly the greatest are
+constexpr double difference = 1e-3;    // fraction of that creepage
+constexpr double turned_back = 0.97;   // fraction of the greatest loads: these will not be reached again
+constexpr double far = 100;            // multiple of that creepage: all nodes have been sliding for long
+constexpr double certainly = 1e-3;     // fraction by which the greatest loads fall short of those wanted
+constexpr double likely = 0.95;        // fraction of those wanted: so near it matters what exactly the greatest are
 constexpr int most_corrections = 6, most_steps = 100;
-constexpr std::int64_t for_others = 40;  // iterations
+constexpr std::int64_t for_others = 40;  // iterations for other fallbacks
 
-/// Up to three motions, over those at which friction saturates, and the part of the loads that goes with them.
+/// Holds up to three motions, over those at which friction saturates, and the fraction of the loads that goes with
+/// them.
 using Point = std::array<double, 4>;
 using Rows = std::array<Point, 4>;
 
@@ -69,7 +70,8 @@ class LoadBranch {
   Outcome outcome_ = Outcome::converged;
 };
 
-// The loads at a point beyond their part of those wanted, over the size of these. False: no solution was found.
+// Returns in `lacks` the loads at a point beyond their fraction of those wanted, over the size of these. Returns false
+// where no solution was found.
 bool LoadBranch::lack(const Point& point, Point& lacks) {
   Iterate& it = *s_.iterate;
   for (std::size_t i = 0; i < count_; ++i) {
@@ -103,7 +105,7 @@ double dot(const Point& a, const Point& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
 }
 
-// Along the branch, on from the last direction; of length 1.
+// Finds the direction along the branch, on from the last direction; of length 1.
 bool LoadBranch::find_direction(Point& direction) {
   Rows rows = slope_;
   Point side{}, x{}, next{};
@@ -118,7 +120,7 @@ bool LoadBranch::find_direction(Point& direction) {
   return std::isfinite(length);
 }
 
-// To the branch, across the direction.
+// Moves a point to the branch, across the direction.
 bool LoadBranch::correct(Point& point, const Point& direction) {
   Point lacks{}, after{};
   if (!lack(point, lacks)) return false;
@@ -138,7 +140,7 @@ bool LoadBranch::correct(Point& point, const Point& direction) {
     for (std::size_t i = 0; i < count_; ++i) next[i] += x[i];
     next[3] += x[count_];
     if (!lack(next, after)) return false;
-    // Broyden's update of the motions' columns: the loads' is exact.
+    // Broyden's update changes the motions' columns: the loads' is exact.
     double square = 0;
     for (std::size_t c = 0; c < count_; ++c) square += x[c] * x[c];
     if (square > 0)
@@ -155,7 +157,7 @@ bool LoadBranch::correct(Point& point, const Point& direction) {
   return std::sqrt(dot(lacks, lacks)) <= close_enough;
 }
 
-// Where the loads are none.
+// Finds the point where the loads are none.
 bool LoadBranch::begin(Point& point) {
   const Iterate& it = *s_.iterate;
   Prescribed none = s_.given;
@@ -167,14 +169,14 @@ bool LoadBranch::begin(Point& point) {
   return true;
 }
 
-// The loads are met so far on the way from one point to the next.
+// Solves where the loads are met, so far on the way from one point to the next.
 Outcome LoadBranch::finish(const Point& before, const Point& after, double part) {
   for (std::size_t i = 0; i < count_; ++i)
     s_.iterate->motion[at(motion_[i])] = unit_[i] * (before[i] + part * (after[i] - before[i]));
   return newton_.run(s_.goal, s_.given, {.free_steps = 2});
 }
 
-// From there on friction only falls. Next to a pole of spin a node may always stick.
+// Says whether friction only falls from there on. Next to a pole of spin a node may always stick.
 bool LoadBranch::all_slide() {
   const LawResidual r = newton_.judge(s_.goal, given_);
   return 20 * (r.contact - r.sliding) <= r.contact;
@@ -203,7 +205,7 @@ Outcome LoadBranch::run() {
     Point next = point, onward = direction;
     for (std::size_t i = 0; i < 4; ++i) next[i] += step * direction[i];
     const bool found = correct(next, direction) && find_direction(onward) && dot(onward, direction) >= 0.5;
-    // Between two points the loads are greatest where they rise no more: by a parabola.
+    // A parabola finds the greatest loads between two points, where they rise no more.
     const bool over = found && next[3] < 1 && direction[3] > 0 && onward[3] < 0;
     const double there = over ? direction[3] / (direction[3] - onward[3]) : 0;
     const double peak = over ? point[3] + 0.5 * step * direction[3] * there : 0;

@@ -1,4 +1,4 @@
-/// The problem reached by way of others: another scale of slip, one part after the other, more or less friction.
+/// Reaches the problem by way of others: another scale of slip, one part after the other, more or less friction.
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ Outcome rescale_slip(NewtonIteration& newton) {
     if (outcome != Outcome::not_converged || s.iterations_left <= 0) break;
   }
   newton.rows_changed();
-  // Residuals are measured in the standard scale.
+  // The last run measures residuals in the standard scale.
   return outcome == Outcome::converged ? newton.run(s.goal, s.given) : outcome;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Continuation: a problem reached through easier ones.
+/// Reaches a problem through easier ones.
 
 #include <algorithm>
 #include <array>
@@ -9,8 +9,8 @@
 
 namespace rollcon {
 
-/// Follows the solution from the iterate's, at 0, to that at 1. solve_at(part) solves the problem at this part of the
-/// way, from the iterate. Steps grow where it converges, and are taken again, shorter, where it does not.
+/// Follows the solution from the iterate's, at 0, to that at 1. solve_at(part) solves the problem at this fraction of
+/// the way, from the iterate. Steps grow where it converges, and are taken again, shorter, where it does not.
 template <class SolveAt>
 Outcome continuation_steps(NewtonIteration& newton, double step, const SolveAt& solve_at) {
   constexpr double least_step = 1e-3;

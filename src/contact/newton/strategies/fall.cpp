@@ -1,5 +1,5 @@
-/// Friction that falls with the slip speed has several solutions. Those sought begin with stick: friction as at rest
-/// first, then falling by degrees.
+/// Finds, of the several solutions of friction that falls with the slip speed, those that begin with stick: friction as
+/// at rest first, then falling by degrees.
 
 #include <algorithm>
 
@@ -35,7 +35,7 @@ Outcome fall_from_rest(NewtonIteration& newton, const Prescribed& wanted, const 
   given.falling = 0;
   outcome = newton.run(s.goal, given, {.tolerance = loose, .stick_first = wanted.tangential_load(), .rehearsal = true});
   if (outcome != Outcome::converged) return outcome;
-  // Where slip is small against the law's speeds a tenth is a small step, too.
+  // A tenth is a small step, too, where slip is small against the law's speeds.
   return continuation_steps(newton, 0.1, [&](double part) {
     given.falling = part;
     return part == 1 ? newton.run(s.goal, wanted, last)

@@ -1,5 +1,5 @@
 #pragma once
-/// Linear systems of few unknowns.
+/// Solves linear systems of few unknowns.
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace rollcon {
 
-/// x of a x = b for the leading count unknowns, elimination with pivots; false: singular.
+/// Finds x of a x = b for the leading count unknowns by elimination with pivots; returns false if a is singular.
 template <std::size_t N>
 bool solve_few(std::size_t count, std::array<std::array<double, N>, N> a, std::array<double, N> b,
                std::array<double, N>& x) {

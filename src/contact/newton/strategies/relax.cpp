@@ -1,4 +1,4 @@
-/// Relaxation node by node: slow, but it does not cycle between states as Newton's steps may.
+/// Relaxes node by node: slow, but it does not cycle between states as Newton's steps may.
 
 #include <algorithm>
 #include <cmath>
@@ -12,12 +12,12 @@ namespace rollcon {
 namespace {
 
 constexpr int most_sweeps = 60;
-constexpr double enough = 1e-3;   // change of a sweep, of the largest traction
-constexpr double hopeless = 1e3;  // times the tractions at the start
+constexpr double enough = 1e-3;   // change in a sweep, over the largest traction
+constexpr double hopeless = 1e3;  // multiple of the tractions at the start
 constexpr double smallest = 1e-300;
 
-// Every node's laws in turn with the tractions of the others held, from where material flows in to where it leaves:
-// slip depends on tractions near and upstream of it most. Motions stay.
+// Solves every node's laws in turn with the tractions of the others held, from where material flows in to where it
+// leaves: slip depends on tractions near and upstream of it most. Motions stay.
 void sweep_along_flow(const Solve& s, const DenseOperators& op) {
   const Problem& p = *s.problem;
   Iterate& it = *s.iterate;

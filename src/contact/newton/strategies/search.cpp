@@ -1,5 +1,5 @@
-/// Several prescribed tangential loads, found from the outside: given motions converge where given forces get stuck.
-/// Few unknowns, so a Newton iteration with differences does.
+/// Finds several prescribed tangential loads from the outside: given motions converge where given forces get stuck.
+/// There are few unknowns, so a Newton iteration with differences does.
 
 #include <algorithm>
 #include <array>
@@ -14,9 +14,9 @@ namespace {
 
 constexpr int most_evaluations = 150;
 constexpr int most_halvings = 8;
-constexpr double difference = 1e-3;  // of the motions or of the creepage where friction saturates
-constexpr double longest = 4;        // step, likewise
-constexpr double farthest = 100;     // start, of where friction saturates
+constexpr double difference = 1e-3;  // fraction of the motions or of the creepage where friction saturates
+constexpr double longest = 4;        // longest step, in these units
+constexpr double farthest = 100;     // farthest start, over the creepage where friction saturates
 constexpr double good = 0.3;         // factor on the error above which differences are taken anew
 
 using Few = std::array<double, 3>;
@@ -26,7 +26,7 @@ double size_of(const Few& v) {
   return std::hypot(v[0], v[1], v[2]);
 }
 
-// Broyden's update: the slope that also explains the step from x to next.
+// Updates by Broyden's formula: the slope also explains the step from x to next.
 void update(std::size_t count, const Few& x, const Few& next, const Few& before, const Few& after, FewRows& slope) {
   double square = 0;
   for (std::size_t c = 0; c < count; ++c) square += (next[c] - x[c]) * (next[c] - x[c]);
@@ -37,7 +37,7 @@ void update(std::size_t count, const Few& x, const Few& next, const Few& before,
   }
 }
 
-/// The search's loads and the motions that belong to them; spin counts as the creepage at a frame's length.
+/// Holds the search's loads and the motions that belong to them; spin counts as the creepage at a frame's length.
 class CreepSearch {
  public:
   explicit CreepSearch(NewtonIteration& newton)
@@ -46,7 +46,7 @@ class CreepSearch {
       if (given_.by_force[static_cast<std::size_t>(m)]) motion_[count_++] = static_cast<std::size_t>(m);
   }
   std::size_t loads() const { return count_; }
-  /// scale: the creepage at which friction saturates.
+  /// Runs the search; scale: the creepage at which friction saturates.
   Outcome run(double scale);
 
  private:
@@ -70,7 +70,8 @@ class CreepSearch {
   std::vector<double> kept_[3];
 };
 
-// No tangential tractions; where pressures depend on them a new guess of those too, else those that were found.
+// Starts without tangential tractions; where pressures depend on them with a new guess of those, else with those that
+// were found.
 void CreepSearch::start_anew() {
   Iterate& it = *s_.iterate;
   if (s_.goal == Part::full) {
@@ -82,14 +83,14 @@ void CreepSearch::start_anew() {
   std::fill(it.slip_valid.begin(), it.slip_valid.end(), std::uint8_t{0});
 }
 
-// Loads beyond those wanted. False: none were found, or they are no numbers.
+// Finds loads beyond those wanted. Returns false if none were found, or they are no numbers.
 bool CreepSearch::excess(const Few& at, Few& error) {
   Iterate& it = *s_.iterate;
   for (std::size_t i = 0; i < count_; ++i) given_.value[motion_[i]] = it.motion[motion_[i]] = at[i] * unit_[i];
   outcome_ = newton_.run(s_.goal, given_, {.free_steps = 1, .rehearsal = true});
   ++evaluations_;
   if (outcome_ == Outcome::not_converged && !kept_[0].empty() && s_.iterations_left > 0) {
-    // Too far: as bad as can be, and back.
+    // A motion that is too far counts as bad as can be, and the tractions go back.
     for (int c = 0; c < 3; ++c) it.lambda[c] = kept_[c];
     it.invalidate();
     outcome_ = Outcome::converged;
@@ -117,7 +118,7 @@ bool CreepSearch::find_slope(double reach) {
   return true;
 }
 
-// False: nothing leads on.
+// Takes a step; returns false if nothing leads on.
 bool CreepSearch::step(double reach) {
   Few move{}, wanted{};
   for (std::size_t i = 0; i < count_; ++i) wanted[i] = -error_[i];
@@ -131,7 +132,7 @@ bool CreepSearch::step(double reach) {
     better = size_of(after) < (1 - 0.1 * part) * size_of(error_);
   }
   if (!better) {
-    const bool again = slope_known_;  // from differences taken anew
+    const bool again = slope_known_;  // true: differences are taken anew
     slope_known_ = false;
     return again;
   }

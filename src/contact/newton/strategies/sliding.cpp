@@ -1,5 +1,5 @@
-/// Whether friction can carry the loads where it changes the pressures: by those of the same contact with every node
-/// sliding against the loads.
+/// Finds whether friction can carry the loads where it changes the pressures, by those of the same contact with every
+/// node sliding against the loads.
 
 #include <algorithm>
 #include <array>
@@ -13,12 +13,12 @@ namespace rollcon {
 namespace {
 
 constexpr std::int64_t iterations = 60;
-constexpr int most_turns = 3;       // of the direction of sliding
-constexpr double same_turn = 1e-3;  // of that direction
+constexpr int most_turns = 3;       // changes of the direction of sliding
+constexpr double same_turn = 1e-3;  // change of that direction
 constexpr double far = 1e6;         // slip, in units of the elastic and the given one
 constexpr RunSettings rehearsal{.tolerance = sliding_tolerance, .max_iterations = iterations, .rehearsal = true};
 
-// Slip beside which that of tractions and of the given motions is small; 0: not known.
+// Returns slip beside which that of tractions and of the given motions is small; 0: not known.
 double great_slip(const Solve& s) {
   const Problem& p = *s.problem;
   MotionValues given = s.given.value;

@@ -6,7 +6,7 @@ namespace rollcon {
 
 namespace {
 
-// Whole hats belong to inner nodes.
+// Returns the largest offset: whole hats belong to inner nodes.
 std::int64_t reach_of(std::int64_t nodes, const HatPiece& sources) {
   return nodes - (sources.whole() ? 2 : 1);
 }
@@ -44,7 +44,7 @@ Convolution::Convolution(const Lattice& lattice, const LatticeEntries& entries, 
   transform_spectra();
 }
 
-/// Rows of entries, transformed along x; columns of spectrum_ then hold values by offset along y.
+/// Fills rows of entries, transformed along x; columns of spectrum_ then hold values by offset along y.
 void Convolution::fill_rows(const LatticeEntries& entries) {
   const std::int64_t reach_x = reach_x_, reach_y = reach_y_;
   const std::int64_t count = 2 * reach_x + 1;
@@ -113,7 +113,7 @@ std::size_t Convolution::bytes() const {
   return sum;
 }
 
-/// False: there is nothing but zeros.
+/// Transforms the rows; returns false where there is nothing but zeros.
 bool Convolution::transform_rows(int c, const double* lambda, Workspace& w) const {
   const std::int64_t nx = lattice_.nx, ny = lattice_.ny;
   double* row = w.row.data();
@@ -173,7 +173,7 @@ void Convolution::convolve_columns(std::int64_t first, const bool (&source)[3], 
   }
 }
 
-/// Spectrum of image r at kx; false: it is zero. fields: of component c at c * block columns.
+/// Finds the spectrum of image r at kx; returns false if it is zero. fields: component c is at c * block columns.
 bool Convolution::multiply(int r, std::int64_t kx, const bool (&source)[3], const Complex* fields, Complex* sum) const {
   SpectrumProduct job, mirror;
   for (int c = 0; c < 3; ++c) {

@@ -1,6 +1,6 @@
 #pragma once
-/// Columns of nodes whose hats are cut, on a lattice's rim and beside its holes: a convolution for each shape of hat,
-/// made when the first such node carries traction. Few scenes ever ask for one.
+/// Provides columns of nodes whose hats are cut, on a lattice's rim and beside its holes: a convolution for each shape
+/// of hat, made when the first such node carries traction. Few scenes ever ask for one.
 
 #include <memory>
 #include <mutex>
@@ -11,11 +11,11 @@
 
 namespace rollcon {
 
-/// May be shared by threads; lattice and kernel must outlive it.
+/// Serves several threads; lattice and kernel must outlive it.
 class CutHats {
  public:
   CutHats(const Lattice& lattice, const TranslationKernel& kernel, double delta);
-  /// What one thread needs, made with the first piece: all of them have the same lengths.
+  /// Holds what one thread needs, made with the first piece: all of them have the same lengths.
   using Workspace = std::unique_ptr<Convolution::Workspace>;
   /// Adds to the wanted images what the tractions of such nodes cause.
   void add(const double* const (&lambda)[3], double* const (&image)[3], Workspace& w) const;

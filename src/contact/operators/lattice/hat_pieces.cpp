@@ -5,7 +5,7 @@
 namespace rollcon {
 
 std::vector<HatPiece> hat_pieces(const Lattice& lattice) {
-  // Larger pieces first: three cells are a half and a quarter.
+  // Larger pieces come first: three cells are a half and a quarter.
   struct Kind {
     Hat x, y;
     int cells;

@@ -1,6 +1,6 @@
 #pragma once
-/// Hats of a lattice's nodes by their shape: whole where all four cells around a node are there, else a sum of halves
-/// and quarters.
+/// Sorts hats of a lattice's nodes by their shape: whole where all four cells around a node are there, else a sum of
+/// halves and quarters.
 
 #include <cstdint>
 #include <vector>
@@ -10,14 +10,14 @@
 
 namespace rollcon {
 
-/// The nodes that have this piece.
+/// Lists the nodes that have this piece.
 struct HatPiece {
   Hat x, y;
   std::vector<std::int32_t> places;  ///< ascending
   bool whole() const { return x == Hat::whole && y == Hat::whole; }
 };
 
-/// The whole hats first; pieces of no node are left out.
+/// Returns the pieces, whole hats first; pieces of no node are left out.
 std::vector<HatPiece> hat_pieces(const Lattice& lattice);
 
 }  // namespace rollcon

@@ -10,7 +10,7 @@
 namespace rollcon {
 namespace {
 
-/// Entries of the sources with one shape of hat for all offsets that occur.
+/// Holds entries of the sources with one shape of hat for all offsets that occur.
 class Part {
  public:
   Part(const Lattice& lattice, const TranslationKernel& kernel, double delta, const HatPiece& sources) {
@@ -53,9 +53,9 @@ class Part {
     std::int64_t offset;
   };
   std::vector<Source> source_;
-  std::int64_t width_ = 0, middle_ = 0;  ///< of a line of entries; where offset 0 is
+  std::int64_t width_ = 0, middle_ = 0;  ///< width of a line of entries, and the place of offset 0
   EntryKinds kinds_;
-  std::vector<std::vector<double>> value_;  ///< of each kind: [j][i]
+  std::vector<std::vector<double>> value_;  ///< entries of each kind: [j][i]
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-/// Dense operators of small lattices, without integration.
+/// Makes dense operators of small lattices, without integration.
 
 #include "bodies/model/translation.hpp"
 #include "contact/operators/dense_operators.hpp"

@@ -36,7 +36,7 @@ EntryKinds LatticeEntries::kinds() const {
   if (delta_ != 0) {
     add(2, 0);
     add(2, 1);
-  } else {  // displacements: normal and tangential ones are each other's with the sign changed
+  } else {  // normal and tangential displacements are each other's with the sign changed
     for (int t = 0; t < 2; ++t) k.use[2][t] = {k.use[t][2].kind, -1};
   }
   return k;
@@ -47,7 +47,7 @@ void LatticeEntries::row(std::int64_t j, std::int64_t first, std::int64_t count,
   check_interrupt();
   const auto n = static_cast<std::size_t>(count);
   if (w.memory.size() < 18 * n) w.memory.assign(18 * n, 0.0);
-  // Along the lattice's axes: all that an entry wanted is turned from.
+  // Everything that an entry wanted is turned from is needed, along the lattice's axes.
   const auto any = [&](int r, int c) {
     const int last_r = r < 2 ? 1 : 2, last_c = c < 2 ? 1 : 2;
     for (int a = r < 2 ? 0 : 2; a <= last_r; ++a)
@@ -75,7 +75,7 @@ void LatticeEntries::row(std::int64_t j, std::int64_t first, std::int64_t count,
         for (std::size_t m = 0; ahead[r][c] != nullptr && m < n; ++m)
           here[r][c][m] = (here[r][c][m] - ahead[r][c][m]) * factor;
   }
-  // To the frame's axes: d = d1 (e, s) + d2 (-s, e), and the same of the tractions.
+  // Displacements d = d1 (e, s) + d2 (-s, e), and tractions alike, are turned to the frame's axes.
   const double turn[3][3] = {{e_, -s_, 0}, {s_, e_, 0}, {0, 0, 1}};
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 3; ++c) {

@@ -37,7 +37,7 @@ struct LatticeOperator::Shared {
 struct LatticeOperator::Workspace {
   Convolution::Workspace convolution;
   CutHats::Workspace cut;
-  std::vector<double> displacement[2];  ///< at all nodes, upwind schemes only
+  std::vector<double> displacement[2];  ///< displacements at all nodes, upwind schemes only
 
   explicit Workspace(const Shared& shared) : convolution(shared.convolution) {
     if (shared.delta == 0)
@@ -51,13 +51,14 @@ struct LatticeOperator::Workspace {
 
 namespace {
 
-/// A node's slip as a sum of displacements (or of the characteristic scheme's own slip) at nodes this far off.
+/// Describes a node's slip as a sum of displacements (or of the characteristic scheme's own slip) at nodes this far
+/// off.
 struct Term {
   std::int64_t i, j;
   double factor;
 };
 
-/// The place with all cells that is nearest to the middle.
+/// Returns the place with all cells that is nearest to the middle.
 std::int64_t inner_place(const Lattice& lattice) {
   const std::int64_t nx = lattice.nx;
   std::int64_t best = -1, least = 0;
@@ -86,18 +87,18 @@ std::vector<Term> interior_stencil(const Lattice& lattice, const SparseRows& con
 
 }  // namespace
 
-/// Own entries and norms of the row of a node in the middle.
+/// Measures own entries and norms of the row of a node in the middle.
 void LatticeOperator::Shared::measure() {
   const std::vector<Term> terms = delta != 0 ? std::vector<Term>{{0, 0, 1.0}} : interior_stencil(lattice, convection);
   std::int64_t margin = 0;
   for (const Term& t : terms) margin = std::max({margin, std::abs(t.i), std::abs(t.j)});
   const LatticeEntries entries(lattice, *kernel, delta, Hat::whole, Hat::whole, margin);
-  // Entries at the offsets of all nodes from the middle one, and the margin around them.
+  // Offsets reach from the middle node to all others, and by the margin around them.
   const std::int64_t low_x = lattice.nx / 2 - (lattice.nx - 1), low_y = lattice.ny / 2 - (lattice.ny - 1);
   const std::int64_t width = lattice.nx + 2 * margin, height = lattice.ny + 2 * margin;
   std::vector<double> ring[3][3];
   double sum[2] = {};
-  const std::int64_t lines = 2 * margin + 1;  // kept at a time
+  const std::int64_t lines = 2 * margin + 1;  // lines held at a time
   for (int r = 0; r < 2; ++r)
     for (int k = 0; k < 3; ++k) ring[r][k].resize(static_cast<std::size_t>(width * lines));
   LatticeEntries::Workspace w;
@@ -107,7 +108,7 @@ void LatticeOperator::Shared::measure() {
       for (int k = 0; k < 3; ++k) entry_row[r][k] = ring[r][k].data() + (line % lines) * width;
     entries.row(low_y - margin + line, low_x - margin, width, entry_row, w);
     if (line < 2 * margin) continue;
-    const std::int64_t j = low_y + line - 2 * margin;  // the line with its margins now there
+    const std::int64_t j = low_y + line - 2 * margin;  // line that has its margins by now
     for (std::int64_t i = low_x; i < low_x + lattice.nx; ++i)
       for (int r = 0; r < 2; ++r)
         for (int k = 0; k < 3; ++k) {

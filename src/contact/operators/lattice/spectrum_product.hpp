@@ -1,5 +1,5 @@
 #pragma once
-/// Inner loop of convolutions: products of spectra, one set of functions per instruction set.
+/// Multiplies spectra, the inner loop of convolutions, by one set of functions per instruction set.
 
 #include <cstdint>
 
@@ -7,7 +7,7 @@
 
 namespace rollcon {
 
-/// sum[k] = sum over terms of factor * spectrum * field[k], complex numbers as pairs, k < count.
+/// Describes sum[k] = sum over terms of factor * spectrum * field[k], complex numbers as pairs, k < count.
 struct SpectrumProduct {
   int terms = 0;  ///< 1 to 3
   const double* spectrum[3] = {};
@@ -18,8 +18,8 @@ struct SpectrumProduct {
 };
 
 struct SpectrumProducts {
-  void (*same)(const SpectrumProduct&);      ///< spectrum[k]
-  void (*reversed)(const SpectrumProduct&);  ///< spectrum[count - 1 - k]
+  void (*same)(const SpectrumProduct&);      ///< takes spectrum[k]
+  void (*reversed)(const SpectrumProduct&);  ///< takes spectrum[count - 1 - k]
 };
 
 SpectrumProducts spectrum_products(InstructionSet set);
