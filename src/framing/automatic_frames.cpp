@@ -26,7 +26,7 @@
 namespace rollcon {
 namespace {
 
-/// Intervals of the coarser frame of a pair, along and across the rolling direction; the finer one has twice as many.
+/// Holds the coarser frame's intervals along and across the rolling direction; the finer one has twice as many.
 struct Level {
   std::int64_t along, across;
   /// Error of the finer frame as its pair shows it, on average over 40 random Hertzian contacts: measured for the first
@@ -36,23 +36,23 @@ struct Level {
 constexpr std::array levels{Level{6, 4, 0.012}, Level{8, 6, 0.0053}, Level{12, 8, 0.0026}, Level{16, 12, 0.0013},
                             Level{24, 16, 0.0007}};
 
-/// What frames are made for.
+/// Tells what frames are made for.
 struct Shape {
-  /// Of Hertz's ellipse, a stretched disc.
+  /// Hertz's ellipse, a stretched disc.
   FramePlace place;
-  double load = 0;  ///< of Hertz
-  /// Else one for each patch.
+  double load = 0;  ///< Hertz's load
+  /// Outlines, one for each patch; empty: the ellipse alone.
   std::vector<Outline> outline;
-  /// Part by which strips are longer than the outlines or the ellipse.
+  /// Factor by which strips are longer than the outlines or the ellipse.
   double stretch = 1;
   AtBodyEnds at_body_ends = AtBodyEnds::closer;
-  /// Strips do not follow such outlines: one regular lattice over all of them.
+  /// One regular lattice lies over all outlines, because strips do not follow them.
   bool lattice = false;
 };
 
 using Tilts = std::array<double, 2>;
 
-/// Whether what ends over the contact deforms there: all surfaces are meshes of elastic bodies.
+/// Says whether what ends over the contact deforms there: all surfaces are meshes of elastic bodies.
 bool surfaces_deform(const PairOfBodies& pair) {
   return std::all_of(pair.body.begin(), pair.body.end(),
                      [](const Body* body) { return !body->has_surface() || (body->meshed() && !body->rigid()); });
@@ -60,8 +60,8 @@ bool surfaces_deform(const PairOfBodies& pair) {
 
 class AutomaticFrames final : public FrameMaker {
  public:
-  /// Tilts that moments ask for move the contact along the bodies. Frames are made for the tilts that were found last,
-  /// until these change by little compared with the bodies' flattening.
+  /// Solves until the tilts that moments ask for, which move the contact along the bodies, fit the frames. Frames are
+  /// made for the tilts found last, until these change by little compared with the bodies' flattening.
   Status solve(Solver& fine) override {
     constexpr int most_rounds = 8;
     constexpr double little = 0.02;
@@ -98,7 +98,7 @@ class AutomaticFrames final : public FrameMaker {
  private:
   Status solve_on_levels(Solver& fine) {
     find_shape(fine);
-    // A level is kept while the accuracy asked for is.
+    // A level stays while the accuracy asked for does.
     if (const double asked = fine.scene.options.frame_accuracy; level_ == levels.size() || asked != asked_) {
       level_ = first_level(asked);
       asked_ = asked;
@@ -175,7 +175,7 @@ class AutomaticFrames final : public FrameMaker {
                                                 normal.value, !scene.has_gap() && !pair.meshed()});
     shape_.outline = patches.outline;
     constexpr double too_hollow = 0.1;
-    // Outlines are those in the plane of the axes: a conformal contact ends elsewhere.
+    // A conformal contact ends elsewhere than its outline in the plane of the axes.
     shape_.lattice = now.conformal || std::any_of(shape_.outline.begin(), shape_.outline.end(),
                                                   [](const Outline& outline) { return outline.hollow() > too_hollow; });
     shape_.stretch = usual_stretch;
@@ -189,7 +189,7 @@ class AutomaticFrames final : public FrameMaker {
       level_ = levels.size();
   }
 
-  /// Tilts that are given, and tilts found last for moments, at first the slope of the gap where the load acts.
+  /// Returns tilts that are given or were found last for moments, at first the gap's slope where the load acts.
   Tilts tilts_for(Solver& fine) {
     const Scene& scene = fine.scene;
     const Load* const load[2] = {&scene.load(Direction::tilt1), &scene.load(Direction::tilt2)};
@@ -209,7 +209,7 @@ class AutomaticFrames final : public FrameMaker {
     return tilts_;
   }
 
-  /// Returns false if no tilt is unknown.
+  /// Takes the tilts found last; returns false if no tilt is unknown.
   bool take_found_tilts(const Solver& fine) {
     const MotionValues found = fine.motions();
     bool any = false;
@@ -228,13 +228,13 @@ class AutomaticFrames final : public FrameMaker {
     const double modulus = contact_modulus(fine.pair());
     HertzContact hertz = normal.how == How::by_force ? hertz_by_load(gap, modulus, normal.value)
                                                      : hertz_by_approach(gap, modulus, normal.value);
-    // Bodies that do not touch still have a frame: of the size under a thousandth of the radius of curvature.
+    // Bodies that do not touch still have a frame, as large as under a thousandth of the radius of curvature.
     if (!(hertz.larger > 0 && hertz.smaller > 0 && std::isfinite(hertz.larger)))
       hertz = hertz_by_approach(gap, modulus, 1e-6 / (gap.a + gap.b));
     return hertz;
   }
 
-  /// Patches whose edge friction moves outwards, or that the search found too small, get longer strips.
+  /// Gives longer strips to patches whose edge friction moves outwards, or that the search found too small.
   Status solve_on_fitting(Solver& fine) {
     constexpr double longer = 1.02;
     constexpr int most_trials = 5;
@@ -244,7 +244,7 @@ class AutomaticFrames final : public FrameMaker {
       ++shapes_;
       status = solve_pair(fine);
     }
-    // A step is made on both frames, whatever the finer one says: the past of both is the one it starts from.
+    // A step is made on both frames, whatever the finer one says: each has its own start for the next step.
     if (coarse_solved_ || fine.scene.step_kind() == StepKind::steady || !is_answer(status)) return status;
     const Status below = coarse_->solve();
     return is_answer(below) ? status : below;
@@ -264,8 +264,8 @@ class AutomaticFrames final : public FrameMaker {
     return status;
   }
 
-  /// Friction carries less on coarse frames, its moment by 2 % on 6 x 4 strips. Each frame of a pair gets the same
-  /// share of what it can carry: that which the loads take where the frames tend to.
+  /// Gives each frame of a pair loads of the same utilisation, that of what the frames tend to, because friction
+  /// carries less on coarse frames, its moment by 2 % on 6 x 4 strips.
   void share_loads(Solver& fine) {
     fine.scale_tangential_loads(1);
     coarse_->scale_tangential_loads(1);
@@ -289,7 +289,7 @@ class AutomaticFrames final : public FrameMaker {
     coarse_->scale_tangential_loads(share / coarse->sliding);
   }
 
-  /// Of forces alone, and a load, both frames have the same.
+  /// Says whether the limits of both frames differ: they do not for forces alone under a given load.
   static bool limit_differs(const Scene& scene) {
     const auto loaded = [&](Direction d) { return scene.load(d).how == How::by_force && scene.load(d).value != 0; };
     if (loaded(Direction::spin)) return true;
@@ -307,8 +307,8 @@ class AutomaticFrames final : public FrameMaker {
       return {2, 1 / (filled ? shape_.stretch * shape_.stretch : shape_.stretch), 0};
     }
     if (!shape_.lattice) return {2, 1 / (usual_stretch * usual_stretch), 0};
-    // Of contacts of wheels and rails, 12 to 96 intervals across: the outline's place among the nodes is chance.
-    constexpr double order = 1.5, off = 0.08;  // over intervals
+    // These fit contacts of wheels and rails, 12 to 96 intervals across: the outline's place among the nodes is chance.
+    constexpr double order = 1.5, off = 0.08;  // error over intervals
     return {order, 1, off / static_cast<double>(2 * levels[level_].across)};
   }
 
@@ -348,7 +348,7 @@ class AutomaticFrames final : public FrameMaker {
     return strips_mesh(scene.axes(), patch, along);
   }
 
-  /// With so many intervals over the smallest patch each way, and one more beyond all of them, up to where a body ends.
+  /// Makes so many intervals over the smallest patch each way, and one more beyond all, up to where a body ends.
   SurfaceMesh lattice_mesh(const Scene& scene, std::int64_t along, std::int64_t across) const {
     Rectangle all{INFINITY, -INFINITY, INFINITY, -INFINITY};
     double hx = INFINITY, hy = INFINITY;
@@ -365,7 +365,7 @@ class AutomaticFrames final : public FrameMaker {
     return rectangle_mesh(scene.axes(), ElementType::quad4, nx, ny, all);
   }
 
-  /// Of a stretched range with one interval more on either side; where a body ends before, it ends there.
+  /// Counts intervals of a stretched range with one more on either side, or up to where a body ends before.
   std::int64_t intervals(double& low, double& high, double size, const std::function<double(double)>& gap) const {
     const double more = size + 0.5 * (shape_.stretch - 1) * (high - low), middle = 0.5 * (low + high);
     // Ends of tilted bodies are slightly curved.
@@ -376,7 +376,7 @@ class AutomaticFrames final : public FrameMaker {
     return std::max<std::int64_t>(to_index(std::round((high - low) / size)), 2);
   }
 
-  /// Last place between both that has a gap; none if all have or if that inside has none.
+  /// Returns the last place between both that has a gap; none if all have or if that inside has none.
   static std::optional<double> end_of_body(const std::function<double(double)>& gap, double inside, double outside) {
     constexpr int halvings = 50;
     if (std::isfinite(gap(outside)) || !std::isfinite(gap(inside))) return std::nullopt;
@@ -406,7 +406,7 @@ class AutomaticFrames final : public FrameMaker {
     }
   }
 
-  /// Strips that would end a little before or beyond where a body does end there.
+  /// Cuts strips that would end a little before or beyond where a body does end there.
   void cut_where_body_ends(Strip& strip) const {
     const double middle = 0.5 * (strip.from + strip.to), before = 0.05 * (strip.to - strip.from);
     const auto gap = [&](double x) { return (*gap_)(x, strip.y); };
@@ -414,8 +414,8 @@ class AutomaticFrames final : public FrameMaker {
       *end = end_of_body(gap, middle, *end + std::copysign(before, *end - middle)).value_or(*end);
   }
 
-  /// Outlines are too short by up to 3 parts in a thousand. Strips that are too short by 2 % cost 1.5 % of the force,
-  /// too long by as much up to 0.2 %.
+  /// Factor on outlines, which are too short by up to 3 parts in a thousand. Strips that are too short by 2 % cost 1.5
+  /// % of the force, too long by as much up to 0.2 %.
   static constexpr double usual_stretch = 1.004;
 
   struct Found {
@@ -437,20 +437,20 @@ class AutomaticFrames final : public FrameMaker {
   };
 
   std::unique_ptr<Solver> coarse_;
-  bool coarse_solved_ = false;  // by the last pair
+  bool coarse_solved_ = false;  // the last pair solved it
   PatchSearch search_;
   std::unique_ptr<HertzFriction> hertz_friction_;  ///< made when it is asked for
   Shape shape_;
   Found found_;
-  Tilts tilts_{};                        ///< for which frames were made last
-  bool tilts_known_ = false;             ///< by a solve or a guess
-  std::unique_ptr<KnownGap> gap_;        ///< of the scene being solved
-  const char* beyond_bounds_ = nullptr;  ///< what to tell
-  std::int64_t shapes_ = 0;              ///< found so far
-  std::size_t level_ = levels.size();    ///< none yet
+  Tilts tilts_{};                        ///< tilts for which frames were made last
+  bool tilts_known_ = false;             ///< tilts come from a solve or a guess
+  std::unique_ptr<KnownGap> gap_;        ///< gap of the scene being solved
+  const char* beyond_bounds_ = nullptr;  ///< text for a contact that reaches the bounds
+  std::int64_t shapes_ = 0;              ///< number of shapes found so far
+  std::size_t level_ = levels.size();    ///< levels.size(): none yet
   double asked_ = 0;
   Made made_;
-  std::int64_t placed_on_ = -1;  ///< revision of the axes
+  std::int64_t placed_on_ = -1;  ///< revision of the axes of the last placed frame
 };
 
 }  // namespace

@@ -13,9 +13,9 @@ namespace {
 // Open lines between parts that are one patch: its strips cover them.
 constexpr std::int64_t bridge = 2;
 
-// Part of the interval from a node in contact to its open neighbour at which the contact ends. Near it the pressure is
-// A sqrt(d) inside, the gap 4/3 A/E* d^1.5 outside (Hertz's line contact); the node inside is the second one, as the
-// pressure of the first is the lattice's worst.
+// Returns the fraction of the interval from a node in contact to its open neighbour at which the contact ends. Near it
+// the pressure is A sqrt(d) inside, the gap 4/3 A/E* d^1.5 outside (Hertz's line contact); the node inside is the
+// second one, as the pressure of the first is the lattice's worst.
 double end_of_contact(double second_pressure, double gap, double spacing, double modulus) {
   double low = 0, high = 1;
   constexpr int halvings = 30;
@@ -87,7 +87,7 @@ class Edges {
       }
   }
 
-  // Between node (i, j) in contact and its open neighbour.
+  // Adds the end between node (i, j) in contact and its open neighbour.
   void add_end(std::int64_t i, std::int64_t j, int di, int dj) {
     const EdgePoint inside = lattice_.point(static_cast<double>(i), static_cast<double>(j));
     const EdgePoint outside = lattice_.point(static_cast<double>(i + di), static_cast<double>(j + dj));

@@ -1,5 +1,5 @@
 #pragma once
-/// Where a contact ends, from its pressures and gaps on a lattice.
+/// Finds where a contact ends, from its pressures and gaps on a lattice.
 
 #include <cstdint>
 #include <functional>
@@ -10,8 +10,8 @@
 
 namespace rollcon {
 
-/// Nodes (i, j), both from 0 to intervals, numbered line by line, of a rectangle about (x, y) whose sides are turned by
-/// `angle`.
+/// Numbers nodes (i, j), both from 0 to intervals, line by line, over a rectangle about (x, y) whose sides are turned
+/// by `angle`.
 struct SearchGrid {
   double x = 0, y = 0, angle = 0;
   double half_length = 0, half_width = 0;
@@ -20,24 +20,24 @@ struct SearchGrid {
   std::int64_t lines() const { return intervals + 1; }
   double spacing_along() const { return 2 * half_length / static_cast<double>(intervals); }
   double spacing_across() const { return 2 * half_width / static_cast<double>(intervals); }
-  /// Extent of an interval along x and y.
+  /// Returns the extent of an interval along x and y.
   EdgePoint cell() const;
-  /// Of fractions of intervals, too.
+  /// Returns a point; i and j may be fractions.
   EdgePoint point(double i, double j) const;
 };
 
-/// Of one connected part of the contact, or of several that lie close to each other.
+/// Holds the edge of one connected part of the contact, or of several that lie close to each other.
 struct PatchEdge {
   std::vector<EdgePoint> point;
-  std::vector<LoadAt> load;  ///< of the nodes in contact
-  /// Nodes in contact from the first to the last, the least of both directions.
+  std::vector<LoadAt> load;  ///< loads of the nodes in contact
+  /// Number of nodes in contact from the first to the last, the lesser of both directions.
   std::int64_t least_nodes_across = 0;
 };
 
-/// Undeformed gap, +infinity where a body is not there.
+/// Returns the undeformed gap, +infinity where a body is not there.
 using GapBetween = std::function<double(double x, double y)>;
 
-/// pressure, gap (deformed): at the nodes; modulus: E* of the bodies.
+/// Finds the edges from pressure and deformed gap at the nodes; modulus: E* of the bodies.
 std::vector<PatchEdge> contact_edges(const SearchGrid& lattice, std::span<const double> pressure,
                                      std::span<const double> gap, double modulus, const GapBetween& undeformed);
 

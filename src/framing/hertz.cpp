@@ -9,12 +9,12 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// Complete elliptic integrals of parameter m = 1 - k^2: K, and D = (K - E) / m, which keeps its digits for circles.
+// Holds complete elliptic integrals of parameter m = 1 - k^2: K, and D = (K - E) / m, which is exact for circles.
 struct Elliptic {
   double k, d;
 };
 
-// By the arithmetic-geometric mean; c_n^2 over m, as c_0^2 = m.
+// Uses the arithmetic-geometric mean; c_n^2 is over m, as c_0^2 = m.
 Elliptic elliptic(double ratio) {
   const double m = (1 - ratio) * (1 + ratio);
   double a = 1, g = ratio, sum = 0.5, power = 1, c = m / (1 + ratio) / 2, c2_over_m = c / (1 + ratio) / 2;
@@ -33,13 +33,13 @@ Elliptic elliptic(double ratio) {
   return {k, k * sum};
 }
 
-// Smaller over larger curvature of the gap, of an ellipse of this ratio of semi-axes.
+// Returns the smaller over the larger curvature of the gap, for an ellipse of this ratio of semi-axes.
 double curvature_ratio(double ratio) {
   const Elliptic e = elliptic(ratio);
   return ratio * ratio * e.d / (e.k - e.d);
 }
 
-// The inverse, by secants in logarithms: nearly a straight line.
+// Inverts curvature_ratio() by secants in logarithms: nearly a straight line.
 double axis_ratio(double curvatures) {
   const double wanted = std::log(curvatures);
   if (wanted > -1e-15) return 1;
@@ -56,17 +56,17 @@ double axis_ratio(double curvatures) {
   return std::exp(x1);
 }
 
-// Shape of the contact: of unit larger semi-axis, in the principal directions of the gap.
+// Holds the shape of the contact, of unit larger semi-axis, in the principal directions of the gap.
 struct Shape {
   double least = 0;              ///< curvature of the gap along the larger semi-axis
   double ratio = 1;              ///< smaller over larger semi-axis
-  double along = 1, across = 0;  ///< direction of the larger one
+  double along = 1, across = 0;  ///< direction of the larger semi-axis
   Elliptic integrals{};
 };
 
 Shape shape_of(const QuadraticGap& gap) {
   Shape s;
-  // Eigenvalues of [a c/2; c/2 b] without cancellation: the smaller one from the determinant.
+  // The smaller eigenvalue of [a c/2; c/2 b] comes from the determinant, without cancellation.
   const double half = (gap.a - gap.b) / 2, mixed = gap.c / 2, mean = (gap.a + gap.b) / 2;
   const double radius = std::hypot(half, mixed), largest = mean + radius;
   s.least = (gap.a * gap.b - mixed * mixed) / largest;
@@ -98,7 +98,7 @@ HertzContact finish(const Shape& s, double larger, double load, double approach)
 }  // namespace
 
 bool has_ellipse(const QuadraticGap& gap) {
-  constexpr double least = 1e-10;  // of the larger curvature: longer than 5,000,000 times as wide
+  constexpr double least = 1e-10;  // fraction of the larger curvature: longer than 5,000,000 times as wide
   const double sum = gap.a + gap.b;
   return sum > 0 && gap.a * gap.b - gap.c * gap.c / 4 > least * sum * sum;
 }
@@ -118,7 +118,7 @@ HertzContact hertz_by_approach(const QuadraticGap& gap, double modulus, double a
 }
 
 double stretch_by_friction(double dundurs_beta, double friction) {
-  // Without, frames of a body on a rigid one under mu = 0.3 tend to forces that are off by up to 1.5 %.
+  // Unstretched frames of a body on a rigid one under mu = 0.3 tend to forces that are off by up to 1.5 %.
   constexpr double moved = 0.12, most_moved = 0.03;
   return 1 + std::min(most_moved, moved * std::abs(dundurs_beta) * friction);
 }

@@ -7,7 +7,7 @@
 
 namespace rollcon {
 
-// The load within the radius sin(t) of the disc grows by 3 cos^2(t) sin(t) dt.
+// Spreads points over the unit disc: the load within the radius sin(t) grows by 3 cos^2(t) sin(t) dt.
 HertzFriction::HertzFriction() {
   constexpr double pi = std::numbers::pi;
   constexpr int rings = 16, around = 160;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Of a mesh in the plane of the axes.
+/// Builds a mesh in the plane of the axes.
 class Builder {
  public:
   explicit Builder(const Axes& axes) : axes_(axes) { mesh_.offset.push_back(0); }
@@ -35,7 +35,7 @@ class Builder {
   SurfaceMesh mesh_;
 };
 
-// Parts of 1, from 0 to 1; mirrored halves are equal to the last digit.
+// Returns fractions from 0 to 1; mirrored halves are equal to the last digit.
 std::vector<double> graded(std::int64_t intervals) {
   std::vector<double> part(at(intervals) + 1);
   for (std::size_t i = 0; 2 * i <= at(intervals); ++i) {
@@ -82,11 +82,11 @@ SurfaceMesh strips_mesh(const Axes& axes, std::span<const std::vector<Strip>> pa
 }
 
 FramePlace place_of_disc(double semi1, double semi2, double angle) {
-  // x^T S^-1 x = 1 with S = [xx xy; xy yy].
+  // The ellipse is x^T S^-1 x = 1 with S = [xx xy; xy yy].
   const double c = std::cos(angle), s = std::sin(angle);
   const double yy = semi1 * semi1 * s * s + semi2 * semi2 * c * c, xy = (semi1 - semi2) * (semi1 + semi2) * c * s;
   const double width = std::sqrt(yy);
-  // Of angles at right angles to the rolling direction, whose cosines are no zeros.
+  // Rounding has to go where angles are at right angles to the rolling direction, as their cosines are no zeros.
   constexpr double rounding = 1e-15;
   const double shear = xy / width;
   return {semi1 * (semi2 / width), width, std::abs(shear) < rounding * std::max(semi1, semi2) ? 0 : shear};
@@ -117,7 +117,7 @@ SurfaceMesh rectangle_mesh(const Axes& axes, ElementType type, std::int64_t nx, 
             mesh.add_node(place(r.x_least, r.x_greatest, i, lines), place(r.y_least, r.y_greatest, j, rows));
   for (std::int64_t j = 0; j < ny; ++j)
     for (std::int64_t i = 0; i < nx; ++i) {
-      // Node of this cell, in halves of a cell where there are some.
+      // Returns the node of this cell, in halves of a cell where there are some.
       const auto n = [&](int u, int v) { return number[at((step * j + v) * lines + step * i + u)]; };
       const int s = static_cast<int>(step);
       const bool rising = (i + j) % 2 == 0;

@@ -11,14 +11,14 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// y = c0 + c1 x + c2 x^2 by least squares, x from their mean; false: the points do not tell.
+// Fits y = c0 + c1 x + c2 x^2 by least squares, x from their mean; returns false where the points do not tell.
 bool fit_parabola(std::span<const EdgePoint> point, double& origin, std::array<double, 3>& c) {
   origin = 0;
   for (const EdgePoint& p : point) origin += p.x / static_cast<double>(point.size());
   double scale = 0;
   for (const EdgePoint& p : point) scale = std::max(scale, std::abs(p.x - origin));
   if (point.size() < 5 || !(scale > 0)) return false;
-  // Normal equations of three unknowns, by elimination.
+  // Normal equations of three unknowns are solved by elimination.
   std::array<std::array<double, 4>, 3> a{};
   for (const EdgePoint& p : point) {
     const double x = (p.x - origin) / scale;
@@ -47,9 +47,9 @@ Outline::Outline(double x, double y, double radius) : x_middle_(x), y_middle_(y)
 }
 
 void Outline::find_end(std::span<const EdgePoint> point, int which) {
-  // Of the height: as far a parabola is near an ellipse, and the points are seen along its normal.
+  // Fraction of the height: so far a parabola is near an ellipse, and the points are seen along its normal.
   constexpr double near = 0.08, flat = 0.01;
-  // Of the length, what an ellipse has within `flat` is 0.2.
+  // Fraction of the length, of which an ellipse has 0.2 within `flat`.
   constexpr double wide = 0.4;
   const double sign = which == 0 ? -1 : 1;
   double extreme = -INFINITY, opposite = INFINITY, first = INFINITY, last = -INFINITY;
@@ -91,13 +91,13 @@ void Outline::find_end(std::span<const EdgePoint> point, int which) {
   end.y = c[0] + 0.5 * c[1] * top;
 }
 
-// Strips of an ellipse are as long as this times its semi-axis.
+// Returns the length of strips of an ellipse over its semi-axis.
 static double shape(double height, bool line_below, bool line_above) {
   return std::sqrt((line_below ? 1 : std::max(0.0, 1 + height)) * (line_above ? 1 : std::max(0.0, 1 - height)));
 }
 
 Outline::Outline(std::span<const EdgePoint> point, std::span<const LoadAt> load, const EdgePoint& cell) {
-  // Nearer to the ends points say little about the length of strips.
+  // Points nearer to the ends say little about the length of strips.
   constexpr double least_shape = 0.2;
   find_end(point, 0);
   find_end(point, 1);
@@ -117,7 +117,7 @@ Outline::Outline(std::span<const EdgePoint> point, std::span<const LoadAt> load,
     }
     if (!side_[0].angle.empty() && !side_[1].angle.empty()) break;
   }
-  // Edges of what is open inside.
+  // Edges of what is open inside are left out.
   for (Side& side : side_) {
     Side outer;
     for (std::size_t i = 0; i < side.angle.size(); ++i) {
@@ -136,12 +136,12 @@ Outline::Outline(std::span<const EdgePoint> point, std::span<const LoadAt> load,
   find_density(load, cell.y);
 }
 
-// Between strips tractions are linear: what that misses grows with the second derivative of the load over y. Steps that
-// go with its third root, here over that of an ellipse, miss least.
+// Finds the strips' density. Between strips tractions are linear: what that misses grows with the second derivative of
+// the load over y. Steps that go with its third root, here over that of an ellipse, miss least.
 void Outline::find_density(std::span<const LoadAt> load, double cell) {
   constexpr int steps = 64;
-  constexpr double most = 6, slack = 1.3;                  // which lattices leave of ellipses
-  const double width = std::max(cell, half_height_ / 24);  // of what is taken together
+  constexpr double most = 6, slack = 1.3;                  // factor that lattices leave of ellipses
+  const double width = std::max(cell, half_height_ / 24);  // width of what is taken together
   const auto near = [&](double y) {
     double sum = 0;
     for (const LoadAt& l : load) sum += l.load * std::max(0.0, 1 - std::abs(l.y - y) / width);
@@ -231,7 +231,7 @@ double Outline::reach(const Side& side, double angle) const {
 }
 
 double Outline::height_of(double angle, AtBodyEnds at_ends) const {
-  // cos of the mirror image is the same to the last digit.
+  // Mirrored angles have the same cosine to the last digit.
   const auto cosine = [](double a) { return a > 0.5 * pi ? -std::cos(pi - a) : std::cos(a); };
   const bool even = at_ends == AtBodyEnds::even, lower = even && end_[0].ends_body, upper = even && end_[1].ends_body;
   if (lower && upper) return 1 - 2 * angle / pi;
@@ -244,8 +244,8 @@ std::vector<Strip> Outline::strips(std::int64_t across, double stretch, AtBodyEn
   std::vector<Strip> strip;
   const double more = passed_.empty() ? 1 : passed_.back();
   const auto last = 2 * to_index(std::round(0.5 * more * static_cast<double>(across)));
-  // Of the height. Beyond it lattices, whose hats are cut in half at the end, show too short a contact; strips that are
-  // too long there cost little.
+  // Fraction of the height. Beyond it lattices, whose hats are cut in half at the end, show too short a contact; strips
+  // that are too long there cost little.
   constexpr double near_end = 0.8;
   for (std::int64_t j = last; j >= 0; --j) {
     const double height = height_of(angle_of(static_cast<double>(j) / static_cast<double>(last)), at_ends);

@@ -1,5 +1,5 @@
 #pragma once
-/// Where one patch of a contact ends, smooth, and its strips along the rolling direction. docs/theory.md, section 4.
+/// Describes where one patch of a contact ends, smooth, and its strips along the rolling direction (docs/theory.md, 4).
 
 #include <array>
 #include <cstdint>
@@ -10,45 +10,45 @@
 
 namespace rollcon {
 
-/// A point where the contact ends. ends_body: it does because a body does.
+/// Holds a point where the contact ends; ends_body: it does because a body does.
 struct EdgePoint {
   double x = 0, y = 0;
   bool ends_body = false;
 };
 
-/// Part of a patch's load that acts at y.
+/// Holds the part of a patch's load that acts at y.
 struct LoadAt {
   double y = 0, load = 0;
 };
 
-/// Pressures have no bound where a rigid body ends or a half-space is cut off: strips lie closer there. Elastic bodies
-/// that end deform.
+/// Says where strips lie at ends of bodies: closer where a rigid body ends or a half-space is cut off, as pressures
+/// have no bound there; evenly where elastic bodies end, which deform.
 enum class AtBodyEnds { closer, even };
 
 class Outline {
  public:
-  /// Of one patch, from points all around it, in any order, each off by up to a few parts in a hundred of the patch's
+  /// Fits one patch to points all around it, in any order, each off by up to a few parts in a hundred of the patch's
   /// size. Along the rolling direction the outermost ones count: strips cover what is not in contact between them.
   /// cell: distances along x and y up to which points are beside each other. At least four points. load: strips lie
   /// closer where its density along y turns more than that of an ellipse.
   Outline(std::span<const EdgePoint> point, std::span<const LoadAt> load, const EdgePoint& cell);
-  /// A circle.
+  /// Makes a circle.
   Outline(double x, double y, double radius);
 
-  /// across + 1 strips from side to side of an ellipse, more of other shapes, closer to each other near the sides;
-  /// twice as many of them halve their distances. stretch: of the outline, about its middle, except where a body ends.
+  /// Returns across + 1 strips from side to side of an ellipse, more of other shapes, closer near the sides; twice as
+  /// many halve their distances. stretch: factor on the outline, about its middle, except where a body ends.
   std::vector<Strip> strips(std::int64_t across, double stretch, AtBodyEnds at_ends = AtBodyEnds::closer) const;
-  /// Whether the outline ends where a body ends.
+  /// Says whether the outline ends where a body ends.
   bool ends_body() const { return end_[0].ends_body || end_[1].ends_body; }
   Rectangle box() const;
-  /// How much shorter a strip is than the straight lines between the ends of two others are there, over the longest
-  /// strip: 0 where the outline is convex and the strips' middles lie on a line.
+  /// Returns how much shorter a strip is than the straight lines between the ends of two others are there, over the
+  /// longest strip: 0 where the outline is convex and the strips' middles lie on a line.
   double hollow() const;
-  /// How many strips more than an ellipse the outline gets; 1: as many.
+  /// Returns how many times as many strips as an ellipse the outline gets.
   double more_strips() const { return passed_.empty() ? 1 : passed_.back(); }
 
  private:
-  /// Half lengths of strips, of an ellipse of height 1, over angles from the upper end to the lower end.
+  /// Holds half lengths of strips, of an ellipse of height 1, over angles from the upper end to the lower end.
   struct Side {
     std::vector<double> angle, reach, weight;
   };
@@ -56,14 +56,14 @@ class Outline {
   double middle(double y) const { return x_middle_ + slant_ * (y - y_middle_); }
   void find_end(std::span<const EdgePoint> point, int which);
   void find_density(std::span<const LoadAt> load, double cell);
-  /// Angle of a strip whose number is this part of all.
+  /// Returns the angle of a strip whose number is this fraction of all.
   double angle_of(double part) const;
-  /// y over the half height, from the middle, of a strip of an ellipse at that angle.
+  /// Returns y over the half height, from the middle, of a strip of an ellipse at that angle.
   double height_of(double angle, AtBodyEnds at_ends) const;
 
   double x_middle_ = 0, y_middle_ = 0, half_height_ = 0, slant_ = 0;
-  std::array<Side, 2> side_;  ///< against and along the rolling direction
-  /// Lower and upper end: a point, or a line where a body ends there or the contact does at several points.
+  std::array<Side, 2> side_;  ///< sides against and along the rolling direction
+  /// Holds the lower or upper end: a point, or a line where a body ends there or the contact does at several points.
   struct End {
     double x = 0, y = 0;
     bool line = false, ends_body = false;

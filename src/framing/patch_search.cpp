@@ -25,7 +25,7 @@ struct Extent {
   double middle() const { return 0.5 * (greatest + least); }
 };
 
-// Angle of one of the principal axes; that of the lattice where they are about equal, or the same but for little.
+// Returns the angle of one of the principal axes; that of the lattice where they are about equal, or nearly along it.
 double principal_angle(const std::vector<EdgePoint>& point, double before) {
   constexpr double slender = 2;  // square root of the ratio of moments
   double x = 0, y = 0, xx = 0, yy = 0, xy = 0;
@@ -43,7 +43,7 @@ double principal_angle(const std::vector<EdgePoint>& point, double before) {
   return std::abs(turn) < least_turn ? before : before + turn;
 }
 
-// The lattice whose axes are turned by `angle` and that holds the points with a margin.
+// Returns the lattice whose axes are turned by `angle` and that holds the points with a margin.
 SearchGrid around(const std::vector<EdgePoint>& point, double angle, double margin_along, double margin_across,
                   std::int64_t intervals) {
   const double c = std::cos(angle), s = std::sin(angle);
@@ -62,7 +62,7 @@ SearchGrid around(const std::vector<EdgePoint>& point, double angle, double marg
   return lattice;
 }
 
-// So far that it lies over the bodies, if its sides are parallel to the axes.
+// Clips the lattice so that it lies over the bodies, if its sides are parallel to the axes.
 void clip(SearchGrid& lattice, const Rectangle& bounds) {
   if (lattice.angle != 0) return;
   constexpr double rounding = 1e-6;
@@ -76,7 +76,7 @@ void clip(SearchGrid& lattice, const Rectangle& bounds) {
   cut(lattice.y, lattice.half_width, bounds.y_least, bounds.y_greatest);
 }
 
-// Bodies that lie where their partners should have gaps that fall from within to the ends of the bodies.
+// Refuses bodies that lie where their partners should: gaps fall from within to the ends of such bodies.
 void refuse_exchanged(const std::vector<double>& gap, std::size_t n) {
   std::vector<std::uint8_t> rim(n * n, 0);
   for (std::size_t k = 0; k < rim.size(); ++k)
@@ -85,7 +85,7 @@ void refuse_exchanged(const std::vector<double>& gap, std::size_t n) {
   if (is_turned(gap, rim)) fail(Status::err_argument, "%s", exchange_bodies);
 }
 
-// Whether the contact goes on beyond the lattice.
+// Says whether the contact goes on beyond the lattice.
 bool at_rim(const SearchGrid& lattice, const std::vector<EdgePoint>& point) {
   const double c = std::cos(lattice.angle), s = std::sin(lattice.angle);
   return std::any_of(point.begin(), point.end(), [&](const EdgePoint& p) {
@@ -97,7 +97,7 @@ bool at_rim(const SearchGrid& lattice, const std::vector<EdgePoint>& point) {
 
 }  // namespace
 
-// The gaps at the lattice's nodes; where there are none, more than any approach.
+// Takes the gaps at the lattice's nodes; where there are none, more than any approach.
 void PatchSearch::lay(const SearchGrid& lattice, const PatchScene& scene) {
   lattice_ = lattice;
   pressed_ = false;
@@ -141,8 +141,8 @@ void PatchSearch::solve(Solver& solver) {
   depth_ = solver.motions()[approach];
 }
 
-// Thin bodies touch elsewhere than half-spaces. A lattice about what those touch, on the bodies themselves; it grows
-// while it cuts the contact off, and closes in on it. False: it does not fit on them.
+// Lays a lattice about what half-spaces touch on the bodies themselves, because thin bodies touch elsewhere; it grows
+// while it cuts the contact off, and closes in on it. Returns false where it does not fit on them.
 bool PatchSearch::press_bodies(Solver& contact, const PatchScene& scene, std::vector<PatchEdge>& edge) {
   constexpr std::int64_t intervals = 16;
   constexpr double larger = 1.25, filled = 0.6;
@@ -184,7 +184,7 @@ bool PatchSearch::press_bodies(Solver& contact, const PatchScene& scene, std::ve
   return true;
 }
 
-// The contact lies where the gap is less than the approach. Lattices that are much wider than that close in on it.
+// Closes in on the contact, where the gap is less than the approach, as long as the lattice is much wider.
 SearchGrid PatchSearch::close_in(Solver& contact, const PatchScene& scene) {
   constexpr double filled = 0.6, filled_by_contact = 0.5;
   constexpr int most_rounds = 60;
@@ -266,7 +266,7 @@ Patches PatchSearch::find(Solver& contact, const PatchScene& scene) {
     }
     constexpr std::int64_t enough = 12;
     if (edge.empty() || round == 2) break;
-    // The contact alone, as fine as its smallest patch needs.
+    // The next lattice covers the contact alone, as fine as its smallest patch needs.
     SearchGrid next =
         around(all, lattice.angle, 2 * lattice.spacing_along(), 2 * lattice.spacing_across(), lattice.intervals);
     const bool closer = next.half_length < 0.7 * lattice.half_length || next.half_width < 0.7 * lattice.half_width;

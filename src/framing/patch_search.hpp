@@ -1,6 +1,6 @@
 #pragma once
-/// Where bodies touch each other: from the undeformed gap and what presses them together, without friction, on a
-/// lattice that closes in on the contact. docs/theory.md, section 4.
+/// Finds where bodies touch each other: from the undeformed gap and what presses them together, without friction, on a
+/// lattice that closes in on the contact (docs/theory.md, section 4).
 
 #include <memory>
 #include <vector>
@@ -12,23 +12,23 @@ namespace rollcon {
 
 struct PatchScene {
   GapBetween gap;
-  Rectangle bounds;  ///< of what the gap is known on, in the axes
+  Rectangle bounds;  ///< region over which the gap is known, in the axes
   double modulus = 0;
   bool by_force = false;
   double value = 0;        ///< load or approach
-  bool no_inside = false;  ///< of the bodies' surfaces: on which sides they lie, the gap alone tells
+  bool no_inside = false;  ///< bodies' surfaces have no inside: the gap alone tells on which sides they lie
 };
 
 struct Patches {
   std::vector<Outline> outline;
-  bool at_bounds = false;  ///< the contact reaches them
+  bool at_bounds = false;  ///< the contact reaches the bounds
 };
 
 class PatchSearch {
  public:
-  /// contact: whose context and cancelling it takes part in; outlives it. Where the bodies do not touch one outline
-  /// tells where they are nearest to each other. err_argument: there is no finite gap, or the bodies' order is the
-  /// other one. Throws Cancelled.
+  /// Finds the patches, within the context and cancelling of `contact`, which outlives this object. Where the bodies do
+  /// not touch one outline tells where they are nearest to each other. err_argument: there is no finite gap, or the
+  /// bodies' order is the other one. Throws Cancelled.
   Patches find(Solver& contact, const PatchScene& scene);
 
  private:
@@ -38,7 +38,7 @@ class PatchSearch {
   void solve(Solver& solver);
   SearchGrid close_in(Solver& contact, const PatchScene& scene);
 
-  std::unique_ptr<Solver> half_space_;  ///< of half-spaces, on the lattice
+  std::unique_ptr<Solver> half_space_;  ///< half-spaces on the lattice
   double modulus_ = 0;
   SearchGrid lattice_;
   std::vector<double> gap_, pressure_, deformed_;

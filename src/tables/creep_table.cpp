@@ -16,7 +16,7 @@ constexpr double bent = 0.002;
 
 }  // namespace
 
-// x up to 1 - d, from there a parabola that ends with slope 0 at x = 1 + d.
+// Returns x up to 1 - d, from there a parabola that ends with slope 0 at x = 1 + d.
 double bend(double force, double* slope) {
   if (force <= 1 - bent) return *slope = 1, force;
   if (force >= 1 + bent) return *slope = 0, 1;
@@ -30,24 +30,24 @@ double unbend(double force) {
   return 1 + bent - 2 * std::sqrt(bent * std::max(0.0, 1 - force));
 }
 
-/// The scene in the table's coordinates, and what was found there.
+/// Holds the scene in the table's coordinates, and what was found there.
 struct CreepTable::Point {
   double by_v[3][3], by_v_ratio[3][3];  ///< forces of linear theory by v, and derivatives by the logarithm of the ratio
-  double at_rest, at_rest_ratio;        ///< Fx over mu Fn without creepages; likewise
-  double scale[3], scale_rate[3];       ///< of the creepages, and derivatives of their logarithms
-  double side;                          ///< -1: of spin < 0, whose mirror image is looked up
+  double at_rest, at_rest_ratio;        ///< Fx over mu Fn without creepages, and its derivative
+  double scale[3], scale_rate[3];       ///< scales of the creepages, and derivatives of their logarithms
+  double side;                          ///< -1: spin is < 0, and the mirror image is looked up
   double v[3];                          ///< the mirror image's creepages times their scales
-  double t, r, w;                       ///< of v: translation, length; r that counts as magnitude 1/2
+  double t, r, w;                       ///< t, r: translation and length of v; w: r that counts as magnitude 1/2
   double s, cos_psi, sin_psi;
   double steps[3];  ///< intervals per unit of ratio's logarithm, magnitude, angle
   SplineWeights ratio, magnitude, angle;
   double own[3];  ///< forces and moment of the plane of add_plane
-  // Of forces and moment: value; derivatives by logarithm of the ratio (creepages held), creepages, w, the planes'
+  // Forces and moment: value; derivatives by logarithm of the ratio (creepages held), creepages, w, the planes'
   // coordinate.
   double f[3], by_ratio[3], by_creepage[3][3], by_w[3], by_plane[3];
 };
 
-/// Of forces and moment: what the splines give, and derivatives by logarithm of the ratio, magnitude, angle; by
+/// Holds what the splines give for forces and moment, and derivatives by logarithm of the ratio, magnitude, angle; by
 /// direction over the sine of the angle.
 struct CreepTable::Sums {
   double q[3], ratio[3], magnitude[3], angle[3], turned[3];
@@ -103,7 +103,7 @@ namespace {
 
 constexpr double right_angle = 1.5707963267948966;
 
-/// Value, and derivatives by the logarithm of the ratio, magnitude and angle, each of all harmonics.
+/// Holds value, and derivatives by the logarithm of the ratio, magnitude and angle, each of all harmonics.
 using HarmonicRow = float[6 * most_directions];
 
 /// Asks for memory that is read soon; where the compiler has no such call, nothing is lost but time.
@@ -158,7 +158,7 @@ void sum_coefficients(const float* plane, std::int64_t stride_ratio, std::int64_
 
 }  // namespace
 
-// Scales are those of like bodies.
+// Finds what linear theory says; scales are those of like bodies.
 void CreepTable::find_linear_theory(std::size_t plane, const TableInput& in, double log_ratio, Point& point) const {
   const std::size_t numbers = linear_numbers(grid_);
   double c[most_linear_numbers] = {0, 0, 0, 0, 0, 1, 1, 0}, d[most_linear_numbers] = {};
@@ -197,7 +197,7 @@ void CreepTable::sum_harmonics(std::size_t plane, Point& point, Sums& sums) cons
   HarmonicRow row_sums[4];
   sum_coefficients<rates>(coefficient_.data() + static_cast<std::int64_t>(plane) * (grid_.ratios + 3) * ns * na * row,
                           ns * na * row, na * row, row, point.ratio, point.magnitude, point.angle, row_sums);
-  // Near pure spin, harmonics grow like the sine of the angle or faster.
+  // Harmonics grow like the sine of the angle or faster near pure spin.
   constexpr double least_sine = 1e-3;
   const double sine = point.t / point.r, by_sine = sine > least_sine ? 1 / sine : 0;
   const std::int64_t parities = grid_.parities();
@@ -252,7 +252,7 @@ void CreepTable::add_plane(std::size_t plane, double share, const TableInput& in
   point.angle = spline_weights(std::atan2(point.t, point.v[2]) * point.steps[2], grid_.angles);
   Sums sums{};
   sum_harmonics<rates>(plane, point, sums);
-  // f = (1 - s^2) f0 + 3 s (1 - s) l + s^2 q, l the forces of linear theory by a unit of creepage.
+  // f = (1 - s^2) f0 + 3 s (1 - s) l + s^2 q, with l the forces of linear theory by a unit of creepage.
   const double s = point.s;
   for (std::size_t i = 0; i < 3; ++i) {
     const double* const by_v = point.by_v[i];
@@ -305,7 +305,7 @@ CreepTable::Point CreepTable::between_planes(const TableInput& in) const {
   for (std::int64_t i = 0; i < planes.count; ++i) {
     const double share = planes.value[i], slope = planes.slope[i];
     const std::size_t plane = at(planes.first + i);
-    // A plane without a share counts in the derivative alone.
+    // A plane without a weight counts in the derivative alone.
     if (share != 0)
       add_plane<rates>(plane, share, in, point);
     else if (rates && slope != 0)
@@ -320,7 +320,7 @@ CreepTable::Point CreepTable::between_planes(const TableInput& in) const {
 void CreepTable::evaluate(const TableInput& in, std::int64_t entry, double* result, double* derivative) const {
   check(in, entry);
   const Point point = derivative ? between_planes<true>(in) : between_planes<false>(in);
-  // Bent to the limit of friction.
+  // Forces are bent to the limit of friction.
   const double size = std::hypot(point.f[0], point.f[1]);
   double slope = 1;
   const double scale = size > 0 ? bend(size, &slope) / size : 1;
@@ -329,13 +329,13 @@ void CreepTable::evaluate(const TableInput& in, std::int64_t entry, double* resu
   for (std::size_t i = 0; i < 3; ++i) result[i] = unit[i] * f[i];
   if (!derivative) return;
 
-  // By shear, poisson, friction, a, b, load, longitudinal, lateral, spin.
+  // Rates are by shear, poisson, friction, a, b, load, longitudinal, lateral, spin.
   const double along_friction[2] = {size > 0 ? point.f[0] / size : 0, size > 0 ? point.f[1] / size : 0};
   double rate[table_inputs][3];
   for (std::size_t i = 0; i < 3; ++i) {
     const double by_size = point.by_w[i] * point.w, by_length = point.by_creepage[i][2] * in.spin / 2;
     rate[0][i] = -by_size / in.shear;
-    // Of unlike bodies planes lie along the logarithm of friction, and Poisson's ratio is the pair's.
+    // Planes of unlike bodies lie along the logarithm of friction, and Poisson's ratio is the pair's.
     rate[1][i] = grid_.unlike() ? 0 : point.by_plane[i];
     rate[2][i] = in.friction > 0 ? (by_size + (grid_.unlike() ? point.by_plane[i] : 0)) / in.friction : 0;
     rate[3][i] = (point.by_ratio[i] - by_size + by_length) / in.a;

@@ -1,5 +1,5 @@
 #pragma once
-/// Creep-force tables: forces and spin moment of Hertzian steady rolling, from splines through solved cases
+/// Provides creep-force tables: forces and spin moment of Hertzian steady rolling, from splines through solved cases
 /// (docs/tables.md).
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace rollcon {
 
-/// What a table is asked, in one consistent set of units.
+/// Holds what a table is asked, in one consistent set of units.
 struct TableInput {
   double shear, poisson, friction, a, b, load;
   double longitudinal, lateral, spin;  ///< creepages, spin in 1/length
@@ -22,11 +22,11 @@ class CreepTable {
   explicit CreepTable(TableGrid grid);
 
   const TableGrid& grid() const { return grid_; }
-  /// Forces along t1 and t2 and moment about n, on body 1. derivative: [3][9] by the inputs in their order, or null.
-  /// Throws err_argument, err_nonfinite with `entry` in the text. Allocates nothing.
+  /// Finds forces along t1 and t2 and moment about n, on body 1. derivative: [3][9] by the inputs in their order, or
+  /// null. Throws err_argument, err_nonfinite with `entry` in the text. Allocates nothing.
   void evaluate(const TableInput& input, std::int64_t entry, double* result, double* derivative) const;
 
-  /// Splines through samples (table_samples.hpp).
+  /// Puts splines through samples (table_samples.hpp).
   static CreepTable fit(const TableGrid& grid, const std::vector<double>& sample);
   void save(const std::string& path) const;
   static CreepTable load(const std::string& path);
@@ -35,7 +35,7 @@ class CreepTable {
   struct Point;
   struct Sums;
   void check(const TableInput& input, std::int64_t entry) const;
-  /// Adds the share of one plane to the point's results, and leaves its own in `own`. rates: with derivatives.
+  /// Adds one plane, times its weight, to the point's results, and leaves its own in `own`. rates: with derivatives.
   template <bool rates>
   void add_plane(std::size_t plane, double share, const TableInput& input, Point& point) const;
   template <bool rates>
@@ -47,21 +47,21 @@ class CreepTable {
   void add_rates(double share, const Sums& q, Point& point) const;
 
   TableGrid grid_;
-  std::vector<double> log_friction_;  ///< of the planes of unlike bodies
-  /// By plane, ratio, magnitude and angle; then of Fx, Fy and Mz by parity the harmonics.
+  std::vector<double> log_friction_;  ///< logarithms of friction at the planes of unlike bodies
+  /// Coefficients by plane, ratio, magnitude and angle; then for Fx, Fy and Mz by parity the harmonics.
   std::vector<float> coefficient_;
-  /// By plane and ratio: LinearNumber.
+  /// Numbers of linear theory by plane and ratio: LinearNumber.
   std::vector<double> linear_;
 
   friend class TableFit;
 };
 
-/// What linear theory says, by plane and ratio; the last three of unlike bodies alone. Cij are derivatives at rest over
-/// G a b, lengths over sqrt(a b), `of` being those of like bodies, which scale the creepages.
+/// Lists what linear theory says, by plane and ratio; the last three for unlike bodies alone. Cij are derivatives at
+/// rest over G a b, lengths over sqrt(a b), `of` being those of like bodies, which scale the creepages.
 enum LinearNumber : std::size_t {
   log_c11_of,
   log_c22_of,
-  c23_by_spin,  ///< over C22 of and the scale of spin
+  c23_by_spin,  ///< over the C22 of like bodies and the scale of spin
   c33_by_spin,
   c32_by_c22,
   c11_by_of,
@@ -74,9 +74,8 @@ inline std::size_t linear_numbers(const TableGrid& grid) {
   return grid.unlike() ? most_linear_numbers : like_linear_numbers;
 }
 
-/// Magnitude s of creepages.
-constexpr double half_magnitude = 3;  ///< r of s = 1/2
-/// Forces are bent so that they end at mu Fn; `unbend` is the inverse. Both change what is within 0.2 % of it alone.
+constexpr double half_magnitude = 3;  ///< r at which the magnitude s of creepages is 1/2
+/// Bends forces so that they end at mu Fn; `unbend` is the inverse. Both change what is within 0.2 % of it alone.
 double bend(double force, double* slope);
 double unbend(double force);
 

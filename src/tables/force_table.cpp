@@ -27,7 +27,7 @@ void require_between(std::int64_t value, const char* name, std::int64_t low, std
          static_cast<long long>(low), static_cast<long long>(high));
 }
 
-/// Where this code was loaded from.
+/// Returns the folder that this code was loaded from.
 std::filesystem::path library_folder() {
   Dl_info info{};
   if (dladdr(reinterpret_cast<const void*>(&library_folder), &info) == 0 || !info.dli_fname) return {};
@@ -45,7 +45,7 @@ std::unique_ptr<ForceTable> ForceTable::load(std::shared_ptr<Context> context, c
   return table;
 }
 
-// ROLLCON_DATA, then beside the library as installed anywhere, then where this build installs, then its sources.
+// Looks in ROLLCON_DATA, beside the library as installed anywhere, where this build installs, in its sources.
 std::unique_ptr<ForceTable> ForceTable::standard(std::shared_ptr<Context> context) {
   constexpr const char* name = "steel.rct";
   std::vector<std::filesystem::path> folders;
@@ -140,7 +140,7 @@ void ForceTable::set_bodies(const double* young, const double* poisson, std::int
            static_cast<long long>(i), friction[i]);
   }
   grid_.poisson = {pair.mean_poisson()};
-  // Where pressure strains both alike, friction counts as in a table of like bodies.
+  // Friction counts as in a table of like bodies where pressure strains both alike.
   if (std::abs(pair.strained()) > alike) pair.friction.assign(friction, friction + n);
   grid_.pair = std::move(pair);
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// A creep-force table as its users hold it: set, made in parts, then frozen.
+/// Holds a creep-force table as callers see it: set, made in parts, then frozen.
 
 #include <atomic>
 #include <memory>
@@ -16,35 +16,35 @@ class ForceTable {
  public:
   explicit ForceTable(std::shared_ptr<Context> context) : context_(std::move(context)) {}
   static std::unique_ptr<ForceTable> load(std::shared_ptr<Context> context, const std::string& path);
-  /// The one that comes with the library. err_io: it is not where the library looks.
+  /// Loads the table that comes with the library. err_io: it is not where the library looks.
   static std::unique_ptr<ForceTable> standard(std::shared_ptr<Context> context);
 
-  // Before the first sample; err_state after.
+  // Setters before the first sample; err_state after it.
   void set_ratios(std::int32_t intervals, double least, double greatest);
   void set_resolution(std::int32_t magnitudes, std::int32_t angles, std::int32_t directions);
   void set_frame(std::int32_t along, std::int32_t across);
   void set_poissons(std::int64_t n, const double* poisson);
-  /// Of two bodies; young 0: rigid.
+  /// Makes the table one of two bodies; young 0: rigid.
   void set_bodies(const double* young, const double* poisson, std::int64_t n, const double* friction);
 
   void set_progress(ProgressFunction function, void* user);
-  /// Any thread.
+  /// Stops make(). Any thread may call it.
   void request_cancel() noexcept { cancel_.store(true); }
-  /// Solves part `part` of `parts` of the samples; with the last of them the table is there. ok or cancelled.
+  /// Solves part `part` of `parts` of the samples; with the last of them the table is there. Returns ok or cancelled.
   Status make(std::int32_t part, std::int32_t parts);
-  /// Numbers of all samples, NaN where one is missing; 0 of a table that was loaded.
+  /// Returns the count of all samples' numbers, NaN where one is missing; 0 for a table that was loaded.
   std::int64_t samples(std::int64_t capacity, double* sample) const;
-  /// Those that are no NaN.
+  /// Adds those samples that are no NaN.
   void add_samples(std::int64_t n, const double* sample);
 
-  /// Any thread. err_state without a table.
+  /// Looks n inputs up. Any thread may call it. err_state without a table.
   void evaluate(std::int64_t n, const double* input, double* result, double* derivative) const;
-  /// Of the Hertzian contact that stands for a contact of two bodies: forces and moment about its centre. Where a table
-  /// of like bodies is asked about unlike ones, the mean strain under the pressure counts as creepage; where a table of
-  /// unlike bodies is asked about others, err_argument.
+  /// Finds forces and moment about the centre of the Hertzian contact that stands for a contact of two bodies. Where a
+  /// table of like bodies is asked about unlike ones, the mean strain under the pressure counts as creepage; where a
+  /// table of unlike bodies is asked about others, err_argument.
   void evaluate(const EquivalentEllipse& contact, double* result) const;
   void save(const std::string& path) const;
-  /// err_state without a table.
+  /// Throws err_state without a table.
   void require_made() const { table(); }
 
  private:

@@ -11,11 +11,11 @@
 namespace rollcon {
 namespace {
 
-/// No matter between like bodies.
+/// Friction between like bodies is no matter.
 constexpr double usual_friction = 0.3;
 constexpr double curvature = 1e-3;
 
-/// Curvatures whose ellipse has this ratio of semi-axes, a along the first.
+/// Returns curvatures whose ellipse has this ratio of semi-axes, a along the first.
 QuadraticGap gap_of(double ratio, double modulus) {
   double low = -16, high = 16;
   QuadraticGap gap;
@@ -57,7 +57,7 @@ void RollingSampler::make(double ratio, const UnlikePair& pair, double friction,
     body[i] = std::make_shared<Body>(context_, static_cast<std::int32_t>(kind));
     if (flexibility > 0) body[i]->set_elastic(0, 2 * (1 + poisson) / flexibility, poisson);
   }
-  // Dundurs' beta, for half-spaces.
+  // The first argument is Dundurs' beta, for half-spaces.
   const double stretch = stretch_by_friction(pair.strained() * modulus / 2, friction);
   const double a = stretch * std::sqrt(ratio), b = stretch / std::sqrt(ratio);
   for (const std::int64_t finer : {2, 1}) {

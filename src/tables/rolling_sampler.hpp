@@ -13,15 +13,15 @@ namespace rollcon {
 
 class RollingSampler {
  public:
-  /// Semi-axes sqrt(ratio) and 1 / sqrt(ratio), equal bodies of shear modulus 1. fine: with the finer frame.
+  /// Samples equal bodies of shear modulus 1, semi-axes sqrt(ratio) and 1 / sqrt(ratio). fine: with the finer frame.
   RollingSampler(double ratio, double poisson, std::int64_t along, std::int64_t across, bool fine = true);
-  /// Unlike bodies whose flexibilities have the mean 1.
+  /// Samples unlike bodies whose flexibilities have the mean 1.
   RollingSampler(double ratio, const UnlikePair& pair, double friction, std::int64_t along, std::int64_t across);
-  /// Forces and moment over mu Fn.
+  /// Holds forces and moment over mu Fn.
   struct Forces {
-    std::array<double, 3> extrapolated, coarse;  ///< the same without the finer frame
+    std::array<double, 3> extrapolated, coarse;  ///< coarse: without the finer frame
   };
-  /// Creepages over mu Fn / (G a b).
+  /// Solves for creepages over mu Fn / (G a b).
   Forces solve(const std::array<double, 3>& creepage);
   /// Forgets warm starts.
   void reset();
@@ -32,7 +32,7 @@ class RollingSampler {
 
   double bound_ = 0;  ///< mu Fn
   std::shared_ptr<Context> context_;
-  std::unique_ptr<std::atomic<bool>> cancel_;  ///< nobody does
+  std::unique_ptr<std::atomic<bool>> cancel_;  ///< never set
   std::unique_ptr<Solver> fine_, coarse_;      ///< fine_ may be null
 };
 

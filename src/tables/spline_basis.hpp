@@ -1,5 +1,5 @@
 #pragma once
-/// Cubic splines on uniform nodes, as sums of B-splines.
+/// Represents cubic splines on uniform nodes, as sums of B-splines.
 
 #include <cstdint>
 #include <span>
@@ -7,20 +7,20 @@
 
 namespace rollcon {
 
-/// What a spline is at one of its ends.
+/// Says what a spline is at one of its ends.
 enum class SplineEnd {
   flat,      ///< slope 0
   straight,  ///< second derivative 0
   open       ///< the first two pieces are one cubic
 };
 
-/// The four B-splines that are not 0 in an interval, and their derivatives by the coordinate that counts intervals.
+/// Holds the four B-splines that are not 0 in an interval, and derivatives by the coordinate, in intervals.
 struct SplineWeights {
   std::int64_t first = 0;  ///< number of the first of the four coefficients
   double value[4] = {}, slope[4] = {};
 };
 
-/// At t from 0 to `intervals`; beyond, the outer pieces go on.
+/// Evaluates them at t from 0 to `intervals`; beyond, the outer pieces go on.
 SplineWeights spline_weights(double t, std::int64_t intervals);
 
 /// Maps values at the nodes 0 .. intervals to intervals + 3 coefficients. intervals >= 3.

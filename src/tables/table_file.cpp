@@ -1,5 +1,5 @@
-/// Tables to and from files. Sections: "grid", how fine the table is, where its planes are, and of unlike bodies their
-/// constants; "linear" and "spline", its coefficients.
+/// Saves tables to files and loads them. Sections: "grid", how fine the table is, where its planes are, and for unlike
+/// bodies their constants; "linear" and "spline", its coefficients.
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@
 namespace rollcon {
 namespace {
 
-/// To be raised whenever sections or coordinates change.
+/// Version of the format, raised whenever sections or coordinates change.
 constexpr std::uint32_t table_format = 2;
 
 constexpr FileKind table_file{{0x89, 'R', 'C', 'T', '\r', '\n', 0x1a, '\n'},
@@ -36,14 +36,14 @@ bool sound(const GridRecord& g) {
          g.least_ratio < g.greatest_ratio && std::isfinite(g.greatest_ratio) && g.stretched >= 0 && g.stretched <= 0.5;
 }
 
-/// Of its splines alone; nothing is allocated for a file that is smaller.
+/// Counts bytes of the splines alone; nothing is allocated for a file that is smaller.
 std::uint64_t bytes_of(const GridRecord& g, std::int64_t parities) {
   const std::int64_t numbers =
       g.planes * (g.ratios + 3) * (g.magnitudes + 3) * (g.angles + 3) * 3 * parities * g.directions;
   return static_cast<std::uint64_t>(numbers) * sizeof(float);
 }
 
-/// Of the section "grid", after the planes; of unlike bodies alone.
+/// Follows the planes in the section "grid", for unlike bodies alone.
 struct PairRecord {
   double flexibility[2], poisson[2];
 };

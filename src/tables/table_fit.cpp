@@ -1,4 +1,4 @@
-/// From samples to the coefficients of a table.
+/// Fits the coefficients of a table to samples.
 
 #include <algorithm>
 #include <array>
@@ -61,7 +61,7 @@ class TableFit {
     return v;
   }
 
-  /// What splines go through, at one angle and direction: [magnitude][3], s from 0 to 1.
+  /// Finds what splines go through, at one angle and direction: [magnitude][3], s from 0 to 1.
   void remainder(std::int64_t p, std::int64_t ratio, std::int64_t angle, std::int64_t direction,
                  std::vector<double>& q) const {
     const double* c = plane(p, ratio);
@@ -88,11 +88,11 @@ class TableFit {
       for (std::size_t k = 0; k < 3; ++k)
         q[3 * at(i) + k] = (force[k] - (1 - s * s) * at_rest[k] - half_magnitude * s * (1 - s) * linear[k]) / (s * s);
     }
-    // Nothing is known of it at 0, where it counts for nothing.
+    // The value at 0 is not known and counts for nothing.
     for (std::size_t k = 0; k < 3; ++k) q[k] = 3 * q[3 + k] - 3 * q[6 + k] + q[9 + k];
   }
 
-  /// [ratio][magnitude][angle][row]
+  /// Returns [ratio][magnitude][angle][row].
   std::vector<double> harmonics(std::int64_t p) const {
     const std::int64_t nodes = (grid_.ratios + 1) * nodes_s_ * nodes_a_;
     std::vector<double> value(at(nodes * row_), 0.0), q;
@@ -106,7 +106,7 @@ class TableFit {
     return value;
   }
 
-  /// Of a row: component, parity and harmonic.
+  /// Names the component, parity and harmonic of a place in a row.
   struct Place {
     std::int64_t i, parity, h;
   };
@@ -114,7 +114,7 @@ class TableFit {
     const std::int64_t n = grid_.directions, parities = grid_.parities();
     return {k / (n * parities), k / n % parities, k % n};
   }
-  /// The same with the spin turned round, as without spin.
+  /// Says whether it stays when the spin is turned round, as without spin.
   static bool even_in_spin(const Place& at) { return (at.h % 2 != 0) == (at.parity == 0); }
 
   void add(std::int64_t angle, std::int64_t direction, const double* f, double* row) const {
@@ -133,7 +133,7 @@ class TableFit {
     }
   }
 
-  /// Values [outer][node][inner] to coefficients, each of the inner ones by a fit of its own.
+  /// Turns values [outer][node][inner] into coefficients, each of the inner ones by a fit of its own.
   template <class FitOf>
   static std::vector<double> along(const std::vector<double>& value, std::int64_t outer, std::int64_t nodes,
                                    std::int64_t inner, FitOf fit_of) {
@@ -147,7 +147,7 @@ class TableFit {
     return result;
   }
 
-  /// Smooth through pure spin as functions of both translational creepages, and where spin changes its sign.
+  /// Fits splines smooth through pure spin, by both translational creepages, and where spin changes its sign.
   std::vector<double> along_angles(const std::vector<double>& value) const {
     using enum SplineEnd;
     const SplineFit fit[2][2] = {{{grid_.angles, flat, straight}, {grid_.angles, flat, flat}},

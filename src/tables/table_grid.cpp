@@ -13,7 +13,7 @@ void add_slope(const std::vector<double>& x, std::int64_t k, double factor, std:
   const auto n = static_cast<std::int64_t>(x.size());
   const std::int64_t from = std::clamp<std::int64_t>(k - 1, 0, n - 3);
   for (std::int64_t i = from; i < from + 3; ++i) {
-    // Derivative of Lagrange's polynomial of i at plane k.
+    // The sum is the derivative of Lagrange's polynomial of i at plane k.
     double sum = 0;
     for (std::int64_t m = from; m < from + 3; ++m) {
       if (m == i) continue;
@@ -60,7 +60,7 @@ PlaneWeights plane_weights(const std::vector<double>& x, double where) {
   w.first = std::clamp<std::int64_t>(k - 1, 0, n - 3);
   w.count = std::min<std::int64_t>(k + 3, n) - w.first;
   w.value[0] = 0;
-  // Hermite's cubics and their derivatives by x.
+  // Hermite's cubics and their derivatives by x weigh both planes.
   const double rise = t * t * (3 - 2 * t), rise_x = 6 * t * (1 - t) / width;
   w.value[k - w.first] += 1 - rise, w.value[k + 1 - w.first] += rise;
   w.slope[k - w.first] -= rise_x, w.slope[k + 1 - w.first] += rise_x;

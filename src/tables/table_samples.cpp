@@ -14,11 +14,11 @@
 namespace rollcon {
 namespace {
 
-/// A Poisson's ratio no further from one before it is solved on the coarser frame alone, as a difference: two
+/// Poisson's ratios no further than this from one before are solved on the coarser frame alone, as a difference: two
 /// hundredths change forces by 0.6 % of mu Fn, and the coarser frame gives that change to a tenth.
 constexpr double neighbours = 0.025;
 
-/// For each plane that which is solved on both frames for it: itself, or a neighbour of like bodies.
+/// Returns for each plane that which is solved on both frames for it: itself, or a neighbour of like bodies.
 std::vector<std::size_t> solved_on_both(const TableGrid& grid) {
   const std::vector<double>& plane = grid.planes();
   std::vector<std::size_t> of(plane.size());
@@ -30,22 +30,22 @@ std::vector<std::size_t> solved_on_both(const TableGrid& grid) {
 using Linear = std::array<double, most_linear_numbers>;
 using Forces = RollingSampler::Forces;
 
-/// Contacts of one ratio of semi-axes and one plane.
+/// Holds contacts of one ratio of semi-axes and one plane.
 struct Sampled {
   std::unique_ptr<RollingSampler> sampler;
-  RollingSampler* like = nullptr;  ///< like bodies on the same cells; of these, the sampler itself
+  RollingSampler* like = nullptr;  ///< like bodies on the same cells; where the bodies are alike, the sampler itself
   Linear linear{};                 ///< SampledNumber
-  Linear linear_coarse{};          ///< the same without the finer frame
+  Linear linear_coarse{};          ///< SampledNumber without the finer frame
 };
 
-/// What one thread solves with: contacts of the ratio it was at last, by plane.
+/// Holds what one thread solves with: contacts of the ratio it was at last, by plane.
 struct Worker {
   std::int64_t ratio = -1;
   std::vector<Sampled> sampled;
-  std::unique_ptr<RollingSampler> like;  ///< of unlike bodies
+  std::unique_ptr<RollingSampler> like;  ///< like bodies beside unlike ones
 };
 
-/// By creepages so small that nothing slips.
+/// Finds linear theory by creepages so small that nothing slips.
 void find_linear_theory(RollingSampler& like, Sampled& s) {
   constexpr double tiny = 1e-7;
   const Forces x = like.solve({tiny, 0, 0}), y = like.solve({0, tiny, 0}), z = like.solve({0, 0, tiny});
@@ -56,7 +56,7 @@ void find_linear_theory(RollingSampler& like, Sampled& s) {
   s.linear_coarse = of(x.coarse, y.coarse, z.coarse);
 }
 
-/// Pressure makes unlike bodies slip without creepages: central differences over a thousandth of the magnitude's unit.
+/// Takes central differences over a thousandth of the magnitude's unit: pressure alone makes unlike bodies slip.
 void find_unlike_theory(Sampled& s) {
   constexpr double step = 1e-3;
   const auto slope = [&](std::array<double, 3> by, double stiffness) {
@@ -119,11 +119,11 @@ struct ChainDirection {
   double theta, psi;
 };
 
-/// Forces at the magnitudes of a chain. Where the pole of sliding lies inside the contact, its place among the cells
-/// counts. Of like bodies that slide as rigid ones this error is known; the elastic displacements move the pole ever
-/// less as the creepages grow, so that this error, times s cubed, is taken off. Measured on 98 random cases of s above
-/// 0.5 beside frames twice as fine: force 0.16 -> 0.11, 0.12 -> 0.05, 0.03 -> 0.04 % rms for a/b about 1, below 0.2,
-/// above 5. That error is taken from like bodies on the same cells, too, where unlike ones are solved.
+/// Returns forces at the magnitudes of a chain. Where the pole of sliding lies inside the contact, its place among the
+/// cells counts. This error is known for like bodies that slide as rigid ones; the elastic displacements move the pole
+/// ever less as the creepages grow, so that this error, times s cubed, is taken off. Measured on 98 random cases of s
+/// above 0.5 beside frames twice as fine: force 0.16 -> 0.11, 0.12 -> 0.05, 0.03 -> 0.04 % rms for a/b about 1, below
+/// 0.2, above 5. That error is taken from like bodies on the same cells, too, where unlike ones are solved.
 std::vector<Forces> forces_of_chain(const TableGrid& grid, double log_ratio, const ChainDirection& to,
                                     const Sampled& plane) {
   constexpr double vast = 1e5;
@@ -151,7 +151,7 @@ std::vector<Forces> forces_of_chain(const TableGrid& grid, double log_ratio, con
   return f;
 }
 
-/// to[p]: where the numbers of the chain for plane p go.
+/// Solves a chain; to[p]: where its numbers for plane p go.
 void solve_chain(const TableGrid& grid, std::int64_t chain, const Worker& worker, const std::vector<double*>& to) {
   const double log_ratio = log_ratio_of(grid, worker.ratio);
   const std::int64_t around = grid.samples_around(), angle = chain == 0 ? 0 : 1 + (chain - 1) / around;
@@ -168,7 +168,7 @@ void solve_chain(const TableGrid& grid, std::int64_t chain, const Worker& worker
   }
 }
 
-/// Without spin a direction is the mirror image of the one on the other side of the rolling direction.
+/// Says whether a direction without spin is the mirror image of one on the other side of the rolling direction.
 bool mirrored(const TableGrid& grid, std::int64_t chain) {
   const std::int64_t around = grid.samples_around();
   return chain > (grid.angles - 1) * around && (chain - 1) % around < around / 2;

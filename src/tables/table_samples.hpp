@@ -1,5 +1,5 @@
 #pragma once
-/// Solved cases that a table goes through.
+/// Lays out solved cases that a table goes through.
 ///
 /// For each plane (TableGrid::planes) and ratio of semi-axes: numbers of linear theory (SampledNumber); then chains of
 /// magnitudes 1 .. magnitudes - 1 (unlike bodies: to magnitudes, where all slides) with Fx, Fy and Mz over mu Fn: one
@@ -13,8 +13,8 @@
 
 namespace rollcon {
 
-/// Derivatives at rest over G a b, lengths over sqrt(a b); the last three of unlike bodies alone: C11 and C22 then are
-/// those of like ones.
+/// Lists derivatives at rest over G a b, lengths over sqrt(a b); the last three for unlike bodies alone: C11 and C22
+/// then are those of like ones.
 enum SampledNumber : std::size_t {
   sampled_c11,
   sampled_c22,
@@ -28,8 +28,8 @@ enum SampledNumber : std::size_t {
 
 struct SampleLayout {
   explicit SampleLayout(const TableGrid& grid);
-  std::int64_t planes, chains, chain;  ///< of all ratios; numbers of a chain
-  std::int64_t numbers;                ///< of linear theory
+  std::int64_t planes, chains, chain;  ///< planes of all ratios; chains of a plane; numbers of a chain
+  std::int64_t numbers;                ///< numbers of linear theory
   std::int64_t plane() const { return numbers + chains * chain; }
   std::int64_t size() const { return planes * plane(); }
 };
@@ -39,7 +39,7 @@ double angle_of(const TableGrid& grid, std::int64_t angle);
 double magnitude_of(const TableGrid& grid, std::int64_t magnitude);
 double direction_of(const TableGrid& grid, std::int64_t direction);
 
-/// Creepages over mu Fn / (G a b) of magnitude r = 1; linear: SampledNumber.
+/// Returns creepages over mu Fn / (G a b) of magnitude r = 1; linear: SampledNumber.
 std::array<double, 3> unit_creepages(const TableGrid& grid, double log_ratio, double angle, double direction,
                                      const double* linear);
 
@@ -48,14 +48,14 @@ std::array<double, 3> unit_creepages(const TableGrid& grid, double log_ratio, do
 void solve_samples(const TableGrid& grid, std::int64_t part, std::int64_t parts, int threads,
                    std::vector<double>& sample);
 
-/// The coarser frame under an ellipse of this ratio. Long ones want more cells along their length than across it: where
-/// the pole of sliding lies on it, forces depend on how many cells lie between the pole and the ends.
+/// Returns the coarser frame under an ellipse of this ratio. Long ones want more cells along their length than across
+/// it: where the pole of sliding lies on it, forces depend on how many cells lie between the pole and the ends.
 struct StripsSize {
   std::int64_t along, across;
 };
 StripsSize frame_of(const TableGrid& grid, double ratio);
 
-/// Forces and moment over mu Fn, lengths over sqrt(a b), of bodies that slide and spin as rigid ones.
+/// Finds forces and moment over mu Fn, lengths over sqrt(a b), of bodies that slide and spin as rigid ones.
 void sliding_limit(double ratio, const std::array<double, 3>& creepage, double* force);
 
 }  // namespace rollcon

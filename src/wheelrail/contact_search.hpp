@@ -1,7 +1,7 @@
 #pragma once
-/// Where a wheel meets a rail that is extruded along x: from profiles and the wheel's pose to patches in which the
-/// undeformed surfaces overlap. Lengths are in any unit; axes of the field: x forward, y to the right, z down, the rail
-/// on the right. For one on the left the caller mirrors.
+/// Finds where a wheel meets a rail that is extruded along x: from profiles and the wheel's pose to patches in which
+/// the undeformed surfaces overlap. Lengths are in any unit; axes: x forward, y to the right, z down, the rail on the
+/// right. For one on the left the caller mirrors.
 
 #include <memory>
 #include <optional>
@@ -13,27 +13,27 @@
 
 namespace rollcon {
 
-/// A profile that is revolved: see RevolvedProfile. In the wheel's own axes.
+/// Holds a profile that is revolved (see RevolvedProfile), in the wheel's own axes.
 struct WheelShape {
   std::shared_ptr<const ProfileCurve> curve;
-  Vec3 centre{0, 0, 0};  ///< on the axis, at y = 0 of the profile
-  Vec3 axis{0, 1, 0};    ///< of the profile's y; its z points away from it
-  double radius = 0;     ///< of z = 0
+  Vec3 centre{0, 0, 0};  ///< point of the axis at y = 0 of the profile
+  Vec3 axis{0, 1, 0};    ///< direction of the profile's y; its z points away from the axis
+  double radius = 0;     ///< radius of the profile's z = 0
 };
 
-/// A profile that is extruded along x: see ExtrudedProfile. In the axes of the track.
+/// Holds a profile that is extruded along x (see ExtrudedProfile), in the axes of the track.
 struct RailShape {
   std::shared_ptr<const ProfileCurve> curve;
   Vec3 origin{0, 0, 0};
-  Vec3 along{1, 0, 0};  ///< or (-1, 0, 0), which mirrors the profile
-  Vec3 down{0, 0, 1};   ///< of the profile's z, at right angles to it
+  Vec3 along{1, 0, 0};  ///< (-1, 0, 0) mirrors the profile
+  Vec3 down{0, 0, 1};   ///< direction of the profile's z, at right angles to `along`
 };
 
-/// Where a rigid wheel touches first.
+/// Tells where a rigid wheel touches first.
 struct TouchPoint {
-  double gap = 0;    ///< how far it may sink until then
-  Vec3 x{};          ///< on the rail
-  double angle = 0;  ///< of the rail there: atan dz/dy
+  double gap = 0;    ///< way that the wheel may sink until then
+  Vec3 x{};          ///< point of the rail
+  double angle = 0;  ///< inclination of the rail there: atan dz/dy
   double wheel_y = 0, rolling_radius = 0;
 };
 
@@ -42,14 +42,15 @@ class ContactSearch {
   /// Prepares the profiles. Throws err_argument.
   ContactSearch(const WheelShape& wheel, const RailShape& rail);
 
-  /// How far the wheel, its body axes in this pose, may sink along z until it touches the rail; negative where they
-  /// overlap, infinite where it is not above the rail. To rounding.
+  /// Returns how far the wheel, its body axes in this pose, may sink along z until it touches the rail; negative where
+  /// they overlap, infinite where it is not above the rail. Exact to rounding.
   double first_touch(const Pose& wheel) const;
-  /// The point that does; nullopt where it is not above the rail. Of several, or a line, the first by y.
+  /// Returns the point that touches, the first by y of several or of a line; nullopt where none is above the rail.
   std::optional<TouchPoint> touch(const Pose& wheel) const;
-  /// In the order of y; overwritten. planar: each has one normal. Allocates nothing once it has seen as many patches.
+  /// Finds patches in the order of y, overwriting `patch`; planar: each has one normal. Once it has seen as many
+  /// patches it allocates nothing.
   void find(const Pose& wheel, std::vector<OverlapPatch>& patch, bool planar = true);
-  /// Of the rail at y (where it ends: there): atan dz/dy.
+  /// Returns the inclination of the rail at y (where it ends: there): atan dz/dy.
   double rail_angle(double y) const;
 
  private:

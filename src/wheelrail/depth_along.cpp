@@ -9,10 +9,10 @@ namespace rollcon {
 namespace {
 
 struct Depth {
-  double value, rise;  ///< and its change along the lateral axis
+  double value, rise;  ///< depth, and its change along the lateral axis
 };
 
-/// From the rail to a point of the wheel, in axes turned by the angle.
+/// Measures from the rail to a point of the wheel, in axes turned by the angle.
 class DepthAlong {
  public:
   DepthAlong(const ProfileGap& gap, double angle)

@@ -1,13 +1,13 @@
 #pragma once
-/// Root of a function by false position (the Illinois rule): no slopes, and a bracket throughout.
+/// Finds a root of a function by false position (the Illinois rule): no slopes, and a bracket throughout.
 
 #include <algorithm>
 #include <cmath>
 
 namespace rollcon {
 
-/// value_a and value_b have different signs; value(s) returns the function's; it ends where done(value) or where
-/// nothing is left between both ends. Returns the last s that was tried.
+/// Returns the last s that was tried between a and b, at which the function's values have different signs; value(s)
+/// returns the function's; the search ends where done(value) or where nothing is left between both ends.
 template <class Value, class Done>
 double false_position(double a, double value_a, double b, double value_b, Value value, Done done) {
   constexpr int most = 200, stubborn = 4;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// visit(span, a, b) with the rough gaps at both ends of each span.
+/// Calls visit(span, a, b) with the rough gaps at both ends of each span.
 template <class Visit>
 void for_each_span(ProfileGap& gap, Visit visit) {
   constexpr double smooth = 1e-9;
@@ -23,7 +23,7 @@ void for_each_span(ProfileGap& gap, Visit visit) {
   }
 }
 
-/// Below what the gap does not fall between the ends of a span.
+/// Returns a bound below which the gap does not fall between the ends of a span.
 double bound(const RoughGap& a, const RoughGap& b, const VisibleSpan& span) {
   const double steepest = std::max(std::abs(a.rise), std::abs(b.rise));
   if (a.known && b.known)
@@ -32,7 +32,7 @@ double bound(const RoughGap& a, const RoughGap& b, const VisibleSpan& span) {
   return in.gap - in.slack - 2 * steepest * (span.s[1] - span.s[0]);
 }
 
-/// The span's part in which there is a gap, in pieces over which it rises or falls: visit(a, b).
+/// Calls visit(a, b) for pieces of the span's part in which there is a gap, over which it rises or falls.
 template <class Visit>
 void for_each_slope(const ProfileGap& gap, const VisibleSpan& span, Visit visit) {
   auto a = gap.at(span, span.s[0]), b = gap.at(span, span.s[1]);
@@ -71,7 +71,7 @@ class OverlapScan {
     if (!a.known || !b.known || a.gap > -a.slack || b.gap > -b.slack || kink || a.rise * b.rise <= 0) return false;
     return true;
   }
-  /// The gap rises or falls from a to b.
+  /// Takes a step from a to b, between which the gap rises or falls.
   void step(const VisibleSpan& span, const GapPoint& a, const GapPoint& b) {
     const bool falls = a.rise + b.rise < 0;
     // Pieces of published profiles meet but for steps of their rounding.
@@ -123,7 +123,7 @@ class OverlapScan {
   ProfileGap& gap_;
   std::vector<Overlap>& found_;
   bool inside_ = false, starts_ = false, deepest_known_ = false;
-  bool falls_ = false;  ///< up to here
+  bool falls_ = false;  ///< the gap falls up to here
   GapPoint last_{};
   Overlap now_;
 };

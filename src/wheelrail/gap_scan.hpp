@@ -10,9 +10,9 @@
 
 namespace rollcon {
 
-/// Where the gap is least; nullopt where the wheel is beside the rail.
+/// Returns the point where the gap is least; nullopt where the wheel is beside the rail.
 std::optional<GapPoint> least_gap(ProfileGap gap);
-/// In the order of s; overwritten.
+/// Finds the overlaps in the order of s; overwrites `overlap`.
 void find_overlaps(ProfileGap gap, std::vector<Overlap>& overlap);
 
 }  // namespace rollcon

@@ -14,7 +14,7 @@ HertzianPatch hertzian_patch(const OverlapPatch& patch, double modulus, double g
   const QuadraticGap gap{along, depth / (8 * patch.spread) + twist * twist / (4 * along), twist};
   if (!(approach > 0 && along > 0) || !has_ellipse(gap)) return h;
   const HertzContact hertz = hertz_by_approach(gap, modulus, approach);
-  // Of a turned ellipse that without a turn which has its second moments' ratio, and its area.
+  // A turned ellipse is replaced by one without a turn that has its area and the ratio of its second moments.
   const double c = std::cos(hertz.angle), s = std::sin(hertz.angle);
   const double wide_x = std::hypot(hertz.larger * c, hertz.smaller * s),
                wide_y = std::hypot(hertz.larger * s, hertz.smaller * c),

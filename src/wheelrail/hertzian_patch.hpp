@@ -1,20 +1,20 @@
 #pragma once
-/// The Hertzian contact that stands for a patch, from its overlap alone: no pressures are solved for.
-/// docs/wheelrail.md, Ellipses from the overlap.
+/// Finds the Hertzian contact that stands for a patch, from its overlap alone: no pressures are solved for
+/// (docs/wheelrail.md, Ellipses from the overlap).
 
 #include "contact/results/equivalent_ellipse.hpp"
 #include "wheelrail/overlap_patch.hpp"
 
 namespace rollcon {
 
-/// Semi-axes along x and the lateral axis; without load where all of the overlap gives way.
+/// Holds the semi-axes along x and the lateral axis; there is no load where all of the overlap gives way.
 struct HertzianPatch {
   double a = 0, b = 0, load = 0, max_pressure = 0;
-  Vec3 centre{};  ///< of the wheel's surface, as its pressures weigh it
-  Vec3 lean{};    ///< by how much that moves by lateral distance
+  Vec3 centre{};  ///< centre of the wheel's surface, as its pressures weigh it
+  Vec3 lean{};    ///< shift of that centre by lateral distance
 };
 
-/// modulus: E* of both bodies; give_way: part of the overlap that does not press.
+/// Makes one; modulus: E* of both bodies; give_way: part of the overlap that does not press.
 HertzianPatch hertzian_patch(const OverlapPatch& patch, double modulus, double give_way);
 
 }  // namespace rollcon

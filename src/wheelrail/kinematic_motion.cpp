@@ -11,15 +11,15 @@
 namespace rollcon {
 namespace {
 
-/// The difference on one side of the middle, in panels outwards, linear over each; its integral is the potential of the
-/// motion.
+/// Holds the difference on one side of the middle, in panels outwards, linear over each; its integral is the potential
+/// of the motion.
 class Slope {
  public:
   struct Point {
     double y, d, potential;
   };
 
-  /// sign: of the direction.
+  /// Begins at the middle; sign: that of the direction.
   Slope(const std::function<double(double)>& difference, double middle, double sign, double amplitude)
       : difference_(difference), sign_(sign), amplitude_(amplitude) {
     point_.push_back({middle, difference(middle), 0});
@@ -28,14 +28,14 @@ class Slope {
   double reached() const { return std::abs(point_.back().y - point_.front().y); }
   double greatest() const { return greatest_; }
 
-  /// One panel more, divided where the difference is not linear.
+  /// Adds one more panel, divided where the difference is not linear.
   void extend() {
     constexpr int panels = 64;
     const double y = point_.front().y + sign_ * amplitude_ / panels * (1 + static_cast<double>(panels_++));
     add(y, difference_(y), 0);
   }
 
-  /// Where the potential reaches this energy first, and the time to there from the middle, at unit e r.
+  /// Tells where the potential reaches this energy first, and the time to there from the middle, at unit e r.
   struct Turn {
     double y, time;
   };
@@ -51,7 +51,7 @@ class Slope {
         before = after;
         continue;
       }
-      const double force = sign_ * a.d;  // back to the middle
+      const double force = sign_ * a.d;  // force back to the middle
       const double root = std::sqrt(std::max(force * force + 2 * stiffness * (energy - a.potential), 0.0));
       const double way = std::min(2 * (energy - a.potential) / (force + root), std::abs(b.y - a.y));
       return {a.y + sign_ * way, time + time_of(stiffness, way, before)};
@@ -60,7 +60,7 @@ class Slope {
   }
 
  private:
-  /// Over a way on which the restoring force grows linearly, from the sum of the speeds at both ends.
+  /// Returns the time over a way on which the restoring force grows linearly, from the sum of the speeds at both ends.
   static double time_of(double stiffness, double way, double speeds) {
     if (!(way > 0)) return 0;
     const double t = way / speeds, x = std::abs(stiffness) * t * t;
@@ -92,7 +92,7 @@ class Slope {
   std::vector<Point> point_;
 };
 
-/// Where the difference vanishes, near 0, negative on its left.
+/// Finds where the difference vanishes, near 0, negative on its left.
 double find_middle(const std::function<double(double)>& difference, double amplitude) {
   constexpr double far = 4, step = 1.0 / 32, rounding = 1e-12;
   const double first = difference(0);

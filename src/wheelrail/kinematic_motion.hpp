@@ -1,6 +1,6 @@
 #pragma once
-/// Klingel's motion of a free wheelset with any rolling-radius difference, and the equivalent conicity of EN 15302:
-/// that of cones whose wheelset has the same wavelength at the same amplitude.
+/// Finds Klingel's motion of a free wheelset with any rolling-radius difference, and the equivalent conicity of EN
+/// 15302: that of cones whose wheelset has the same wavelength at the same amplitude.
 ///
 ///   y'' = -d(y) / (e r),   cones: d = 2 tan(gamma) y,   wavelength L = 2 pi sqrt(e r / (2 tan(gamma)))
 ///
@@ -13,14 +13,14 @@
 namespace rollcon {
 
 struct KinematicMotion {
-  double middle = 0;         ///< where the wheelset runs straight on
-  double low = 0, high = 0;  ///< its turning points: high - low is twice the amplitude
+  double middle = 0;         ///< lateral position where the wheelset runs straight on
+  double low = 0, high = 0;  ///< turning points: high - low is twice the amplitude
   double conicity = 0;
-  /// L over sqrt(e r).
+  /// Returns L over sqrt(e r).
   double wavelength() const;
 };
 
-/// To 1e-4 of the conicity; d may jump. Throws err_argument where no motion of this amplitude comes back.
+/// Finds the motion to 1e-4 of the conicity; d may jump. err_argument: no motion of this amplitude comes back.
 KinematicMotion kinematic_motion(const std::function<double(double)>& difference, double amplitude);
 
 }  // namespace rollcon

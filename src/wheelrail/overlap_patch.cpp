@@ -11,22 +11,22 @@
 namespace rollcon {
 namespace {
 
-/// From 0 below the first value to 1 above the second.
+/// Rises from 0 below the first value to 1 above the second.
 double smooth_step(double value, double from, double to) {
   const double t = std::clamp((value - from) / (to - from), 0.0, 1.0);
   return t * t * (3 - 2 * t);
 }
 
-/// How far two neighbours are one patch, from 0 (apart) to 1: by their distance over the sum of the radii of contact,
-/// and by the angle between their normals, which have to be one in a planar patch. The bulge of a half-space around a
-/// contact of radius c lessens the approach of an equal one that it nearly touches, 2 c from centre to centre, by a
-/// quarter, at 4 c (radii apart) by an eighth, at 10 c by 4 percent.
+/// Says how far two neighbours are one patch, from 0 (apart) to 1: by their distance over the sum of the radii of
+/// contact, and by the angle between their normals, which have to be one in a planar patch. The bulge of a half-space
+/// around a contact of radius c lessens the approach of an equal one that it nearly touches, 2 c from centre to centre,
+/// by a quarter, at 4 c (radii apart) by an eighth, at 10 c by 4 percent.
 double joined(const ProfileGap& gap, const Overlap& a, const Overlap& b, bool planar) {
   constexpr double together = 0.3, apart = 1, same_plane = 0.35, other_plane = 0.55;
   const double turned = std::abs(std::atan(a.deepest.rail_slope) - std::atan(b.deepest.rail_slope));
   const double one_plane = planar ? smooth_step(-turned, -other_plane, -same_plane) : 1;
   if (b.grown) {
-    // What is hardly divided is one, whatever its planes.
+    // Patches that are hardly divided are one, whatever their planes.
     constexpr double divided = 0.3;
     const double saddle = b.from.depth() / std::min(a.deepest.depth(), b.deepest.depth());
     return std::max(one_plane, 1 - smooth_step(1 - saddle, 0, divided));
@@ -36,7 +36,7 @@ double joined(const ProfileGap& gap, const Overlap& a, const Overlap& b, bool pl
   const double distance = std::hypot(to.y - from.y, to.z - from.z);
   const double near = one_plane * smooth_step(-distance, -apart * (a.size + b.size), -together * (a.size + b.size));
   if (near == 0) return 0;
-  // One that only begins to overlap is nothing yet, unless it is about to grow together with its neighbour.
+  // A patch that only begins to overlap is nothing yet, unless it is about to grow together with its neighbour.
   constexpr double shallow = 0.15;
   constexpr int parts = 8;
   double saddle = 0;
@@ -46,7 +46,7 @@ double joined(const ProfileGap& gap, const Overlap& a, const Overlap& b, bool pl
   return near * smooth_step(depth, 0, shallow * (depth + saddle));
 }
 
-/// At which s of some overlaps the locus has this y.
+/// Returns the s of some overlaps at which the locus has this y.
 double s_at_y(const ProfileGap& gap, const GapPoint& first, const GapPoint& last, double y) {
   const double a = first.wheel[1] - y, b = last.wheel[1] - y;
   if (a >= 0) return first.s;
@@ -60,7 +60,7 @@ double s_at_y(const ProfileGap& gap, const GapPoint& first, const GapPoint& last
   return false_position(first.s, a, last.s, b, value, [&](double f) { return std::abs(f) <= rounding; });
 }
 
-/// Lateral spread, and what of the wheel goes with it, about the common centre.
+/// Finds the lateral spread, and what of the wheel goes with it, about the common centre.
 void describe_moments(const Overlap* first, const Overlap* last, OverlapPatch& patch) {
   const Vec3 pole = first->deepest.wheel;
   DepthMoments all;
@@ -112,7 +112,7 @@ OverlapPatch patch_of(const ProfileGap& gap, const Overlap* first, const Overlap
     angle += o->angle;
     patch.cut = patch.cut || o->cut;
   }
-  // Too shallow for a weight that is not 0.
+  // An overlap that is too shallow has a weight of 0.
   const GapPoint& deep = first->deepest;
   patch.reference = weight > 0 ? Vec3{x / weight, y / weight, 0} : deep.wheel;
   patch.angle = weight > 0 ? angle / weight : std::atan(deep.rail_slope);
@@ -135,7 +135,7 @@ OverlapPatch patch_of(const ProfileGap& gap, const Overlap* first, const Overlap
     }
     deepest = std::max(deepest, o->deepest.depth());
   }
-  // Others cannot be the deepest.
+  // Overlaps that are less than half as deep cannot be the deepest along the normal.
   constexpr double share = 0.5;
   for (const Overlap* o = first; o <= last; ++o)
     if (o->deepest.depth() >= share * deepest)
@@ -144,8 +144,8 @@ OverlapPatch patch_of(const ProfileGap& gap, const Overlap* first, const Overlap
   return patch;
 }
 
-/// How far along x the circle through a point overlaps, behind and ahead. Along it the gap is gap + b l + a l^2, with b
-/// by how much it runs sideways; a is measured, as curvatures jump where arcs meet.
+/// Returns how far along x the circle through a point overlaps, behind and ahead. Along it the gap is gap + b l + a
+/// l^2, with b by how much it runs sideways; a is measured, as curvatures jump where arcs meet.
 std::array<double, 2> reach(const ProfileGap& gap, const VisiblePoint& p, const GapPoint& g) {
   const double depth = g.depth();
   if (!(depth > 0)) return {0, 0};
@@ -173,7 +173,7 @@ struct LocusPlace {
   std::optional<LocusPoint> locus;
 };
 
-/// Where the locus has this y, from a start between two ends.
+/// Finds where the locus has this y, from a start between two ends.
 LocusPlace place_at_y(const ProfileGap& gap, double y, double s, double from, double to, double close_enough) {
   constexpr int most = 8;
   LocusPlace place{};
@@ -187,8 +187,8 @@ LocusPlace place_at_y(const ProfileGap& gap, double y, double s, double from, do
   return place;
 }
 
-/// Over y, in which the gap's slope is continuous; by s it is not where the wheel's curvature jumps. visit(point of the
-/// wheel, gap) wherever the gap is taken.
+/// Integrates over y, in which the gap's slope is continuous; by s it is not where the wheel's curvature jumps. Calls
+/// visit(point of the wheel, gap) wherever the gap is taken.
 template <class Visit>
 void integrate(const ProfileGap& gap, const GapPoint& from, const GapPoint& to, Overlap& o, Visit visit) {
   constexpr std::size_t points = 16;

@@ -1,6 +1,6 @@
 #pragma once
-/// What overlaps of a wheel's outline and a rail are to a contact: where, how deep and how large; and which of them are
-/// one patch.
+/// Describes what overlaps of a wheel's outline and a rail are to a contact: where, how deep and how large; and which
+/// of them are one patch.
 
 #include <array>
 #include <vector>
@@ -9,56 +9,56 @@
 
 namespace rollcon {
 
-/// Integrals over an overlap across the rail, weighted with depth^2.5: of 1, and of the wheel's points from a pole and
-/// their products xx, xy, xz, yy, yz, zz.
+/// Integrates over an overlap across the rail, weighted with depth^2.5: 1, and the wheel's points from a pole and their
+/// products xx, xy, xz, yy, yz, zz.
 struct DepthMoments {
   double weight = 0;
   Vec3 first{};
   std::array<double, 6> second{};
 
   void add(double w, const Vec3& from_pole);
-  /// Those of others, taken about a pole that is at `pole` here.
+  /// Adds moments of another overlap, taken about a pole that is at `pole` here.
   void add(const DepthMoments& other, const Vec3& pole);
 };
 
 struct OverlapPatch {
-  Vec3 reference{};          ///< on the rail: the centre of the overlap, weighted by its depth to the power of 2.5
-  Vec3 normal{}, lateral{};  ///< of the contact: upwards out of the rail, and across it to the right
-  double angle = 0;          ///< mean of the rail's, weighted alike: atan dz/dy, negative on a gauge face to the right
-  double overlap = 0;        ///< greatest, along the normal
-  double low = 0, high = 0;  ///< of what overlaps, along the lateral axis from the reference
-  double back = 0, front = 0;  ///< along x
-  /// In which this patch counts: patches apart and the same patches as one have shares that add up to 1.
+  Vec3 reference{};            ///< centre of the overlap on the rail, weighted by depth^2.5
+  Vec3 normal{}, lateral{};    ///< directions of the contact: upwards out of the rail, and across it to the right
+  double angle = 0;            ///< mean of the rail's in that weight: atan dz/dy, negative on a gauge face to the right
+  double overlap = 0;          ///< greatest overlap along the normal
+  double low = 0, high = 0;    ///< ends of the overlap along the lateral axis from the reference
+  double back = 0, front = 0;  ///< ends along x
+  /// Weight with which this patch counts: patches apart and the same patches as one have weights that add up to 1.
   double share = 1;
   bool cut = false;            ///< the overlap ends where a profile does, or where it is too steep to be seen
-  double wheel_y = 0;          ///< of the wheel's profile, its own y, at the reference
-  double rolling_radius = 0;   ///< there
+  double wheel_y = 0;          ///< y of the wheel's profile at the reference, its own
+  double rolling_radius = 0;   ///< rolling radius there
   LocusCurvature curvature{};  ///< of both surfaces together there
   Vec3 wheel{};                ///< the wheel's point there
-  /// What a Hertzian contact that stands for the patch is made of. A paraboloid has fullness 1 and the spread of its
-  /// half-width squared over 8.
+  /// Members that a Hertzian contact in place of the patch is made of. A paraboloid has fullness 1 and the spread of
+  /// its half-width squared over 8.
   double fullness = 0;  ///< mean depth, as depth^2.5 weighs it, over that of a paraboloid of this overlap and spread
   double spread = 0;    ///< mean square of the lateral distance from the centre of depth^2.5
-  Vec3 centre{};        ///< of the wheel's points
-  Vec3 lean{};          ///< by how much these move with the lateral distance: regression
+  Vec3 centre{};        ///< centre of the wheel's points
+  Vec3 lean{};          ///< change of these points with the lateral distance, by regression
 };
 
-/// An interval of s in which the gap is negative, and has one least value.
+/// Holds an interval of s in which the gap is negative and has one least value.
 struct Overlap {
   GapPoint from, to;
   GapPoint deepest;
-  bool cut = false, grown = false;  ///< the second: together with the one before
-  // Of the interval, filled by measure():
+  bool cut = false, grown = false;  ///< grown: together with the one before
+  // Integrals over the interval, filled in by measure():
   double weight = 0, y = 0, x = 0, angle = 0;  ///< integrals of depth^2.5, and of y, x and the angle with it
-  DepthMoments moments;                        ///< about the deepest point
-  double back = 0, front = 0;                  ///< x of what overlaps
+  DepthMoments moments;                        ///< moments about the deepest point
+  double back = 0, front = 0;                  ///< ends of the overlap along x
   double size = 0;                             ///< mean radius of contact
 };
 
 void measure(const ProfileGap& gap, Overlap& overlap);
 
-/// Overlaps in the order of s. planar: normals that differ set them apart. side: -1 where the profile's y points to the
-/// left; radius: of the wheel at z = 0.
+/// Joins overlaps, in the order of s, to patches. planar: normals that differ set them apart. side: -1 where the
+/// profile's y points to the left; radius: that of the wheel at z = 0.
 void gather(const ProfileGap& gap, const std::vector<Overlap>& overlap, bool planar, double side, double radius,
             std::vector<OverlapPatch>& patch);
 

@@ -15,7 +15,7 @@
 namespace rollcon {
 namespace {
 
-/// Each time that the frame was too small.
+/// Factor on a frame each time that it was too small.
 constexpr double growth = 1.25;
 constexpr int most_growths = 6;
 
@@ -95,7 +95,7 @@ void PatchContact::solve_on_frame(const LatticeSize& size) {
 
 namespace {
 
-/// Frictional power over speed. What pressure strains one body more than the other is slip, too.
+/// Returns the frictional power over speed. What pressure strains one body more than the other is slip, too.
 double power_of(const Vec3& own, const EquivalentEllipse& e) {
   const double longitudinal = e.creepage[0] + strain_creepage(e.strained, e.load, e.a, e.b);
   return -(own[0] * longitudinal + own[1] * e.creepage[1] + own[2] * e.creepage[2]);
@@ -103,7 +103,7 @@ double power_of(const Vec3& own, const EquivalentEllipse& e) {
 
 }  // namespace
 
-// False: the table does not have this patch.
+// Takes results from the table; returns false where it does not have this patch.
 bool PatchContact::take_table_results(const PatchFriction& friction) {
   Vec3 own{};
   const auto [force, moment] = contact_->solver->loads();
@@ -129,7 +129,7 @@ bool PatchContact::take_table_results(const PatchFriction& friction) {
   return true;
 }
 
-// False: the table does not have this patch.
+// Takes results for Hertz's ellipse from the table; returns false where it does not have this patch.
 bool PatchContact::take_hertzian_results(const PatchFriction& friction, double give_way) {
   const CommonElasticity common = common_elasticity(*wheel_, *rail_);
   const HertzianPatch h = hertzian_patch(now_.patch, common.shear / (1 - common.poisson), give_way);
@@ -138,7 +138,7 @@ bool PatchContact::take_hertzian_results(const PatchFriction& friction, double g
   Vec3 own{};
   now_.table_power = 0;
   if (h.load > 0) {
-    // Least squares of the slip over Hertz's pressure, whose second moments are a^2 / 5 and b^2 / 5.
+    // Creepages fit the slip over Hertz's pressure, whose second moments are a^2 / 5 and b^2 / 5.
     const Vec3 wheel = motion.velocity.at(h.centre), rail = motion.rail.at(h.centre), slip = wheel - rail;
     const Vec3 turning = motion.velocity.angular - motion.rail.angular;
     const double speed = std::abs(motion.speed - 0.5 * (wheel[0] + rail[0]));
@@ -191,7 +191,7 @@ double PatchContact::friction_power() const {
   return now_.by_table ? now_.table_power : contact_->stat("friction_power");
 }
 
-// Nothing of it may depend on what was solved before.
+// Resets the patch so that nothing of it depends on what was solved before.
 void PatchContact::reset() {
   now_.margin = {usual_margin, usual_margin};
   now_.shape = {};
@@ -223,11 +223,11 @@ void PatchContact::return_to(const Kept& kept) {
   contact_->solver->return_to(kept.solution);
 }
 
-// Points across count from the middle of the frame, along t2.
+// Prescribes approach and friction; points across count from the middle of the frame, along t2.
 void PatchContact::prescribe(double give_way, const PatchFriction& friction) {
   now_.give_way = give_way;
   now_.friction = friction;
-  now_.friction.table = nullptr;  // of the contact alone
+  now_.friction.table = nullptr;  // the contact alone is solved here
   contact_->scene.prescribe(static_cast<std::int32_t>(Direction::normal), static_cast<std::int32_t>(How::by_motion),
                             -give_way);
   contact_->scene.set_friction("coulomb", 1, &friction.mu);
@@ -243,7 +243,7 @@ void PatchContact::prescribe(double give_way, const PatchFriction& friction) {
   contact_->scene.set_friction_across(static_cast<std::int64_t>(n), point.data());
 }
 
-// Space of the contact is that of its axes: they never change, and what belongs to the frame stays.
+// Lays the axes, which are the contact's space: they never change there, and what belongs to the frame stays.
 void PatchContact::lay_axes() {
   now_.axes = axes_of(now_.patch);
 }
@@ -287,7 +287,7 @@ void PatchContact::put_frame(const LatticeSize& size, const FramePlace& place) {
   }
 }
 
-// Hertz's ellipse of the paraboloid with the overlap's depth, width and the curvatures along the rail. What is in
+// Places Hertz's ellipse of the paraboloid with the overlap's depth, width and the curvatures along the rail. The
 // contact lies within the overlap.
 FramePlace PatchContact::place() {
   const double half = 0.5 * (now_.patch.high - now_.patch.low), depth = now_.patch.overlap;
@@ -313,7 +313,7 @@ FramePlace PatchContact::place() {
   return {ratio * w, w, shear * ratio * w};
 }
 
-// 0: within, 1: across the ends along the rolling direction, 2: at the sides.
+// Returns 0: within, 1: across the ends along the rolling direction, 2: at the sides.
 int PatchContact::rim_reached(const LatticeSize& size) {
   constexpr double overlap = 0.02;
   const std::int64_t lines = size.across + 1, points = size.along + 1;
@@ -327,7 +327,7 @@ int PatchContact::rim_reached(const LatticeSize& size) {
   return ends < sides ? 1 : 2;
 }
 
-// On the wheel, in and about the axes of the contact.
+// Takes force and moment on the wheel, in and about the axes of the contact.
 void PatchContact::take_results(const Vec3& force, const Vec3& moment) {
   now_.force = from_axes(now_.axes, force);
   now_.moment = from_axes(now_.axes, moment) + cross(now_.axes.origin - now_.patch.reference, now_.force);
@@ -339,7 +339,7 @@ void PatchContact::take_creepages() {
   const Vec3 wheel = motion.velocity.at(now_.patch.reference + now_.patch.overlap * now_.axes.n),
              rail = motion.rail.at(now_.patch.reference), slip = wheel - rail;
   const Vec3 turning = motion.velocity.angular - motion.rail.angular;
-  // At which both surfaces run through the contact, on average.
+  // Speed at which both surfaces run through the contact, on average.
   const double through = motion.speed - 0.5 * (wheel[0] + rail[0]), speed = std::abs(through);
   if (!(through * motion.speed > 0))
     fail(Status::err_argument,

@@ -1,4 +1,4 @@
-/// Derivatives of a patch's forces.
+/// Finds derivatives of a patch's forces.
 
 #include "support/error.hpp"
 #include "wheelrail/patch_contact.hpp"
@@ -10,7 +10,7 @@ Vec3 from_axes(const Axes& axes, const Vec3& v) {
   return v[0] * axes.t1 + v[1] * axes.t2 + v[2] * axes.n;
 }
 
-/// The force and its moment about the patch's reference.
+/// Returns the force and its moment about the patch's reference.
 PatchContact::Rate loads(const Axes& axes, const Vec3& reference, const Vec3& force, const Vec3& moment) {
   const Vec3 f = from_axes(axes, force);
   return {f, from_axes(axes, moment) + cross(axes.origin - reference, f)};
@@ -25,7 +25,7 @@ void PatchContact::read_nearby(const Nearby& nearby, NodeGivens& givens) {
   contact_->solver->read_givens(givens);
 }
 
-// Loads in the axes change as Newton's system says, and the axes themselves as the overlap moves.
+// Changes loads in the axes by Newton's system, and the axes themselves as the overlap moves.
 PatchContact::Rate PatchContact::rate(const Nearby& before, const Nearby& behind, double distance) {
   if (now_.by_table) fail(Status::err_state, "forces of the patch come from a table: they have no solution");
   const auto [force, moment] = contact_->solver->loads();

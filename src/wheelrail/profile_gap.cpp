@@ -42,7 +42,7 @@ RoughGap ProfileGap::rough(const VisibleSpan& span, std::size_t end) const {
   const double from = r.slope[0] - chord, to = r.slope[1] - chord;
   g.gap = r.cubic_z(g.y) - outline[1];
   g.rise = r.slope[0] + t * (r.slope[1] - r.slope[0]) - outline[2];
-  constexpr double share = 0.4;  // of the height of an arc over its chord
+  constexpr double share = 0.4;  // fraction of the height of an arc over its chord
   g.slack = share * width * (std::abs(from) + std::abs(to));
   return g;
 }
@@ -66,7 +66,7 @@ GapPoint ProfileGap::extreme(const VisibleSpan& span, const GapPoint& a, const G
     last = at(span, s).value_or(last);
     return last.rise;
   };
-  // Of a smooth gap, what is missing to its least value is half of rise^2 / curvature; and more, as s is used too.
+  // A smooth gap lacks half of rise^2 / curvature to its least value; and more, as s is used too.
   constexpr double share = 1e-4;
   const double square = share * locus_.rounding() * std::abs((b.rise - a.rise) / (b.s - a.s));
   false_position(a.s, a.rise, b.s, b.rise, value, [&](double f) { return f * f <= square; });

@@ -1,5 +1,5 @@
 #pragma once
-/// The gap between a wheel's outline and a rail along z, as a function of the parameter s of the wheel's profile.
+/// Finds the gap between a wheel's outline and a rail along z, as a function of the parameter s of the wheel's profile.
 
 #include <cmath>
 
@@ -9,21 +9,21 @@ namespace rollcon {
 
 struct GapPoint {
   double s;
-  Vec3 wheel;   ///< on the locus
+  Vec3 wheel;   ///< point of the locus
   double gap;   ///< z of the rail less that of the wheel there
-  double rise;  ///< of the gap, by y
+  double rise;  ///< slope of the gap by y
   double rail_slope;
   double forward_y;  ///< dy of the locus by s
 
-  /// Of the overlap, along the normal of the rail.
+  /// Returns the depth of the overlap along the normal of the rail.
   double depth() const { return -gap / std::sqrt(1 + rail_slope * rail_slope); }
 };
 
-/// As a table of the rail says, which is nearly right.
+/// Holds what a table of the rail says, which is nearly right.
 struct RoughGap {
   bool known = false;
   double s = 0, y = 0, gap = 0, rise = 0;
-  double slack = 0;  ///< error of gap at most
+  double slack = 0;  ///< greatest error of gap
 };
 
 class ProfileGap {
@@ -35,23 +35,23 @@ class ProfileGap {
   const VisibleProfile& rail() const { return rail_; }
   const WheelLocus& locus() const { return locus_; }
 
-  /// nullopt: beside the rail, or where the locus has no point.
+  /// Return nullopt beside the rail, or where the locus has no point.
   std::optional<GapPoint> at(const VisiblePoint& p, double s) const;
   std::optional<GapPoint> at(const LocusPoint& point, double s) const;
   std::optional<GapPoint> at(double s) const { return at(wheel_.at(s), s); }
   std::optional<GapPoint> at(const VisibleSpan& span, double s) const { return at(wheel_.at(span, s), s); }
-  /// Of the rail at this y, which is on it; the search begins where the last one ended.
+  /// Returns the point of the rail at this y, which is on it; the search begins where the last one ended.
   VisiblePoint rail_at(double y) const;
-  /// z there, of a cubic in the rail's cell.
+  /// Returns z there, by a cubic in the rail's cell.
   double rail_z(double y) const;
-  /// At an end of a span of the wheel.
+  /// Returns the rough gap at an end of a span of the wheel.
   RoughGap rough(const VisibleSpan& span, std::size_t end) const;
 
-  /// Within a span: where the gap vanishes, and where it is least or greatest. Gaps, or rises, of different signs at
-  /// both ends; where they are not, by the rough table's errors, the end with the lesser value.
+  /// Find where the gap vanishes within a span, and where it is least or greatest. Gaps, or rises, have different signs
+  /// at both ends; where they do not, by the rough table's errors, the end with the lesser value is returned.
   GapPoint zero(const VisibleSpan& span, const GapPoint& a, const GapPoint& b) const;
   GapPoint extreme(const VisibleSpan& span, const GapPoint& a, const GapPoint& b) const;
-  /// The last point with a gap between two parameters, of which `in` has one.
+  /// Returns the last point with a gap between two parameters, of which `in` has one.
   GapPoint edge(const VisibleSpan& span, double in, double out) const;
 
  private:

@@ -9,7 +9,7 @@
 namespace rollcon {
 namespace {
 
-/// s between a and b at which the function is least, to rounding of its values, where it has one valley there.
+/// Returns s between a and b at which the function is least, to rounding of its values, where it has one valley there.
 template <class F>
 double valley(double a, double b, F value) {
   const double golden = 0.5 * (std::sqrt(5.0) - 1);
@@ -72,11 +72,11 @@ RailShape place_rail(std::shared_ptr<const ProfileCurve> curve, const TrackGauge
   return rail;
 }
 
-// Both sides of y = 0 are compared: what is as high or as deep on both, a roller's crown, says nothing.
+// Compares both sides of y = 0: what is as high or as deep on both, a roller's crown, says nothing.
 void require_wheel_profile(const ProfileCurve& curve, double radius) {
   require_one_side(curve, radius);
   constexpr int samples = 500;
-  constexpr double flange = 0.02;  // of the radius; flanges are 6 to 10 percent high
+  constexpr double flange = 0.02;  // fraction of the radius; flanges are 6 to 10 percent high
   double low[2] = {0, 0}, high[2] = {0, 0};
   for (int i = 0; i <= samples; ++i) {
     const Vec2 x = curve.at(i * curve.length() / samples).x;

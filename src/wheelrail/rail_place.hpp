@@ -1,5 +1,5 @@
 #pragma once
-/// Where a rail lies in the track: canted, its highest point at z = 0, its gauge side where the gauge says.
+/// Places a rail in the track: canted, its highest point at z = 0, its gauge side where the gauge says.
 
 #include <memory>
 
@@ -8,16 +8,16 @@
 namespace rollcon {
 
 struct TrackGauge {
-  double gauge = 0;   ///< between the rails
-  double height = 0;  ///< below the rail's top at which it is measured; 0: to the profile's origin, at the rail's top
-  double cant = 0;    ///< radian; inwards
+  double gauge = 0;   ///< distance between the rails
+  double height = 0;  ///< depth below the rail's top where it counts; 0: to the profile's origin, at the top
+  double cant = 0;    ///< angle in radian, inwards
 };
 
-/// The rail on the right; upright, the profile's y points to the right and its z down. err_argument: on its gauge side
-/// the profile does not reach down to the gauge's height, or its z points up.
+/// Returns the rail on the right; upright, the profile's y points to the right and its z down. err_argument: on its
+/// gauge side the profile does not reach down to the gauge's height, or its z points up.
 RailShape place_rail(std::shared_ptr<const ProfileCurve> curve, const TrackGauge& track);
 
-/// Keeps on one side of the axis, z down and the flange, if there is one, at lesser y. err_argument.
+/// Throws err_argument unless the profile keeps on one side of the axis, z points down and a flange lies at lesser y.
 void require_wheel_profile(const ProfileCurve& curve, double radius);
 
 }  // namespace rollcon

@@ -63,7 +63,7 @@ Status find_wear(WheelRail& wheel, const PositionList& list, const WearOfPositio
   wheel.forget_cancel();
   const auto n = static_cast<std::size_t>(wear.points), cases = static_cast<std::size_t>(list.cases);
   const std::vector<Vec2> point[2] = {wheel.profile_points(1, wear.points), wheel.profile_points(2, wear.points)};
-  // Of each position by itself, so that the sum does not depend on the threads.
+  // Wear of each position is stored by itself, so that the sum does not depend on the threads.
   std::vector<double> part(2 * n * cases, 0.0), whole(2 * cases, 0.0);
   const Status worst = solve_each(wheel, list, status, [&](const WheelRail& solved, std::int64_t i) {
     for (const std::int32_t body : {1, 2}) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Lists of positions of a wheel on its rail over threads.
+/// Solves lists of positions of a wheel on its rail over threads.
 
 #include <cstdint>
 
@@ -13,7 +13,7 @@ struct PositionList {
   const double* velocity = nullptr;  ///< [cases][6]
 };
 
-/// Force and moment on the wheel in the track, z, vertical force, frictional power.
+/// Count of totals: force and moment on the wheel in the track, z, vertical force, frictional power.
 inline constexpr std::int64_t position_totals = 9;
 
 /// Solves each position by itself from nothing, as after a reset, with what else the wheel was given: results do not
@@ -21,18 +21,18 @@ inline constexpr std::int64_t position_totals = 9;
 /// there are none; status [cases], may be null. The wheel stays as it is. Returns the worst status.
 Status solve_positions(WheelRail& wheel, const PositionList& list, double* totals, std::int32_t* status);
 
-/// Wear of a list of positions.
+/// Asks for the wear of a list of positions.
 struct WearOfPositions {
   const WearLaw& law;
   const double* weight = nullptr;  ///< [cases]; null: each 1 / cases
-  std::int64_t points = 0;         ///< at equal arc lengths along each profile
+  std::int64_t points = 0;         ///< number of points at equal arc lengths along each profile
   double* wheel = nullptr;         ///< [points], depth per pass; may be null
-  double* rail = nullptr;          ///< likewise
-  double* volume = nullptr;        ///< per length rolled, of each body; may be null
+  double* rail = nullptr;          ///< [points], depth per pass; may be null
+  double* volume = nullptr;        ///< volume per length rolled, of each body; may be null
 };
 
-/// The positions solved as by solve_positions, what they take off either profile times their weights and added in their
-/// order. Positions without a solution add nothing.
+/// Solves the positions as solve_positions() does, and adds what they take off either profile, times their weights, in
+/// their order. Positions without a solution add nothing.
 Status find_wear(WheelRail& wheel, const PositionList& list, const WearOfPositions& wear, std::int32_t* status);
 
 }  // namespace rollcon

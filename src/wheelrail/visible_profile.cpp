@@ -9,10 +9,10 @@
 namespace rollcon {
 namespace {
 
-constexpr double most_turned = 0.02;     ///< in a cell
-constexpr double parts_of_length = 400;  ///< at least so many cells
-constexpr double least_cosine = 0.01;    ///< of the steepest parts
-constexpr double corner_turn = 1e-6;     ///< of a kink that counts
+constexpr double most_turned = 0.02;     ///< greatest turn in a cell
+constexpr double parts_of_length = 400;  ///< least number of cells
+constexpr double least_cosine = 0.01;    ///< cosine of the steepest parts
+constexpr double corner_turn = 1e-6;     ///< turn of a kink that counts
 
 double between(double from, double to, double share) {
   return from + share * (to - from);

@@ -37,7 +37,7 @@ double WheelLocus::sideways(const VisiblePoint& p) const {
 LocusCurvature WheelLocus::curvature(const VisiblePoint& p) const {
   const double s = p.slope * tilt_, steep = std::sqrt(1 + p.slope * p.slope);
   const double around = bend(p), meridian = -p.curvature();
-  const double c = ahead_[0] * std::sqrt(1 - s * s), m = axis_[0] * steep;  // of x, around and along the profile
+  const double c = ahead_[0] * std::sqrt(1 - s * s), m = axis_[0] * steep;  // part of x, around and along the profile
   return {around * c * c + meridian * m * m, (meridian - around) * c * m, around * m * m + meridian * c * c};
 }
 

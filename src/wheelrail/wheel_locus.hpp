@@ -1,6 +1,6 @@
 #pragma once
-/// Wang's contact locus: of each circle of a wheel the point at which its surface can touch a rail, one whose normal
-/// has no component along x, as the rail's has none.
+/// Finds Wang's contact locus: the point of each circle of a wheel at which its surface can touch a rail, one whose
+/// normal has no component along x, as the rail's has none.
 ///
 /// With the wheel's axis a, the radius r and the slope m = dr/dy of its profile, d downwards and f forwards at right
 /// angles to a (d has no x), that point is at r (cos t d + sin t f) from the axis, where sin t = m a_x / f_x. Seen
@@ -21,20 +21,20 @@ struct LocusPoint {
   double forward_y;  ///< dy of the outline by s
 };
 
-/// Of the wheel's surface where it can touch, in the tangent plane of x and the direction across; convex: positive.
+/// Holds the wheel's curvatures where it can touch, in the tangent plane of x and across it; convex: positive.
 struct LocusCurvature {
   double along, twist, across;
 };
 
 class WheelLocus {
  public:
-  /// axis: unit vector of the wheel's axle in space, its y not negative; centre: point on it where the profile's y is
-  /// 0; radius: of the profile's z = 0.
+  /// Makes the locus; axis: unit vector of the wheel's axle in space, its y not negative; centre: point on it where the
+  /// profile's y is 0; radius: that of the profile's z = 0.
   WheelLocus(const Vec3& centre, const Vec3& axis, double radius);
 
-  /// nullopt: no point of that circle looks down without a component along x.
+  /// Returns nullopt where no point of that circle looks down without a component along x.
   std::optional<LocusPoint> at(const VisiblePoint& p) const;
-  /// What `at` says of y, z and slope of the outline, for scans of all of a profile. false: as nullopt there.
+  /// Finds y, z and slope alone, for scans of all of a profile. Returns false where at() returns nullopt.
   bool outline(double y, double z, double slope, std::array<double, 3>& at) const {
     const double s = slope * tilt_, square = s * s, r = radius_ + z;
     if (!(square < most_turned)) return false;
@@ -44,17 +44,17 @@ class WheelLocus {
     return down_z > 0;
   }
   LocusCurvature curvature(const VisiblePoint& p) const;
-  /// On the same circle, an arc length behind the locus and ahead of it.
+  /// Returns points on the same circle, an arc length behind the locus and ahead of it.
   std::array<Vec3, 2> beside(const VisiblePoint& p, double length) const;
-  /// y of the unit vector along it.
+  /// Returns y of the unit vector along the circle.
   double sideways(const VisiblePoint& p) const;
-  /// Of the circle, for small steps along the normal of the wheel's surface: what it bends away from its tangent.
+  /// Returns what the circle bends away from its tangent, for small steps along the normal of the wheel's surface.
   double bend(const VisiblePoint& p) const { return 1 / ((radius_ + p.z) * std::sqrt(1 + p.slope * p.slope)); }
-  /// Of its points.
+  /// Returns the rounding of the points.
   double rounding() const { return 1e-16 * (radius_ + length(centre_)); }
 
  private:
-  static constexpr double most_turned = 0.9999;  ///< beyond, a point runs along the wheel's rim without end
+  static constexpr double most_turned = 0.9999;  ///< limit beyond which a point runs along the wheel's rim without end
 
   Vec3 centre_, axis_, down_, ahead_;
   double radius_, tilt_ = 0;  ///< a_x / f_x

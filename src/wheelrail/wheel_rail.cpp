@@ -12,7 +12,7 @@
 namespace rollcon {
 namespace {
 
-/// The roll about x is inside the yaw about z, or outside of it.
+/// Returns the pose with the roll about x inside the yaw about z, or outside of it.
 Pose attitude(double roll, double yaw, bool roll_outside = false) {
   const double cr = std::cos(roll), sr = std::sin(roll), cy = std::cos(yaw), sy = std::sin(yaw);
   if (roll_outside) return {.rotation = {{{cy, -sy, 0}, {cr * sy, cr * cy, -sr}, {sr * sy, sr * cy, cr}}}};
@@ -23,7 +23,7 @@ Velocity seen_from(const Pose& pose, const Velocity& v) {
   return {pose.turn_back(v.linear), pose.turn_back(v.angular), pose.to_body(v.point)};
 }
 
-/// Errors on patches of the Manchester benchmark: docs/wheelrail.md.
+/// Holds errors on patches of the Manchester benchmark (docs/wheelrail.md).
 struct Fineness {
   double accuracy;
   LatticeSize size;
@@ -45,10 +45,10 @@ double depth_of(const OverlapPatch& patch) {
   return patch.share * patch.overlap;
 }
 
-// Of the wheel's radius. Overlaps of steel wheels under 200 kN are a third of the first at most; at it pressures are 2
-// to 5 percent of the modulus of contact.
+// Fractions of the wheel's radius. Overlaps of steel wheels under 200 kN are a third of the first at most; at it
+// pressures are 2 to 5 percent of the modulus of contact.
 constexpr double too_deep = 1e-3, nonsense = 0.1;
-// Of the wheel's vertical force: a patch that carries less may have few nodes.
+// Fraction of the wheel's vertical force: a patch that carries less may have few nodes.
 constexpr double little_load = 0.01;
 
 }  // namespace
@@ -96,7 +96,7 @@ Pose WheelRail::attitude_of(const WheelsetState& position) {
   return attitude(position.roll, position.yaw, position.roll_outside);
 }
 
-// Rails roll about the point of the track that the gauge is measured to, at the height of their top.
+// Rolls the rail about the point of the track that the gauge is measured to, at the height of the rail's top.
 Pose WheelRail::rail_pose(const RailDeviation& deviation) const {
   const Vec3 pivot{0, 0.5 * track_->gauge, 0};
   Pose rail = attitude(deviation.roll, 0);
@@ -170,7 +170,7 @@ Status WheelRail::solve_at(double z) {
     worst = Status::too_deep;
   for (const OverlapPatch& patch : found_) active_.push_back(&slot_for(patch));
   if (active_.size() == 1) active_.front()->give_way = 0;
-  // What patches give way under each other is a small part of their overlap: a few rounds settle it.
+  // A few rounds settle what patches give way under each other, a small part of their overlap.
   constexpr int most_rounds = 30;
   constexpr double settled = 1e-6;
   for (int round = 0;; ++round) {
@@ -212,7 +212,7 @@ void WheelRail::solve_patch(Slot& slot, const OverlapPatch& patch, const WheelMo
   }
 }
 
-// Where inclinations are given: at places across the overlap.
+// Takes friction at places across the overlap where inclinations are given.
 PatchFriction WheelRail::friction_of(const OverlapPatch& patch) const {
   PatchFriction friction{
       .mu = in_.friction, .table = in_.conformal ? nullptr : in_.table.get(), .hertzian = in_.hertzian};
@@ -229,10 +229,10 @@ PatchFriction WheelRail::friction_of(const OverlapPatch& patch) const {
   return friction;
 }
 
-// By Boussinesq's point load; tangential loads and tilted normals are left out.
+// Uses Boussinesq's point load; tangential loads and tilted normals are left out.
 double WheelRail::give_way_per_load(const OverlapPatch& here, const OverlapPatch& there, double modulus) const {
   const double distance = length(here.reference - there.reference), along = dot(here.normal, there.normal);
-  // Patches with shares below one may be parts of each other.
+  // Patches with weights below one may be parts of each other.
   const double beside = std::max(here.high - here.low, there.high - there.low) / 2;
   return distance > beside && along > 0 ? there.share * along / (distance * std::numbers::pi * modulus) : 0;
 }
@@ -254,7 +254,7 @@ double WheelRail::vertical_force() const {
   return force;
 }
 
-// Hertz's approach under the load, for the curvatures where the wheel touches first.
+// Returns Hertz's approach under the load, for the curvatures where the wheel touches first.
 double WheelRail::first_sink(double touch) {
   const double little = 1e-6 * radius_;
   search_->find(motion_at(touch + little).pose, found_, !in_.conformal);
@@ -267,7 +267,7 @@ double WheelRail::first_sink(double touch) {
   return hertz_by_load({a, patch.overlap / (half * half), 0}, modulus, in_.load / tilt).approach / tilt;
 }
 
-// The force grows about as the sink to the power of 3/2, whatever the number of patches: secants of its power 2/3.
+// Takes secants of the force's power 2/3: it grows as the sink to the power 3/2, whatever the patches are.
 Status WheelRail::meet_force() {
   const double touch = in_.position.z + search_->first_touch(motion_at(in_.position.z).pose);
   if (!std::isfinite(touch))
@@ -328,7 +328,7 @@ Status WheelRail::solve() {
   return status;
 }
 
-// What a caller should know of a solve that is not plain success.
+// Notes what a caller should know of a solve that is not plain success.
 void WheelRail::tell(Status status) const {
   if (status == Status::ok) return;
   double deepest = 0;
@@ -351,7 +351,7 @@ void WheelRail::tell(Status status) const {
 }
 
 void WheelRail::reset() {
-  // Which contact serves a patch depends on those that are there.
+  // All slots go, because which contact serves a patch depends on those that are there.
   for (auto& slot : slot_) {
     grown_ += slot->contact.grown();
     spare_.push_back(std::move(slot));

@@ -1,5 +1,5 @@
 #pragma once
-/// A wheel of a wheelset on its rail: profiles, position and velocity in, patches and forces out. docs/wheelrail.md.
+/// Solves a wheel on its rail: profiles, position and velocity in, patches and forces out (docs/wheelrail.md).
 
 #include <array>
 #include <atomic>
@@ -16,19 +16,19 @@
 
 namespace rollcon {
 
-/// Position and velocity of a wheelset: along x forward, y to the right, z down; about x, z and y (roll, yaw, pitch).
+/// Holds a wheelset's position or velocity: along x forward, y right, z down; about x, z, y (roll, yaw, pitch).
 struct WheelsetState {
   double x = 0, y = 0, z = 0, roll = 0, yaw = 0, pitch = 0;
-  bool roll_outside = false;  ///< the position is rolled about the track's x after the yaw; else yawed after the roll
+  bool roll_outside = false;  ///< position is rolled about the track's x after the yaw; else yawed after the roll
 };
-/// Of a rail from its place in the track.
+/// Holds the deviation of a rail from its place in the track.
 struct RailDeviation {
   double y = 0, z = 0, roll = 0;
 };
 
 class WheelRail {
  public:
-  /// Bodies with profiles, half-spaces or rigid; where those profiles lie is no matter. err_argument.
+  /// Takes bodies with profiles, half-spaces or rigid; where those profiles lie is no matter. err_argument.
   WheelRail(std::shared_ptr<Context> context, std::shared_ptr<Body> wheel, std::shared_ptr<Body> rail,
             std::int32_t side);
 
@@ -36,79 +36,79 @@ class WheelRail {
   void set_wheelset(double back_to_back, double flange_back, double radius);
   void set_rail_deviation(const double* deviation, const double* rate);
   void set_position(const double* position);
-  /// From now on positions are yawed, then rolled; with 0 they are rolled, then yawed.
+  /// Makes positions yawed, then rolled, from now on; with 0 they are rolled, then yawed.
   void set_roll_outside(std::int32_t on);
   void set_velocity(const double* velocity);
-  /// how: by motion: z of the position; by force: the vertical force on the rail.
+  /// Prescribes z of the position (how: by motion), or the vertical force on the rail (how: by force).
   void prescribe_vertical(std::int32_t how, double force);
   void set_friction(double mu);
-  /// Forces along the surfaces are looked up there from now on, for what it has. err_state: it is not made.
+  /// Looks forces along the surfaces up in this table from now on, for what it has. err_state: it is not made.
   void set_table(std::shared_ptr<const ForceTable> table);
   void forget_table() { in_.table.reset(); }
-  /// With a table: pressures are Hertz's for each overlap, from now on or (0) no longer.
+  /// Takes Hertz's pressures for each overlap where there is a table, from now on or (0) no longer.
   void set_hertzian(std::int32_t on);
-  /// Frames follow the profiles across the rolling direction, from now on or (0) no longer; tables are left aside.
+  /// Makes frames follow the profiles across the rolling direction, from now on or (0) no longer; without tables then.
   void set_conformal(std::int32_t on);
-  /// err_state, with what they are wanted for: contacts of patches have none where a table gives the forces.
+  /// Throws err_state where a table gives the forces: it has no tractions and no slip for what is `wanted`.
   void require_solved_friction(const char* wanted) const;
-  /// By the inclination of the rail, linear between points (angle, mu) with ascending angles; n = 0: that of
+  /// Sets friction by the rail's inclination, linear between points (angle, mu) with ascending angles; n = 0: that of
   /// set_friction().
   void set_friction_by_angle(std::int64_t n, const double* points);
   void set_accuracy(double accuracy);
 
-  /// ok or the first that fits of cancelled, not_converged, derailed, too_deep, rim_contact, coarse, no_contact.
+  /// Returns ok or the first of cancelled, not_converged, derailed, too_deep, rim_contact, coarse, no_contact.
   Status solve();
   /// Forgets warm starts.
   void reset();
 
   static constexpr std::int32_t places = 16;
-  /// Keeps what was set and the last solution at a place, 0 to places - 1. Allocates nothing where as much was kept
+  /// Saves what was set and the last solution at a place, 0 to places - 1. Allocates nothing where as much was saved
   /// before.
   void save(std::int32_t place);
-  /// Back to that, as if nothing had been done in between. err_state: nothing is there, or other dimensions have been
-  /// set since.
+  /// Goes back to that, as if nothing had been done in between. err_state: nothing is there, or other dimensions have
+  /// been set since.
   void restore(std::int32_t place);
-  /// A wheel of its own with the same inputs and the same last solution; context: null: the same.
+  /// Makes a wheel of its own with the same inputs and last solution; context: null: that of this wheel.
   std::unique_ptr<WheelRail> copy(const std::shared_ptr<Context>& context = nullptr) const;
-  /// Stops the solve that is running, if one is, before its next patch or height. Any thread.
+  /// Stops the solve that is running, if one is, before its next patch or height. Any thread may call it.
   void request_cancel() noexcept { cancel_.store(true); }
   void forget_cancel() noexcept { cancel_.store(false); }
   bool cancelled() const noexcept { return cancel_.load(); }
   Context& context() const { return *context_; }
-  /// What is missing before a solve but position and velocity: err_state.
+  /// Throws err_state for what is missing before a solve but position and velocity.
   void require_ready_for_positions();
 
-  /// Where the rigid wheel touches the rigid rail, in the track.
+  /// Tells where the rigid wheel touches the rigid rail, in the track.
   struct Touch {
     double height = 0;  ///< z of the wheelset then; infinite: the wheel is beside its rail, and nothing else is known
     double x = 0, y = 0, z = 0, angle = 0, wheel_y = 0, rolling_radius = 0;
   };
-  /// Without yaw; from track, wheelset and deviation of the rail alone.
+  /// Finds that point without yaw; from track, wheelset and deviation of the rail alone.
   Touch touch(double shift, double roll);
-  /// err_state: track or wheelset are not set.
+  /// Throws err_state where track or wheelset are not set.
   void require_dimensions() const;
   double side() const { return side_; }
   double radius() const { return radius_; }
 
-  // Of the last solve; err_state before one.
+  // Results of the last solve; err_state before one.
   std::int64_t patches() const;
-  /// Which belongs to it; it changes with the next solve.
+  /// Returns the contact of a patch; which one that is changes with the next solve.
   std::shared_ptr<Contact> contact(std::int64_t i) const;
-  /// On the wheel, in the axes of the track or of the wheelset; the moment about the wheelset's centre.
+  /// Returns force on the wheel, in axes of the track or the wheelset, and moment about the wheelset's centre.
   void resultant(bool of_wheelset, double* force, double* moment) const;
-  /// Of a patch's contact, in the track; of a left wheel's a mirror image.
+  /// Returns the axes of a patch's contact, in the track; a left wheel's are a mirror image.
   Axes patch_axes(std::int64_t patch) const;
-  /// y and z in the track of a point of the wheel's (1) or the rail's profile, at this share of its length, as last
-  /// solved.
+  /// Returns y and z in the track of the point at this fraction of the length of the wheel's (1) or the rail's profile,
+  /// as last solved.
   std::array<double, 2> profile_point(std::int32_t body, double share) const;
-  /// How totals of the last solve change with entry i of its position (0 to 5) or velocity (6 to 11): in the track, and
-  /// z of the wheelset. err_state: that solve did not converge; err_singular: patches begin or end there.
+  /// Holds derivatives of totals of the last solve by entry i of its position (0 to 5) or velocity (6 to 11), in the
+  /// track, and of z. err_state: it did not converge; err_singular: patches begin or end there.
   struct Derivative {
     Vec3 force{}, moment{};
     double z = 0;
   };
   Derivative derivative(std::int32_t i);
-  /// y and z of n points at equal arc lengths from end to end of the profile of body 1 (the wheel) or 2 (the rail).
+  /// Returns y and z of n points at equal arc lengths along the whole profile of body 1 (the wheel) or 2 (the rail).
   std::vector<Vec2> profile_points(std::int32_t body, std::int64_t n) const;
   /// Adds weight times what the last solve takes off body 1 or 2 at these points of its profile, in volume per length
   /// rolled: see rollcon::add_wear. Returns the whole volume (without the weight).
@@ -117,7 +117,7 @@ class WheelRail {
   double stat(const char* name) const;  ///< err_option: unknown name
   static std::int64_t stat_count();
   static const char* stat_name(std::int64_t i);
-  double patch_stat(std::int64_t i, const char* name) const;  ///< likewise
+  double patch_stat(std::int64_t i, const char* name) const;  ///< err_option: unknown name
   static std::int64_t patch_stat_count();
   static const char* patch_stat_name(std::int64_t i);
 
@@ -128,7 +128,7 @@ class WheelRail {
     bool taken = false;
     double give_way = 0;
   };
-  /// What the last solve was of; what is set later does not change its results.
+  /// Holds what the last solve was of; what is set later does not change its results.
   struct Solved {
     WheelsetState position, velocity;
     RailDeviation deviation, rate;
@@ -136,7 +136,7 @@ class WheelRail {
     double z = 0;
     Status status = Status::ok;
   };
-  /// What may change between two solves.
+  /// Holds what may change between two solves.
   struct Inputs {
     WheelsetState position, velocity;
     RailDeviation deviation, rate;
@@ -170,7 +170,7 @@ class WheelRail {
   double give_way_under_others(const Slot& slot) const;
   double give_way_per_load(const OverlapPatch& here, const OverlapPatch& there, double modulus) const;
   static constexpr std::size_t entries = 12;
-  /// What the totals are at one place.
+  /// Holds the totals at one place.
   struct Totals {
     Vec3 force{}, moment{};
     double vertical = 0;
@@ -191,29 +191,29 @@ class WheelRail {
 
   std::shared_ptr<Context> context_;
   std::shared_ptr<Body> given_wheel_, given_rail_, wheel_, rail_;
-  std::shared_ptr<const ProfileCurve> wheel_curve_;  ///< that was taken; the rail's is in rail_shape_
+  std::shared_ptr<const ProfileCurve> wheel_curve_;  ///< profile that was taken; the rail's is in rail_shape_
   double side_;                                      ///< -1: everything is solved in a mirror
   std::optional<TrackGauge> track_;
   double back_to_back_ = 0, flange_back_ = 0, radius_ = 0;
   bool wheelset_given_ = false;
-  std::int64_t dimensions_ = 0;  ///< times they were set
+  std::int64_t dimensions_ = 0;  ///< counts how often they were set
   Inputs in_;
 
-  // Made from these.
+  // Members made from these follow.
   std::optional<ContactSearch> search_;
   RailShape rail_shape_;
   std::vector<OverlapPatch> found_;
   std::vector<std::unique_ptr<Slot>> slot_;
-  std::vector<std::unique_ptr<Slot>> spare_;  ///< made after a state that was gone back to
+  std::vector<std::unique_ptr<Slot>> spare_;  ///< slots made after a state that was gone back to
   std::vector<Slot*> active_;
   double z_ = 0;
-  double sink_ = 0;                      ///< beyond first touch, of the last solve with a force; 0: none
-  std::int64_t solves_ = 0, grown_ = 0;  ///< the second: frames of slots that a reset took out
+  double sink_ = 0;                      ///< way beyond first touch in the last solve with a force; 0: none
+  std::int64_t solves_ = 0, grown_ = 0;  ///< grown_: growths in slots that a reset took out
   std::optional<Solved> solved_;
   bool derived_ = false;  ///< derivative_ belongs to the last solve
   std::array<Derivative, entries> derivative_{};
   std::atomic<bool> cancel_{false};
-  std::vector<std::shared_ptr<Kept>> kept_;  ///< by place
+  std::vector<std::shared_ptr<Kept>> kept_;  ///< saved states by place
 };
 
 }  // namespace rollcon

@@ -1,4 +1,4 @@
-/// Derivatives of the totals of a wheel on its rail by position and velocity.
+/// Finds derivatives of the totals of a wheel on its rail by position and velocity.
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,7 @@ double& entry_of(WheelsetState& state, std::size_t i) {
 
 }  // namespace
 
-// Patches change by Newton's systems at their solutions, and by how much they give way under each other.
+// Changes patches by Newton's systems at their solutions, and by how much they give way under each other.
 void WheelRail::differentiate(const Inputs& in, std::size_t entry, double step, Totals& rate) {
   struct Side {
     Inputs in;
@@ -101,7 +101,7 @@ void WheelRail::differentiate(const Inputs& in, std::size_t entry, double step, 
   }
 }
 
-// Tables and conformal contacts: differences of solves, with frames that keep their shapes.
+// Takes differences of solves, with frames that keep their shapes, for tables and conformal contacts.
 void WheelRail::differentiate_by_solves(const Inputs& in, std::size_t entry, double step, Totals& rate) {
   Totals at[2];
   for (std::size_t s = 0; s < 2; ++s) {
@@ -119,7 +119,7 @@ void WheelRail::differentiate_by_solves(const Inputs& in, std::size_t entry, dou
 WheelRail::Derivative WheelRail::derivative(std::int32_t i) {
   require_solved();
   prepare_search();
-  require_solved();  // not with other bodies since
+  require_solved();  // bodies may have changed since
   if (i < 0 || i >= static_cast<std::int32_t>(entries))
     fail(Status::err_argument, "entry is %d; allowed: 0 to 5 of the position, 6 to 11 of the velocity", i);
   if (solved_->status == Status::not_converged || solved_->status == Status::cancelled)
@@ -131,7 +131,7 @@ WheelRail::Derivative WheelRail::derivative(std::int32_t i) {
   std::array<Totals, entries> rate{};
   const std::shared_ptr<Kept> here = by_solves ? keep_here() : nullptr;
   const double speed = std::abs(in.velocity.x);
-  // Gaps and slip are smooth to rounding; what is solved again is so to less.
+  // Gaps and slip are smooth to rounding; what is solved again is smooth to less.
   const double small = by_solves ? 2e-6 : 1e-7;
   for (std::size_t k = 0; k < entries && !active_.empty(); ++k) {
     const std::size_t of = k % 6;
@@ -160,7 +160,7 @@ WheelRail::Derivative WheelRail::derivative(std::int32_t i) {
       r.force = r.force + height * rate[z].force;
       r.moment = r.moment + height * rate[z].moment;
     }
-    // y, roll and yaw are turned round in the mirror.
+    // The mirror turns y, roll and yaw round.
     const double own = k % 6 == 1 || k % 6 == 3 || k % 6 == 4 ? side_ : 1;
     derivative_[k] = {{own * r.force[0], own * side_ * r.force[1], own * r.force[2]},
                       {own * side_ * r.moment[0], own * r.moment[1], own * side_ * r.moment[2]},

@@ -1,4 +1,4 @@
-/// What a wheel on its rail is given. Everything of a left one is kept as it is in the mirror.
+/// Takes what a wheel on its rail is given. Everything of a left one is held as it is in the mirror.
 
 #include <cmath>
 #include <utility>

@@ -1,4 +1,4 @@
-/// States of a wheel on its rail: kept, gone back to, copied.
+/// Saves, restores and copies states of a wheel on its rail.
 
 #include <algorithm>
 #include <utility>
@@ -16,7 +16,7 @@ struct WheelRail::Kept {
     PatchContact::Kept contact;
     double wheel_y = 0, give_way = 0;
   };
-  std::vector<OfSlot> slot;  ///< those beyond `slots` are storage
+  std::vector<OfSlot> slot;  ///< entries beyond `slots` are storage
   std::size_t slots = 0;
   std::vector<std::size_t> active;
   double z = 0, sink = 0;

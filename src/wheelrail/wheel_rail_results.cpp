@@ -1,4 +1,4 @@
-/// What a wheel on its rail has to tell after a solve. What was solved in a mirror is turned back.
+/// Tells the results of a wheel on its rail after a solve. What was solved in a mirror is turned back.
 
 #include <algorithm>
 #include <cmath>
@@ -113,7 +113,7 @@ const char* WheelRail::patch_stat_name(std::int64_t i) {
   return patch_stats[static_cast<std::size_t>(i)].name;
 }
 
-// In the track, of what was solved: in the mirror for a left wheel.
+// Sums the totals in the track, as they were solved: in the mirror for a left wheel.
 WheelRail::Totals WheelRail::totals(const Vec3& centre) const {
   const Pose rail = rail_pose(solved_ ? solved_->deviation : in_.deviation);
   Totals sum;

@@ -1,4 +1,4 @@
-/// Where a rigid wheel touches its rigid rail.
+/// Finds where a rigid wheel touches its rigid rail.
 
 #include <cmath>
 #include <limits>
@@ -7,7 +7,7 @@
 
 namespace rollcon {
 
-// The search looks along z of the rail, which may be turned a little from that of the track.
+// Searches along z of the rail, which may be turned a little from that of the track.
 WheelRail::Touch WheelRail::touch(double shift, double roll) {
   require_dimensions();
   prepare_search();

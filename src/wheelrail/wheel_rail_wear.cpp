@@ -1,4 +1,4 @@
-/// Wear of wheel and rail under a solution, along their profiles.
+/// Finds wear of wheel and rail under a solution, along their profiles.
 
 #include <algorithm>
 #include <cmath>
@@ -10,14 +10,14 @@
 namespace rollcon {
 namespace {
 
-/// Where a patch lies in the plane of a profile.
+/// Tells where a patch lies in the plane of a profile.
 struct PatchOnProfile {
-  Vec2 reference{}, lateral{};  ///< of length 1
-  double low = 0, high = 0;     ///< of the overlap along it
+  Vec2 reference{}, lateral{};  ///< lateral: of length 1
+  double low = 0, high = 0;     ///< ends of the overlap along it
 };
 
-/// Points of the profile under the patch, by their place along `lateral`: ascending, from the first-th point on (or,
-/// where the profile runs the other way, backwards from there).
+/// Lists points of the profile under the patch by their place along `lateral`, ascending, from the first-th point on
+/// (or, where the profile runs the other way, backwards from there).
 struct PointsUnderPatch {
   std::vector<double> along;
   std::vector<std::size_t> number;
@@ -31,7 +31,7 @@ PointsUnderPatch points_under(const PatchOnProfile& patch, const std::vector<Vec
   PointsUnderPatch found;
   const bool forward =
       dot(point[std::min(nearest + 1, point.size() - 1)] - point[nearest > 0 ? nearest - 1 : 0], patch.lateral) > 0;
-  // One point beyond the overlap on each side, as long as the profile goes on along the patch.
+  // One point beyond the overlap is taken on each side, as long as the profile goes on along the patch.
   std::vector<std::size_t> before, after;
   const auto walk = [&](bool up, std::vector<std::size_t>& to) {
     const double sign = up == forward ? 1 : -1;
@@ -86,7 +86,7 @@ double WheelRail::add_wear(const WearLaw& law, std::int32_t body, const std::vec
     on.low = patch.low;
     on.high = patch.high;
     const PointsUnderPatch under = points_under(on, point);
-    // From the lateral axis to the contact's t2, whose origin is in the middle of the overlap.
+    // The lateral axis becomes the contact's t2, whose origin is in the middle of the overlap.
     const double sign = dot(slot->contact.axes().t2, patch.lateral) > 0 ? 1 : -1;
     std::vector<double> y, part(under.along.size(), 0.0);
     for (const double t : under.along) y.push_back(sign * (t - 0.5 * (patch.low + patch.high)));

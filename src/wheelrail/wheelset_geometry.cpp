@@ -16,13 +16,13 @@ WheelsetGeometry::WheelsetGeometry(WheelRail& left, WheelRail& right) : wheel_{&
   radius_ = 0.5 * (left.radius() + right.radius());
 }
 
-// By how much deeper the wheelset's centre is where the right wheel touches.
+// Returns by how much deeper the wheelset's centre is where the right wheel touches.
 double WheelsetGeometry::rise(double shift, Height height, double roll, Standing& standing) {
   standing.roll = roll;
   standing.y = shift + (height == Height::rails ? radius_ * std::sin(roll) : 0);
   for (std::size_t i = 0; i < 2; ++i) {
     standing.touch[i] = wheel_[i]->touch(standing.y, roll);
-    standing.touch[i].height += radius_ - wheel_[i]->radius();  // from the centre of a wheelset with the mean radius
+    standing.touch[i].height += radius_ - wheel_[i]->radius();  // from a wheelset of the mean radius
   }
   standing.z = 0.5 * (standing.touch[0].height + standing.touch[1].height);
   return standing.touch[1].height - standing.touch[0].height;

@@ -16,9 +16,8 @@ struct CaseOrder {
   std::int64_t chains() const { return static_cast<std::int64_t>(chain_begin.size()) - 1; }
 };
 
-/// Orders cases, whose values come row by row, `columns` to a case; those of `priority` should change least often, the
-/// first above all. Neighbours in the order are near each other: tables are walked to and fro, scattered cases in
-/// strips.
+/// Orders cases by values that come row by row, `columns` to a case; columns at the front of `priority` change least
+/// often. Neighbours are near each other: tables are walked to and fro, scattered cases in strips.
 CaseOrder order_cases(std::int64_t cases, std::int64_t columns, const double* value,
                       std::span<const std::int64_t> priority);
 

@@ -23,8 +23,7 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// Orders columns of CaseList::value, what changes the normal problem first: cases with the same normal problem come
-/// one after the other.
+/// Orders columns of CaseList::value: cases with the same normal problem come one after the other.
 std::vector<std::int64_t> priority(std::span<const Parameter> parameter) {
   std::vector<std::int64_t> columns;
   for (const Parameter p :

@@ -48,15 +48,13 @@ const Scheme& scheme_of(const std::string& name);
 /// Usual distance ahead of the characteristic scheme, over the local spacing along the flow.
 inline constexpr double characteristic_step = 0.6;
 
-/// Makes a scheme; on a curved frame derivatives are taken along the surface: those in the projection times t1 .
-/// (rolling direction).
+/// Makes a scheme, along the surface of a curved frame: as in the projection, times t1 . (rolling direction).
 Convection make_convection(const Frame& frame, const Scheme& scheme, bool ends_at_edge,
                            double step = characteristic_step);
 /// Makes a sum for each node, with nothing ahead and slip taken at the nodes.
 Convection at_nodes(const Frame& frame, SparseRows rows);
 
-/// Computes the tangential components of D w from displacements w[3 * k + c] at the nodes and `ahead` at the samples
-/// ahead of them.
+/// Computes tangential D w from displacements w[3 * k + c] at the nodes and `ahead` at the samples ahead of them.
 void convect(const Convection& convection, const double* w, const double* ahead, std::vector<double> (&slip)[2]);
 
 /// Makes rows of the first-order Godunov flux on median-dual cells, equations (41)-(42). (ex, ey): unit rolling

@@ -19,8 +19,7 @@ struct Silent final : Monitor {
   bool step(const StepRecord&) override { return false; }
 };
 
-// Picks rows over samples of the space's nodes; where one of another node is missing, the difference at the node
-// itself.
+// Picks rows over the space's nodes; where a sample is none, the difference at the node itself.
 Convection pick(const TractionSpace& space, const Convection& whole) {
   Convection c;
   c.factor = pick(space, whole.factor);

@@ -1,5 +1,4 @@
-/// Implements friction that depends on the slip speed s (docs/friction.md): mu = muk + sum mui f(s/si), f falling from
-/// 1.
+/// Implements friction by slip speed s (docs/friction.md): mu = muk + sum mui f(s/si), with f that falls from 1.
 ///
 /// It is a projection like Coulomb's, onto a disk whose radius follows the slip of the iterate.
 
@@ -57,8 +56,7 @@ class Falling final : public FrictionLaw {
     return within_bound(a1, a2, std::hypot(a1, a2), coefficient(p) * p.pressure);
   }
 
-  // Takes the speed at a new slip s as that along the iterate's direction u, u.s: Newton's row is linear in it and in
-  // p.
+  // Takes the speed at a new slip s along the iterate's direction u, u.s: Newton's row is linear in it and in p.
   TangentialLaw linearise(const FrictionPoint& p, bool bound_follows) const override {
     const double a1 = p.t1 - p.rt * p.s1, a2 = p.t2 - p.rt * p.s2;
     const double length = std::hypot(a1, a2), speed = std::hypot(p.s1, p.s2);

@@ -93,8 +93,7 @@ class FrictionLaw {
   }
   /// Says whether friction is the same in all directions.
   virtual bool isotropic() const { return true; }
-  /// Returns the law by which coefficients follow the whole solution; they are given while a node is looked at. Null:
-  /// none.
+  /// Returns the law by which coefficients, given while a node is looked at, follow the whole solution; or null.
   virtual const FieldLaw* of_field() const { return nullptr; }
   /// Says whether friction depends on the slip speed, so that there may be several solutions.
   virtual bool falls() const { return false; }

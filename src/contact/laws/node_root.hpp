@@ -10,8 +10,7 @@ namespace rollcon {
 
 /// Returns t with B t = -s, or with (B + g I) t = -s and |t| = bound: what is left of slip is -g t. |t| falls as g
 /// grows, from where B + g I is positive. A response that is not positive (a node at the rim where material leaves,
-/// under the characteristic scheme) allows several tractions; the one taken slides. Where there is none, `old` is
-/// returned.
+/// under the characteristic scheme) allows several tractions, of which one that slides is taken; else `old`.
 inline std::array<double, 2> solve_on_disk(const NodeResponse& response, double s1, double s2, double bound,
                                            std::array<double, 2> old) {
   if (!(bound > 0)) return {0, 0};

@@ -178,8 +178,7 @@ class Collinear final : public Ellipse {
     return law;
   }
 
-  // Repeats with the bound, which depends on the direction of what is found: halved in between, it settles in a few
-  // rounds.
+  // Repeats with the bound, which depends on the direction found: halved in between, it settles soon.
   std::array<double, 2> solve(const NodeResponse& response, const FrictionPoint& p) const override {
     const auto& b = response.b;
     const double s1 = p.s1 - b[0][0] * p.t1 - b[0][1] * p.t2, s2 = p.s2 - b[1][0] * p.t1 - b[1][1] * p.t2;

@@ -25,8 +25,7 @@ class FreeSystem final : public LinearOperator {
   /// Returns all unknowns. The system's product() is then that of x; the last apply() must be of y.
   void expand(const double* y, double* x);
   void apply(const double* y, double* out) override;
-  /// Writes the row-major matrix of some of the rows and the same columns. Tangential rows leave out motions that
-  /// change the gap.
+  /// Writes some rows, with the same columns, row by row; tangential rows leave out motions that change the gap.
   template <class T>
   void dense(Rows rows, T* out);
   /// Subtracts what tangential unknowns y add to the normal rows: out -= A_nt y.

@@ -123,8 +123,7 @@ void ReducedSystem::add_border(const Problem& problem, const Prescribed& given, 
   }
 }
 
-// Fills in a right side. constant(a, c): what tangential row c of node a equals; of_load(border): what its load row
-// does.
+// Fills a right side; constant(a, c): what tangential row c of node a equals, of_load(border): its load row.
 template <class Constant, class OfLoad>
 void ReducedSystem::fill_side(std::span<const double> gap, std::span<const double> slip1, std::span<const double> slip2,
                               Constant constant, OfLoad of_load, std::vector<double>& b) const {

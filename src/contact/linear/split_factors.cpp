@@ -10,8 +10,7 @@ namespace {
 
 using Rows = FreeSystem::Rows;
 
-// Returns the largest entry, by which residuals are scaled to order one, as single precision has a narrow range. 0:
-// nothing to solve.
+// Returns the scale of residuals, as single precision has a narrow range. 0: nothing to solve.
 double largest_of(const double* x, std::int64_t n) {
   double largest = 0;
   for (std::int64_t i = 0; i < n; ++i) largest = std::max(largest, std::abs(x[i]));

@@ -228,8 +228,7 @@ FrictionShare share_of_friction(const Problem& p, const Prescribed& given, const
   return share;
 }
 
-// Sums the nodes' friction, which acts in the direction of the force on a flat frame if it is the same in all
-// directions.
+// Sums friction, which acts along the force on a flat frame if it is the same in all directions.
 double share_of_forces(const Problem& p, const Prescribed& given, const std::vector<double> (&lambda)[3]) {
   const bool f1 = given.by_force[xi1], f2 = given.by_force[xi2];
   if (!f1 && !f2) return 0;

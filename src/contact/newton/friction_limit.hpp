@@ -1,8 +1,7 @@
 #pragma once
 /// Finds which tangential loads friction can carry under given pressures.
 ///
-/// These loads are a convex set: sums over the nodes of load row times traction, |traction| <= mu p. In the direction
-/// of a
+/// The loads are a convex set: sums over nodes of load row times traction, |traction| <= mu p. In the direction of a
 /// motion a = (a1, a2, a3) it reaches as far as h(a) = sum mu p |sum_m a_m row_m|, the power of friction when every
 /// node slides. Loads T are in the set unless a motion exists whose power a.T is greater than h(a); on its boundary
 /// every node slides and nothing tells how fast, so that has no steady solution either (docs/theory.md, section 2).

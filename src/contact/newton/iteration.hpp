@@ -1,7 +1,6 @@
 #pragma once
-/// Provides the exact semismooth Newton iteration for frictional rolling contact (docs/theory.md, section 6) with a
-/// non-monotone line search, for one part of a problem that it does not change; what is prescribed is given to each
-/// run.
+/// Iterates by an exact semismooth Newton method for frictional rolling contact (docs/theory.md, section 6) with a
+/// non-monotone line search, on one part of a problem that it does not change; each run is given what is prescribed.
 
 #include <array>
 #include <cstdint>
@@ -51,8 +50,7 @@ class NewtonIteration {
   /// Begins a solve, which must outlive its runs.
   void begin(Solve& solve);
   Outcome run(Part part, const Prescribed& given, const RunSettings& settings = {});
-  /// Returns the residuals at the iterate; also finds the active nodes and makes every image that the next step needs
-  /// valid.
+  /// Returns the residuals; also finds the active nodes and makes the images that the next step needs valid.
   LawResidual evaluate(Part part, const Prescribed& given);
   /// Returns residuals of the part's laws alone: the active nodes stay those of the part that was solved last.
   LawResidual judge(Part part, const Prescribed& given);

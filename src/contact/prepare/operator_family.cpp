@@ -33,8 +33,7 @@ void like(const DenseOperators& from, DenseOperators& op) {
       if (!from.block[r][c].empty() && op.block[r][c].empty()) op.block[r][c].resize_untouched(op.nodes, op.nodes);
 }
 
-// Returns the factor on rows of width 1: displacements grow with the size of what is loaded, slip per unit speed does
-// not.
+// Returns the factor on rows of width 1: displacements grow with what is loaded, slip per unit speed does not.
 double row_factor(std::size_t r, bool displacements, double width) {
   return r == 2 || displacements ? width : 1;
 }

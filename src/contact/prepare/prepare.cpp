@@ -32,8 +32,7 @@ Poses where_gap_ends(const Scene& scene, const PairOfBodies& pair) {
   return scene.has_gap() ? Poses{scene.revision.gap, -1} : poses_of_surfaces(scene, pair);
 }
 
-// Returns the poses that the frame depends on: that of a rigid body which neither carries the frame nor gives its
-// normals changes the gap alone.
+// Returns poses that the frame depends on: not that of a rigid body that neither carries it nor gives its normals.
 Poses poses_of_frame(const Scene& scene, const PairOfBodies& pair) {
   if (is_conformal(scene, pair)) return poses_of_surfaces(scene, pair);
   Poses poses = poses_of_meshes(scene, pair);

@@ -13,8 +13,7 @@
 namespace rollcon {
 namespace {
 
-// Refuses a node that a support keeps from moving along its normal: it could carry any pressure, and Newton's iteration
-// would not end.
+// Refuses a node that a support keeps from moving along its normal: Newton's iteration would not end.
 void refuse_held_nodes(const Frame& frame, const Operators& op) {
   constexpr double rounding = 1e-12;
   const auto diagonal = [&](std::size_t k) {

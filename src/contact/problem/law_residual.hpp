@@ -51,9 +51,8 @@ struct LawResidual {
 };
 
 /// Sums what the laws leave. `at` gives a node's values: lambda(c, k), gap(k) -> SummedGap, slip(k) -> SummedSlip and
-/// slip_known(k); gaps are asked for if the part has normal tractions, slips of nodes that touch. `visit` is told of
-/// every used node, whether it touches and whether it slides. Where Values::trial is true, sums of squares will do for
-/// the tangential laws.
+/// slip_known(k); gaps are asked for if the part has normal tractions, slips of nodes that touch. `visit` hears of each
+/// used node, whether it touches and slides. Where Values::trial is true, sums of squares do for tangential laws.
 template <class Values, class Visit>
 LawSums sum_laws(const Problem& p, const Prescribed& given, Part part, Values&& at, Visit&& visit) {
   constexpr bool trial = std::remove_cvref_t<Values>::trial;
@@ -110,8 +109,7 @@ LawSums sum_laws(const Problem& p, const Prescribed& given, Part part, Values&& 
 /// Returns the scales. Tangential residuals hide under normal ones, so they are judged by the tangential tractions
 /// themselves as soon as there are any.
 LawScales scales_of(const LawSums& sums);
-/// Returns Psi. load: greatest relative error of a load, which stands for that error of the traction at each of `nodes`
-/// nodes.
+/// Returns Psi. load: greatest relative error of a load, taken as that of the traction at each of `nodes` nodes.
 double merit_of(const LawSums& sums, const LawScales& scales, double load, std::int64_t nodes);
 LawResidual residual_of(const LawSums& sums, const LawScales& scales, double load, std::int64_t nodes);
 

@@ -8,8 +8,7 @@
 namespace rollcon {
 namespace {
 
-/// Returns half of the lesser of what touching nodes span along t1 and t2, where the contact ends before the frame
-/// does.
+/// Returns half of the lesser extent of touching nodes along t1 and t2, where it ends before the frame does.
 double half_width(const Solution& s) {
   double width = INFINITY;
   for (const std::vector<double>* along : {&s.prepared->frame.x, &s.prepared->frame.y}) {

@@ -71,8 +71,7 @@ class GapOfSurfaces final : public KnownGap {
   }
   bool measured() const { return !given_; }
 
-  // Looks along the diagonals, one of which passes an edge, whatever its direction; edges of tilted bodies are slightly
-  // curved.
+  // Looks along both diagonals, of which one passes any edge; edges of tilted bodies are slightly curved.
   bool ends_at(double x, double y, double size) const override {
     const double beside = 2e-2 * size;
     for (const double sx : {-beside, beside})

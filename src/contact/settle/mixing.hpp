@@ -1,6 +1,5 @@
 #pragma once
-/// Finds fixed points x = g(x) by Anderson's mixing (Walker & Ni 2011): the next x is the best combination of the last
-/// few.
+/// Finds fixed points x = g(x) by Anderson's mixing (Walker & Ni 2011), which combines the last few x best.
 
 #include <array>
 #include <cstddef>

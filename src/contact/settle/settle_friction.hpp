@@ -9,9 +9,8 @@
 
 namespace rollcon {
 
-/// Repeats solve(tolerance), which solves with the coefficients of solution.given and tells the outcome by its report.
-/// Coefficients start from solution.settled or, where it has none, from the greatest. The report becomes that of all
-/// solves.
+/// Repeats solve(tolerance), which takes solution.given's coefficients and tells its outcome in the report. They start
+/// from solution.settled or, where it has none, from the greatest. The report becomes that of all solves.
 void settle_friction(Solution& solution, double tolerance, const std::function<void(double)>& solve);
 
 /// Finds the temperatures of the surfaces of both bodies, two a node. err_state: what a body does with heat is not

@@ -25,8 +25,7 @@ constexpr double likely = 0.95;        // fraction of those wanted: so near it m
 constexpr int most_corrections = 6, most_steps = 100;
 constexpr std::int64_t for_others = 40;  // iterations for other fallbacks
 
-/// Holds up to three motions, over those at which friction saturates, and the fraction of the loads that goes with
-/// them.
+/// Holds up to three motions, over those at which friction saturates, then the fraction of the loads.
 using Point = std::array<double, 4>;
 using Rows = std::array<Point, 4>;
 
@@ -70,8 +69,7 @@ class LoadBranch {
   Outcome outcome_ = Outcome::converged;
 };
 
-// Returns in `lacks` the loads at a point beyond their fraction of those wanted, over the size of these. Returns false
-// where no solution was found.
+// Finds the loads at a point beyond their fraction of those wanted, over these; false: no solution was found.
 bool LoadBranch::lack(const Point& point, Point& lacks) {
   Iterate& it = *s_.iterate;
   for (std::size_t i = 0; i < count_; ++i) {

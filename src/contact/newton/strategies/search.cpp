@@ -70,8 +70,7 @@ class CreepSearch {
   std::vector<double> kept_[3];
 };
 
-// Starts without tangential tractions; where pressures depend on them with a new guess of those, else with those that
-// were found.
+// Starts without tangential tractions, and with new pressures where these depend on them.
 void CreepSearch::start_anew() {
   Iterate& it = *s_.iterate;
   if (s_.goal == Part::full) {

@@ -51,8 +51,7 @@ struct LatticeOperator::Workspace {
 
 namespace {
 
-/// Describes a node's slip as a sum of displacements (or of the characteristic scheme's own slip) at nodes this far
-/// off.
+/// Adds to a node's slip a displacement (or the characteristic scheme's own slip) at a node this far off.
 struct Term {
   std::int64_t i, j;
   double factor;

@@ -27,8 +27,7 @@ Vector load(const double* p) {
   return v;
 }
 
-/// Returns part 0 (real) or 1 (imaginary) of each number at both its places; reversed: from the last number to the
-/// first.
+/// Returns part 0 (real) or 1 (imaginary) of each number at both its places; reversed: in descending order.
 template <int part, bool reversed, class V, int... i>
 V spread(V v, std::integer_sequence<int, i...>) {
   constexpr int last = static_cast<int>(sizeof...(i)) - 2;
