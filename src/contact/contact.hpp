@@ -82,8 +82,8 @@ class Contact {
   void tractions(InAxes axes, std::int64_t capacity, double* t) const;  // capacity in nodes
   /// Returns the number of doubles of a field (3, 2 or 1 per node); copies them if capacity is at least that.
   std::int64_t field(Field field, InAxes axes, std::int64_t capacity, double* v) const;
-  void node_status(std::int64_t capacity, std::int32_t* status) const;
-  void resultant(InAxes axes, double* force, double* moment) const;
+  void node_status(std::int64_t capacity, std::int32_t* status) const;  ///< numbers of NodeStatus
+  void resultant(InAxes axes, double* force, double* moment) const;     ///< on body 1, about the axes' origin
   /// Returns approach, creepages and tilts, which are rotations about t1 and t2. Any pointer may be null.
   void motion(double* approach, double* creep, double* tilts = nullptr) const;
   /// Returns the derivatives of what resultant(local) and motion() give; any pointer may be null. err_state: the last
@@ -120,7 +120,7 @@ class Contact {
   std::span<const double> history() const { return solver->effort().history; }
   /// Returns the error function Psi of each row of history().
   std::span<const double> error_function() const { return solver->effort().merit; }
-  std::string plan() const;
+  std::string plan() const;            ///< text of describe_plan()
   void write(const char* path) const;  ///< VTU; err_io
 
  private:

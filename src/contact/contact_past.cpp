@@ -12,7 +12,7 @@
 namespace rollcon {
 namespace {
 
-// Layout: magic, version, numbers in all, nodes, checksum of frame and bodies, loaded, time, steps, four motions,
+// The numbers are magic, version, count of all, nodes, checksum of frame and bodies, loaded, time, steps, four motions,
 // tractions t1, t2, n of all nodes, checksum of all before it.
 constexpr double magic = 7274830.5, version = 2;
 constexpr std::size_t header = 12;

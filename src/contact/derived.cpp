@@ -158,7 +158,7 @@ void check_laws(const Solution& s, Derived& d) {
     const double tangential = t.length, bound = t.bound;
     const bool sliding = d.status[k] == static_cast<std::int32_t>(NodeStatus::slip);
     if (bound_max > 0) {
-      // A sliding node is at the bound, no other one is beyond it.
+      // A sliding node is at the bound; no other one is beyond it.
       const double excess = tangential - bound;
       friction = std::max(friction, (sliding ? std::abs(excess) : excess) / bound_max);
     }

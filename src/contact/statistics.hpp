@@ -13,7 +13,7 @@ struct Statistic {
   bool of_cases = false;  ///< known for the cases of a list, too
 };
 
-std::span<const Statistic> statistics();
+std::span<const Statistic> statistics();  ///< all statistics of a solve
 /// Returns the value of one statistic. err_option: unknown name; err_state: there is no solution.
 double find_statistic(Solver& solver, const char* name);
 

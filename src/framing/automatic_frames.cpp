@@ -46,7 +46,7 @@ struct Shape {
   /// Factor by which strips are longer than the outlines or the ellipse.
   double stretch = 1;
   AtBodyEnds at_body_ends = AtBodyEnds::closer;
-  /// One regular lattice lies over all outlines, because strips do not follow them.
+  /// True: one regular lattice lies over all outlines, because strips do not follow their shapes.
   bool lattice = false;
 };
 

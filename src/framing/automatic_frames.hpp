@@ -8,6 +8,6 @@
 
 namespace rollcon {
 
-std::unique_ptr<FrameMaker> make_frame_maker();
+std::unique_ptr<FrameMaker> make_frame_maker();  ///< for Contact
 
 }  // namespace rollcon

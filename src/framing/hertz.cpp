@@ -9,7 +9,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// Holds complete elliptic integrals of parameter m = 1 - k^2: K, and D = (K - E) / m, which is exact for circles.
+// Holds the complete elliptic integrals of m = 1 - k^2: K, and D = (K - E) / m, which keeps its digits for circles.
 struct Elliptic {
   double k, d;
 };

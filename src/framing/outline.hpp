@@ -40,7 +40,7 @@ class Outline {
   std::vector<Strip> strips(std::int64_t across, double stretch, AtBodyEnds at_ends = AtBodyEnds::closer) const;
   /// Says whether the outline ends where a body ends.
   bool ends_body() const { return end_[0].ends_body || end_[1].ends_body; }
-  Rectangle box() const;
+  Rectangle box() const;  ///< around the outline
   /// Returns how much shorter a strip is than the straight lines between the ends of two others are there, over the
   /// longest strip: 0 where the outline is convex and the strips' middles lie on a line.
   double hollow() const;

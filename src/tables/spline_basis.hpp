@@ -28,7 +28,7 @@ class SplineFit {
  public:
   SplineFit(std::int64_t intervals, SplineEnd begin, SplineEnd end);
   std::int64_t coefficients() const { return intervals_ + 3; }
-  void apply(std::span<const double> value, std::span<double> coefficient) const;
+  void apply(std::span<const double> value, std::span<double> coefficient) const;  ///< values at all nodes
 
  private:
   std::int64_t intervals_;

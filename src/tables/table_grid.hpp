@@ -13,7 +13,7 @@ struct UnlikePair {
   double poisson[2]{};           ///< Poisson's ratios; a rigid body's is no matter
   std::vector<double> friction;  ///< ascending, above 0; empty: the bodies are alike
 
-  double mean_poisson() const;
+  double mean_poisson() const;  ///< weighted by flexibility
   /// Returns the difference of (1 - 2 nu) / (2 G), body 1 less body 2, times the shear modulus of two equal bodies.
   double strained() const;
 };
@@ -34,7 +34,7 @@ struct TableGrid {
   double stretched = 0.15;
   UnlikePair pair{};
 
-  double stretch(double log_ratio) const;
+  double stretch(double log_ratio) const;  ///< factor on longitudinal creepage
   double spin_scale(double log_ratio) const;
 
   bool unlike() const { return !pair.friction.empty(); }

@@ -34,7 +34,7 @@ struct SampleLayout {
   std::int64_t size() const { return planes * plane(); }
 };
 
-double log_ratio_of(const TableGrid& grid, std::int64_t ratio);
+double log_ratio_of(const TableGrid& grid, std::int64_t ratio);  ///< coordinates of nodes by number
 double angle_of(const TableGrid& grid, std::int64_t angle);
 double magnitude_of(const TableGrid& grid, std::int64_t magnitude);
 double direction_of(const TableGrid& grid, std::int64_t direction);

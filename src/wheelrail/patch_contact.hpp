@@ -49,7 +49,7 @@ class PatchContact {
   /// patch was solved before. What a table does not have is solved in full.
   Status solve(const OverlapPatch& patch, const WheelMotion& motion, const PatchFriction& friction,
                const LatticeSize& size, double give_way);
-  void reset();
+  void reset();  ///< forgets everything solved before
   /// Resets as if it had never been used, counters included.
   void begin_anew() {
     reset();
@@ -118,9 +118,9 @@ class PatchContact {
     Axes axes;
     LatticeSize size;
     FramePlace place;
-    std::array<double, 2> margin{usual_margin, usual_margin};  ///< frame's over Hertz's ellipse, along and across
+    std::array<double, 2> margin{usual_margin, usual_margin};  ///< frame over Hertz's ellipse, along and across
     std::array<bool, 2> whole{};                               ///< flags: the frame holds all of the overlap there
-    std::array<std::int64_t, 2> shape{};                       ///< frame's, in steps: length over width, shear
+    std::array<std::int64_t, 2> shape{};                       ///< steps of its shape: length over width, shear
     bool shaped = false, hold = false;  ///< the frame has had a shape since the last reset; it keeps it
     Vec3 force{}, moment{}, creepages{};
     Status status = Status::ok;

@@ -65,8 +65,8 @@ class VisibleProfile {
   VisiblePoint at(double s) const { return at_among(0, cell_.size() - 1, s); }
   /// Returns the point at this y, which is between those of the ends; the search begins at cell `near`.
   VisiblePoint at_y(double y, std::size_t near = 0) const;
-  double low() const { return cell_.front().y[0]; }
-  double high() const { return cell_.back().y[1]; }
+  double low() const { return cell_.front().y[0]; }  ///< least y
+  double high() const { return cell_.back().y[1]; }  ///< greatest y
   /// Returns the cell at y, which is between those of the ends; `near` is tried first.
   std::size_t cell_at_y(double y, std::size_t near) const;
 

@@ -32,16 +32,16 @@ class WheelRail {
   WheelRail(std::shared_ptr<Context> context, std::shared_ptr<Body> wheel, std::shared_ptr<Body> rail,
             std::int32_t side);
 
-  void set_track(double gauge, double gauge_height, double cant);
+  void set_track(double gauge, double gauge_height, double cant);  ///< cant: radian, inwards
   void set_wheelset(double back_to_back, double flange_back, double radius);
-  void set_rail_deviation(const double* deviation, const double* rate);
-  void set_position(const double* position);
+  void set_rail_deviation(const double* deviation, const double* rate);  ///< y, z, roll
+  void set_position(const double* position);                             ///< x, y, z, roll, yaw, pitch
   /// Makes positions yawed, then rolled, from now on; with 0 they are rolled, then yawed.
   void set_roll_outside(std::int32_t on);
-  void set_velocity(const double* velocity);
+  void set_velocity(const double* velocity);  ///< rates of x, y, z, roll, yaw, pitch
   /// Prescribes z of the position (how: by motion), or the vertical force on the rail (how: by force).
   void prescribe_vertical(std::int32_t how, double force);
-  void set_friction(double mu);
+  void set_friction(double mu);  ///< one coefficient everywhere
   /// Looks forces along the surfaces up in this table from now on, for what it has. err_state: it is not made.
   void set_table(std::shared_ptr<const ForceTable> table);
   void forget_table() { in_.table.reset(); }
@@ -54,7 +54,7 @@ class WheelRail {
   /// Sets friction by the rail's inclination, linear between points (angle, mu) with ascending angles; n = 0: that of
   /// set_friction().
   void set_friction_by_angle(std::int64_t n, const double* points);
-  void set_accuracy(double accuracy);
+  void set_accuracy(double accuracy);  ///< error of tangential forces over mu Fn: 0.005 to 1
 
   /// Returns ok or the first of cancelled, not_converged, derailed, too_deep, rim_contact, coarse, no_contact.
   Status solve();
@@ -87,7 +87,7 @@ class WheelRail {
   Touch touch(double shift, double roll);
   /// Throws err_state where track or wheelset are not set.
   void require_dimensions() const;
-  double side() const { return side_; }
+  double side() const { return side_; }  ///< -1: left, 1: right
   double radius() const { return radius_; }
 
   // Results of the last solve; err_state before one.
@@ -128,7 +128,7 @@ class WheelRail {
     bool taken = false;
     double give_way = 0;
   };
-  /// Holds what the last solve was of; what is set later does not change its results.
+  /// Holds inputs and outcome of the last solve; what is set later does not change its results.
   struct Solved {
     WheelsetState position, velocity;
     RailDeviation deviation, rate;

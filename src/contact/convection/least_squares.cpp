@@ -24,7 +24,7 @@
 namespace rollcon {
 namespace {
 
-/// Weight cos^2 of a tie.
+/// The cos^2 that a tie has in the weights.
 constexpr double tie_weight = 1e-6;
 /// Growth of an error in w per step of the march downstream, sum |c_J| / |sum c_J|, that a stencil may have where one
 /// without growth exists, and where the path leaves the frame next to the node.

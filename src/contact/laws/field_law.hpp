@@ -1,6 +1,6 @@
 #pragma once
-/// Defines friction that follows the whole solution, not the node alone: its temperature, its past along the line. A
-/// solve has its coefficients given, as Coulomb's law has, and is repeated until they are those of what it finds.
+/// Defines friction that follows the whole solution, not the node alone: its temperature, the slip upstream. A solve
+/// has its coefficients given, as Coulomb's law has, and is repeated until they are those of what it finds.
 
 #include <span>
 

@@ -16,7 +16,7 @@ class DenseOperators final : public Operators {
 
   /// Returns row r of node k times tractions.
   double product(int r, std::size_t k, const std::vector<double> (&lambda)[3], Components columns = {}) const;
-  void release_slip();
+  void release_slip();  ///< tangential rows alone
   /// Releases all that is there.
   void release();
   /// Throws Error(err_memory) where this process cannot have these blocks beside those that are there.

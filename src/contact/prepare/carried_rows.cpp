@@ -65,7 +65,7 @@ void CarriedRows::make(const Prepared& on) {
     ahead.ahead.assign(on.frame.x.size(), on.distance);
     fill_lattice_operators(*on.lattice, *on.compliance->translation(), ahead, true, *dense_);
     for (auto& block : dense_->block[2]) block.release();
-    // What displacements lose upstream, over the distance, leaves those that are there.
+    // Blocks turn from what displacements lose upstream, over the distance, into those upstream.
     for (int r = 0; r < 2; ++r)
       for (int c = 0; c < 3; ++c) {
         auto& block = dense_->block[r][c];

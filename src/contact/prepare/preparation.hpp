@@ -60,21 +60,21 @@ struct Preparation {
   /// Operators of `made` where their rows are formed, so that more can be added; else null.
   std::shared_ptr<DenseOperators> dense = std::make_shared<DenseOperators>();
   Revision mesh = -1;  ///< revision of the frame's mesh
-  /// mesh, place if it cannot follow that, axes, poses that turn or move it, gap if bodies end there, conformal
+  /// Key: mesh, place if it cannot follow that, axes, poses that turn or move it, gap if bodies end there, conformal.
   Stage<Revision, Revision, Revision, Poses, Poses, bool> frame;
   Stage<Revision, Revision> place;             ///< frame, revision
   Stage<Revision, Poses, Poses> rim;           ///< frame, poses of bodies with a mesh, where the gap ends
   Stage<Revision, double, double> compliance;  ///< frame, accuracy, layer
   Stage<Revision, Scheme> convection;          ///< compliance, scheme
   Stage<Revision> offset;                      ///< convection
-  /// convection, revision, place if it varies across
+  /// Key: convection, revision, place if it varies across.
   Stage<Revision, Revision, Revision> friction;
   Stage<Revision, double> law;  ///< friction, rolling speed
-  /// frame, place, offset, revision, poses if measured
+  /// Key: frame, place, offset, revision, poses if measured.
   Stage<Revision, Revision, Revision, Revision, Poses> gap;
-  /// convection, gap, place of the points, poses; where there are velocities
+  /// Key: convection, gap, place of the points, poses; where there are velocities.
   Stage<Revision, Revision, Revision, Poses> between;
-  /// convection, between, place of the points, offset, revision
+  /// Key: convection, between, place of the points, offset, revision.
   Stage<Revision, Revision, Revision, Revision, Revision> slip;
   Stage<Revision, Revision, double> points;  ///< convection, place, distance of a time step
   Stage<Revision> lattice;                   ///< frame
@@ -116,10 +116,10 @@ void require_operators(Preparation& preparation);
 void forget_operators(Preparation& preparation);
 /// Assembles the dense operators that the scene needs and that are not there yet.
 void assemble_missing(Preparation& preparation);
-void choose_scales(Preparation& preparation);
+void choose_scales(Preparation& preparation);  ///< measured by the rows, or estimated
 /// Finds what the bodies' own loads, if any, add to gaps and slip.
 void find_offset(Preparation& preparation);
-void read_gap(Preparation& preparation, const Scene& scene);
+void read_gap(Preparation& preparation, const Scene& scene);  ///< at the nodes, from the datum on
 /// Returns the revisions of the poses of bodies with a surface; -1 for others.
 Preparation::Poses poses_of_surfaces(const Scene& scene, const PairOfBodies& pair);
 

@@ -38,7 +38,7 @@ Poses poses_of_surfaces(const Scene& scene, const PairOfBodies& pair) {
   return poses;
 }
 
-// Finds displacements without contact tractions; profiles alone change the gap and have none.
+// Finds displacements without contact tractions; profiles need no key here, as they change the gap alone.
 void find_offset(Preparation& preparation) {
   Prepared& on = *preparation.made;
   if (!preparation.offset.enter(preparation.convection.version())) return;

@@ -97,7 +97,7 @@ void require_operators(Preparation& preparation) {
     assemble_missing(preparation);
     choose_scales(preparation);
   } catch (...) {
-    // Nothing but this would drop what was half assembled, as it is not during a solve.
+    // Nothing else would drop what was half assembled, because no solve is running.
     forget_operators(preparation);
     preparation.changes.operators = true;
     throw;

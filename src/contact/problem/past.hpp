@@ -29,7 +29,7 @@ struct PastStep {
   std::int64_t mesh = -1;  ///< revision of the frame's nodes and elements
   std::shared_ptr<FrameOfPast> on;
 
-  void take(const Iterate& iterate);
+  void take(const Iterate& iterate);  ///< tractions and motions
 };
 
 struct StepWorkspace {

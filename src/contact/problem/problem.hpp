@@ -103,9 +103,9 @@ struct Iterate {
   mutable std::vector<std::uint8_t> gap_valid;   ///< image[2] up to date at this node
   MotionValues motion{};
 
-  void resize(std::int64_t n);
-  void clear();
-  void invalidate();
+  void resize(std::int64_t n);  ///< zero tractions and motions
+  void clear();                 ///< sets tractions and motions to zero
+  void invalidate();            ///< makes images unknown at all nodes
   /// Sets tractions to zero; motions stay.
   void clear_tractions();
   /// Compute the wanted image rows of one node from the tractions.

@@ -10,8 +10,8 @@
 namespace rollcon {
 namespace {
 
-/// The contact covers the fraction 1 of an ellipse whose second moments are those of the pressures. Two peaks that are
-/// one patch leave 0.63 of it; two patches at a distance of their own length, less than a half.
+/// A patch fills the ellipse that has its pressures' second moments: an ellipse all of it, two peaks that are one patch
+/// 0.63, two patches at a distance of their own length less than a half.
 constexpr double least_filled = 0.5;
 
 void require_comparable(const Solution& s) {

@@ -14,7 +14,7 @@ double power_at_nodes(const Solution& solution, Derived& derived);
 double power_put_in(const Solution& solution);
 /// Returns what slip takes in a time step, its sum over nodes corrected by the balance. preparation: may be null.
 double power_in_step(const Solution& solution, Derived& derived, Preparation* preparation);
-/// Says whether power_put_in() is what slip takes: half-spaces roll steadily, with all of the contact on the frame.
+/// Says whether power_put_in() is what slip takes: steady rolling of half-spaces or rigid bodies within the frame.
 bool power_is_balanced(const Solution& solution);
 
 }  // namespace rollcon

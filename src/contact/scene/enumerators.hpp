@@ -48,7 +48,7 @@ enum class InAxes : std::int32_t { local = 0, global = 1 };
 /// Says what a solve is: a steady state, or one step in time of a contact that rolls or whose bodies are shifted.
 enum class StepKind : std::int32_t { steady = 0, rolling = 1, shift = 2 };
 
-/// Index motions and their conjugate loads: creepages, approach and spin, and rotations of body 1 about t1 and t2
+/// Numbers motions and their conjugate loads: creepages, approach and spin, and rotations of body 1 about t1 and t2
 /// through the origin, whose loads are moments on it.
 enum Motion : int { xi1 = 0, xi2 = 1, approach = 2, spin = 3, tilt1 = 4, tilt2 = 5 };
 constexpr std::size_t motion_count = 6;

@@ -10,7 +10,7 @@
 
 namespace rollcon {
 
-std::span<const Setting> option_table();
+std::span<const Setting> option_table();  ///< all options of a contact
 
 struct Options {
   double tolerance = 1e-10;                   // "tolerance"

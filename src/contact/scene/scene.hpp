@@ -91,11 +91,11 @@ class Scene {
   void take_over(const Scene& other);
   /// Sets where body `which` (1 or 2) stands: x = rotation x_body + translation, rotation row by row.
   void set_pose(std::int32_t which, const double* rotation, const double* translation);
-  void set_axes(const double* origin, const double* rolling, const double* normal);
-  void set_gap(std::int64_t n, const double* gap);  ///< each of the three replaces the others
-  void set_gap_quadratic(double a, double b, double c);
+  void set_axes(const double* origin, const double* rolling, const double* normal);  ///< normal: out of body 1
+  void set_gap(std::int64_t n, const double* gap);       ///< each of the three replaces the others
+  void set_gap_quadratic(double a, double b, double c);  ///< a x^2 + b y^2 + c x y
   void set_gap_grid(const GridPlace& place, const double* gap);
-  void set_speed(double speed);
+  void set_speed(double speed);  ///< rolling speed, above 0
   /// Makes every solve a step of dt (StepKind's numbers); dt counts for nothing where it is steady.
   void set_step(std::int32_t kind, double dt);
   /// Sets the velocity of body `which` (1 or 2) or of the contact (0), in the axes of space, as Velocity has it; those
@@ -106,11 +106,11 @@ class Scene {
   void set_creep(double longitudinal, double lateral, double spin);
   /// Sets the rigid slip velocity at each node, (c1, c2) pairs in the axes; it adds to creepages and spin.
   void set_creep_field(std::int64_t n, const double* slip);
-  void prescribe(std::int32_t direction, std::int32_t how, double value);
-  void set_friction(const char* law, std::int32_t n, const double* parameters);
+  void prescribe(std::int32_t direction, std::int32_t how, double value);        ///< numbers of Direction and How
+  void set_friction(const char* law, std::int32_t n, const double* parameters);  ///< see law_names()
   /// Takes the coefficients of `of`, which has Coulomb's law without a field, times a factor.
   void scale_friction(const Scene& of, double factor);
-  void set_friction_field(std::int64_t n, const double* mu);
+  void set_friction_field(std::int64_t n, const double* mu);  ///< coefficient at each node
   /// Sets the memory of laws that fall, whichever is set; a length of 0: none.
   void set_friction_memory(double length, double least_speed);
   /// Sets an elastic layer between the bodies: tangential displacement per traction; 0: none.
@@ -155,7 +155,7 @@ class Scene {
   /// Returns null for Coulomb's law.
   const std::shared_ptr<const FrictionLaw>& law() const { return law_in_use_; }
   bool friction_varies_across() const { return friction_field_.empty() && !across_y_.empty(); }
-  double layer() const { return layer_; }
+  double layer() const { return layer_; }  ///< flexibility
   const BothHeats& heat() const { return heat_; }
   /// Throws err_state naming what is missing: nodes, elements, gap (unless a body has a surface), friction, speed
   /// (where there are velocities). Arrays always fit the frame: their length is checked when they are set, and new

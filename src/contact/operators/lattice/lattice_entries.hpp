@@ -34,7 +34,7 @@ class LatticeEntries {
   struct Workspace {
     std::vector<double> memory;
   };
-  /// Fills entry[r][c][m], m < count (null: not wanted) of a source at the origin on the node (first + m, j) away, as
+  /// Fills entry[r][c][m], m < count (null: not wanted), for a source at the origin on the node (first + m, j) away, as
   /// ComplianceBlock and Operators have them.
   void row(std::int64_t j, std::int64_t first, std::int64_t count, double* const (&entry)[3][3], Workspace& w) const;
 
