@@ -8,7 +8,7 @@ namespace rollcon {
 class Body;
 class Solver;
 
-/// Returns one line for each; needs a solution.
+/// Returns one line for each part of a solve; needs a solution.
 std::string describe_plan(Solver& solver, const Body& body1, const Body& body2);
 
 }  // namespace rollcon

@@ -228,7 +228,7 @@ class AutomaticFrames final : public FrameMaker {
     const double modulus = contact_modulus(fine.pair());
     HertzContact hertz = normal.how == How::by_force ? hertz_by_load(gap, modulus, normal.value)
                                                      : hertz_by_approach(gap, modulus, normal.value);
-    // Bodies that do not touch still have a frame, as large as under a thousandth of the radius of curvature.
+    // Bodies that do not touch still have a frame, about a thousandth of the radius of curvature in size.
     if (!(hertz.larger > 0 && hertz.smaller > 0 && std::isfinite(hertz.larger)))
       hertz = hertz_by_approach(gap, modulus, 1e-6 / (gap.a + gap.b));
     return hertz;

@@ -21,8 +21,7 @@ class ForceTable {
 
   // Setters before the first sample; err_state after it.
   void set_ratios(std::int32_t intervals, double least, double greatest);
-  void set_resolution(std::int32_t magnitudes, std::int32_t angles,
-                      std::int32_t directions);             ///< intervals of TableGrid
+  void set_resolution(std::int32_t magnitudes, std::int32_t angles, std::int32_t directions);
   void set_frame(std::int32_t along, std::int32_t across);  ///< intervals of the coarser frame
   void set_poissons(std::int64_t n, const double* poisson);
   /// Makes the table one of two bodies; young 0: rigid.

@@ -20,7 +20,7 @@ struct SplineWeights {
   double value[4] = {}, slope[4] = {};
 };
 
-/// Evaluates them at t from 0 to `intervals`; beyond, the outer pieces go on.
+/// Evaluates the B-splines at t from 0 to `intervals`; beyond, the outer pieces go on.
 SplineWeights spline_weights(double t, std::int64_t intervals);
 
 /// Maps values at the nodes 0 .. intervals to intervals + 3 coefficients. intervals >= 3.

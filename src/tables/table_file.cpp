@@ -43,7 +43,7 @@ std::uint64_t bytes_of(const GridRecord& g, std::int64_t parities) {
   return static_cast<std::uint64_t>(numbers) * sizeof(float);
 }
 
-/// Follows the planes in the section "grid", for unlike bodies alone.
+/// Holds the constants of unlike bodies, which follow the planes in the section "grid".
 struct PairRecord {
   double flexibility[2], poisson[2];
 };

@@ -114,7 +114,7 @@ class TableFit {
     const std::int64_t n = grid_.directions, parities = grid_.parities();
     return {k / (n * parities), k / n % parities, k % n};
   }
-  /// Says whether it stays when the spin is turned round, as without spin.
+  /// Says whether the number at a place stays when the spin is turned round, as without spin.
   static bool even_in_spin(const Place& at) { return (at.h % 2 != 0) == (at.parity == 0); }
 
   void add(std::int64_t angle, std::int64_t direction, const double* f, double* row) const {

@@ -122,7 +122,7 @@ struct ChainDirection {
 /// Returns forces at the magnitudes of a chain. Where the pole of sliding lies inside the contact, its place among the
 /// cells counts. This error is known for like bodies that slide as rigid ones; the elastic displacements move the pole
 /// ever less as the creepages grow, so that this error, times s cubed, is taken off. Measured on 98 random cases of s
-/// above 0.5 beside frames twice as fine: force 0.16 -> 0.11, 0.12 -> 0.05, 0.03 -> 0.04 % rms for a/b about 1, below
+/// above 0.5 against frames twice as fine: force 0.16 -> 0.11, 0.12 -> 0.05, 0.03 -> 0.04 % rms for a/b about 1, below
 /// 0.2, above 5. That error is taken from like bodies on the same cells, too, where unlike ones are solved.
 std::vector<Forces> forces_of_chain(const TableGrid& grid, double log_ratio, const ChainDirection& to,
                                     const Sampled& plane) {

@@ -14,7 +14,7 @@ struct HertzianPatch {
   Vec3 lean{};    ///< shift of that centre by lateral distance
 };
 
-/// Makes one; modulus: E* of both bodies; give_way: part of the overlap that does not press.
+/// Makes the patch's contact; modulus: E* of both bodies; give_way: part of the overlap that does not press.
 HertzianPatch hertzian_patch(const OverlapPatch& patch, double modulus, double give_way);
 
 }  // namespace rollcon

@@ -42,7 +42,7 @@ class ProfileGap {
   std::optional<GapPoint> at(const VisibleSpan& span, double s) const { return at(wheel_.at(span, s), s); }
   /// Returns the point of the rail at this y, which is on it; the search begins where the last one ended.
   VisiblePoint rail_at(double y) const;
-  /// Returns z there, by a cubic in the rail's cell.
+  /// Returns z of the rail at this y, by a cubic in its cell.
   double rail_z(double y) const;
   /// Returns the rough gap at an end of a span of the wheel.
   RoughGap rough(const VisibleSpan& span, std::size_t end) const;

@@ -65,8 +65,8 @@ class WheelRail {
   /// Saves what was set and the last solution at a place, 0 to places - 1. Allocates nothing where as much was saved
   /// before.
   void save(std::int32_t place);
-  /// Goes back to that, as if nothing had been done in between. err_state: nothing is there, or other dimensions have
-  /// been set since.
+  /// Goes back to a saved place, as if nothing had been done in between. err_state: nothing is there, or other
+  /// dimensions have been set since.
   void restore(std::int32_t place);
   /// Makes a wheel of its own with the same inputs and last solution; context: null: that of this wheel.
   std::unique_ptr<WheelRail> copy(const std::shared_ptr<Context>& context = nullptr) const;
@@ -83,7 +83,7 @@ class WheelRail {
     double height = 0;  ///< z of the wheelset then; infinite: the wheel is beside its rail, and nothing else is known
     double x = 0, y = 0, z = 0, angle = 0, wheel_y = 0, rolling_radius = 0;
   };
-  /// Finds that point without yaw; from track, wheelset and deviation of the rail alone.
+  /// Finds the point of touch without yaw; from track, wheelset and deviation of the rail alone.
   Touch touch(double shift, double roll);
   /// Throws err_state where track or wheelset are not set.
   void require_dimensions() const;

@@ -25,7 +25,8 @@ class WheelsetGeometry {
   /// Names the point in the wheelset's middle that a shift moves: on the axle, or at the height of the rails, where
   /// wheels that roll without slip move as they head.
   enum class Height { axle, rails };
-  /// Finds how it stands without yaw. err_argument: no roll within a quarter brings both wheels on their rails.
+  /// Finds how the wheelset stands without yaw. err_argument: no roll within a quarter brings both wheels on their
+  /// rails.
   Standing at(double shift, Height height);
   /// Finds the motion at the height of the rails. err_argument: there is none. wavelength: with the rolling radius and
   /// the distance of the points of contact where the wheelset runs straight on.

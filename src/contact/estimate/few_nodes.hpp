@@ -14,8 +14,8 @@ struct Solution;
 /// Counts nodes in contact without an open node in any of their elements: the contact's extent is known to one element,
 /// so that all others are its edge.
 std::int64_t nodes_inside(const Solution& state);
-/// Counts such nodes of a mesh, those whose normal traction is negative being in contact; `node` is workspace. inner: 0
-/// for nodes on an outline that is the contact's; null: the contact ends where nodes are open.
+/// Counts nodes inside a mesh's contact, those whose normal traction is negative being in contact; `node` is workspace.
+/// inner: 0 for nodes on an outline that is the contact's; null: the contact ends where nodes are open.
 std::int64_t nodes_inside(const SurfaceMesh& mesh, const std::vector<double>& normal, std::vector<std::uint8_t>& node,
                           const std::uint8_t* inner = nullptr);
 

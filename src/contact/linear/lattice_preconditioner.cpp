@@ -73,7 +73,7 @@ void LatticePreconditioner::make_symbols(const TranslationKernel& kernel) {
   const double lx = static_cast<double>(lattice_.nx) * lattice_.dx;
   const double ly = static_cast<double>(lattice_.ny) * lattice_.dy;
   const double least = 1 / std::max(lx, ly);  // wave number of a mean traction on a finite patch
-  // Units of the softness suit single precision's narrow range; that of the transform back is included.
+  // Symbols count by the softness, as single precision has a narrow range, and include the transform's unit.
   softness_ = kernel.softness(2 * std::numbers::pi / lattice_.dx).normal;
   const double unit = softness_ / static_cast<double>(mx * my);
   for (std::int64_t i = 0; i < fft_.waves_x(); ++i)

@@ -25,7 +25,7 @@ class FieldPreconditioner : public LinearOperator {
   virtual std::size_t bytes() const = 0;
 };
 
-/// Makes one for flow along -t1 of the frame's axes.
+/// Makes a preconditioner for flow along -t1 of the frame's axes.
 std::unique_ptr<FieldPreconditioner> make_lattice_preconditioner(const LatticeInfluence& influence);
 
 }  // namespace rollcon

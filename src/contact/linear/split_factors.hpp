@@ -15,7 +15,7 @@ class SplitFactors final : public LinearOperator {
   /// Factorises what the system's part has; normal rows not again while the same nodes are in contact. Returns false if
   /// it is singular to single precision.
   bool factor(FreeSystem& system, std::int64_t node_count);
-  /// Says whether the factors belong to such a part with as many unknown motions.
+  /// Says whether the factors belong to the system's part, with as many unknown motions.
   bool usable(const FreeSystem& system) const;
   /// Says what the next vectors are made of. Nodes that were not active in the factors keep their residual.
   void match(FreeSystem& system);

@@ -36,7 +36,7 @@ struct Node {
   double sign;  ///< sign of its power
 };
 
-/// Measures spin and moment by the frame's length.
+/// Searches the limit; spin and moment count by the frame's length.
 class Limit {
  public:
   Limit(const Problem& p, const Prescribed& given, const std::vector<double> (&lambda)[3])

@@ -213,7 +213,7 @@ bool NewtonIteration::beyond_friction(Part part, std::int64_t iteration, double 
   return true;
 }
 
-// Moves the bodies together until the gap of the loaded nodes closes on average: one that gives way more than a
+// Moves the bodies together until the gap of the loaded nodes closes on average: a body that gives way more than a
 // half-space (a rim, a ring) parts everywhere under the guessed pressures at the guessed approach.
 void NewtonIteration::fit_approach() {
   const Problem& p = *problem_;
@@ -266,7 +266,7 @@ const std::vector<double> (&NewtonIteration::best_tractions() const)[3] {
 ReducedSystem& NewtonIteration::linearise(const Problem& problem, const Prescribed& given, const Iterate& iterate,
                                           Part part) {
   problem_ = &problem;
-  iterate_ = const_cast<Iterate*>(&iterate);  // it changes in runs alone
+  iterate_ = const_cast<Iterate*>(&iterate);  // the iterate changes in runs alone
   given_ = &given;
   reserve(at(problem.nodes));
   evaluate(part, given);

@@ -23,8 +23,8 @@ bool start_from_coarser(const Problem& problem, const Prescribed& given, const L
                         double tolerance, Iterate& iterate);
 constexpr double start_tolerance = 1e-3;
 
-/// Fills them from the solution on the lattice of 2^halvings times the spacing alone. Returns false where that has
-/// fewer nodes along a side than an estimate can use, or where it was not found.
+/// Fills tractions and motions from the solution on the lattice of 2^halvings times the spacing alone. Returns false
+/// where that has fewer nodes along a side than an estimate can use, or where it was not found.
 bool solve_on_coarser(const Problem& problem, const Prescribed& given, const LatticeScene& scene, bool frictionless,
                       double tolerance, int halvings, Iterate& iterate);
 

@@ -11,7 +11,7 @@ namespace rollcon {
 /// Makes a cold start: pressures (and the approach, where the normal load is given) of a Hertzian contact of the bodies
 /// cut at half the approach.
 void guess_start(const Problem& problem, const Prescribed& given, Iterate& iterate);
-/// Holds the contact that such a start takes: nodes whose gap, as an approach, is below low + half.
+/// Holds the contact that a cold start takes: nodes whose gap, as an approach, is below low + half.
 struct GuessedContact {
   double low = 0;   ///< least gap; infinite: no node can carry traction
   double half = 0;  ///< half the approach beyond it

@@ -11,7 +11,7 @@ namespace rollcon {
 
 struct Preparation;  // contact/prepare/preparation.hpp
 
-/// Makes the operators of such a scene, or brings them up to date, and decides whether dense rows come from a table;
+/// Makes a regular frame's operators, or brings them up to date, and decides whether dense rows come from a table;
 /// makes none where the scene is another or dense operators serve it better. Throws Error (err_unsupported) naming the
 /// reason when the option `operators` asks for FFT in vain.
 void build_lattice_operators(Preparation& preparation, const Options& options);

@@ -6,7 +6,7 @@
 
 namespace rollcon {
 
-/// Reads that slip, and finds the creepages that follow from velocities. poses: revisions for bodies with a surface.
+/// Reads the scene's slip, and finds creepages that follow from velocities. poses: revisions for bodies with a surface.
 void read_slip(Preparation& preparation, const Scene& scene, const Preparation::Poses& poses);
 
 }  // namespace rollcon

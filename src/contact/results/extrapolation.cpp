@@ -172,7 +172,7 @@ Extrapolation extrapolate(const Solution& fine, const Solution& coarse, const Fr
       const auto motion_off = [&](Motion m) { return left_over * (f.motion[m] - c.motion[m]); };
       const Three motions_off{motion_off(xi1), motion_off(xi2), length * motion_off(spin)};
       const double motion = std::hypot(f.motion[xi1], f.motion[xi2], length * f.motion[spin]);
-      // Errors of vanishing forces vanish only up to rounding: lesser forces count as this fraction.
+      // Errors of vanishing forces vanish only up to rounding: lesser forces count as this fraction of friction.
       constexpr double least = 1e-3;
       if (const auto forces = forces_of(fine, rates, motions_off, length))
         estimate.tangential = std::max(

@@ -7,7 +7,7 @@
 
 namespace rollcon {
 
-/// Says whether that is asked for, and there are profiles to follow and no mesh that does so by itself.
+/// Says whether conformal frames are asked for, with profiles to follow and no mesh that does so by itself.
 bool is_conformal(const Scene& scene, const PairOfBodies& pair);
 
 /// Lifts the nodes onto the surface between both bodies, a section through the axes' origin moved along the rolling

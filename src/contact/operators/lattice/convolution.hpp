@@ -41,7 +41,7 @@ class Convolution {
   void apply(const double* const (&lambda)[3], double* const (&image)[3], Workspace& w) const {
     run(lambda, image, w, false);
   }
-  /// Adds these sums to the images.
+  /// Adds what apply() computes to the images.
   void add(const double* const (&lambda)[3], double* const (&image)[3], Workspace& w) const {
     run(lambda, image, w, true);
   }

@@ -51,7 +51,7 @@ struct LatticeOperator::Workspace {
 
 namespace {
 
-/// Adds to a node's slip a displacement (or the characteristic scheme's own slip) at a node this far off.
+/// Describes a term of a node's slip: a displacement (or the characteristic scheme's own slip) this far off.
 struct Term {
   std::int64_t i, j;
   double factor;
