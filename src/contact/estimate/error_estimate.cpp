@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include "contact/derived.hpp"
 #include "contact/estimate/error_variant.hpp"
 #include "contact/estimate/few_nodes.hpp"
 #include "contact/prepare/gap_between_nodes.hpp"
 #include "contact/prepare/lattice_scene.hpp"
-#include "contact/derived.hpp"
 #include "mesh/topology.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "contact/prepare/time_step.hpp"
 #include "contact/derived.hpp"
+#include "contact/prepare/time_step.hpp"
 #include "mesh/quadrature.hpp"
 #include "mesh/shape.hpp"
 #include "support/index.hpp"

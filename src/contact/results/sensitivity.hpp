@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "contact/newton/newton.hpp"
 #include "contact/derived.hpp"
+#include "contact/newton/newton.hpp"
 #include "contact/scene/enumerators.hpp"
 
 namespace rollcon {

@@ -4,8 +4,8 @@
 #include <array>
 #include <span>
 
-#include "contact/laws/wear_law.hpp"
 #include "contact/derived.hpp"
+#include "contact/laws/wear_law.hpp"
 
 namespace rollcon {
 
