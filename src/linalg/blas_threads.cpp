@@ -42,7 +42,11 @@ thread_local int scopes = 0;
 constexpr std::uintptr_t stack_for_threads = std::uintptr_t{5} << 20U;
 
 #ifdef __GLIBC__
-/// Returns the lowest address of the calling thread's stack; 0: not known.
+long process_id() {
+  return getpid();
+}
+
+/// Lowest address of the calling thread's stack; 0: not known.
 std::uintptr_t stack_bottom() {
   // Asking costs an allocation.
   thread_local std::uintptr_t bottom = 0;
@@ -68,41 +72,54 @@ bool has_stack_for_threads() {
   return bottom != 0 && reinterpret_cast<std::uintptr_t>(&here) - bottom > stack_for_threads;
 }
 
-/// Says whether OpenBLAS, which maps a buffer for every thread that works in it at a time, would find room for so many;
-/// where it cannot have one, it asks for ever.
-bool has_room_for(int buffers) {
-  const std::size_t bytes = static_cast<std::size_t>(buffers) * (std::size_t{140} << 20U);  // buffer and stack
+/// OpenBLAS maps a buffer for every thread that works in it at a time, and asks for ever where it cannot have one.
+bool has_room_for(int buffers, int stacks) {
+  const std::size_t bytes = static_cast<std::size_t>(128 * buffers + 12 * stacks) << 20U;
   void* room = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (room == MAP_FAILED) return false;
   munmap(room, bytes);
   return true;
 }
 #else
+long process_id() {
+  return 0;
+}
+
 bool has_stack_for_threads() {
   return true;
 }
 
-bool has_room_for(int) {
+bool has_room_for(int, int) {
   return true;
 }
 #endif
 
-/// Makes OpenBLAS map so many buffers, which it keeps, because later allocations may leave no room for them. Other
-/// callers may be using buffers of theirs.
+long owner = process_id();  ///< the process that has the threads which OpenBLAS keeps
+
+/// Makes OpenBLAS map so many buffers, which it keeps: later allocations may leave no room for them. Other callers may
+/// be using buffers of theirs.
 void require_buffers(int count) {
-  if (count <= buffers) return;
-  if (!has_room_for(count - buffers + callers))
+  // A forked child has none of the threads that OpenBLAS keeps. OpenBLAS makes all of them anew when it next needs one:
+  // now, since they may take the buffers that are there before a caller does.
+  const int restarted = process_id() == owner ? 0 : most_threads - 1;
+  if (count <= buffers && restarted == 0) return;
+  const int more = std::max(count - buffers, 0), held = more > 0 ? count + restarted : 0;
+  if (!has_room_for(more > 0 ? more + callers + restarted : 0, more + restarted))
     fail(Status::err_memory, "OpenBLAS needs 128 MiB of address space for a thread, and this process has no more");
-  buffers = count;
+  buffers = std::max(buffers, count);
+  owner = process_id();
+  if (restarted > 0) openblas_set_num_threads(openblas_get_num_threads());
   if (!blas_memory_alloc || !blas_memory_free) return;
-  std::vector<void*> held(static_cast<std::size_t>(std::min(count, 64)));
-  for (void*& buffer : held) buffer = blas_memory_alloc(0);
-  for (void* buffer : held) blas_memory_free(buffer);
+  std::vector<void*> buffer(static_cast<std::size_t>(std::min(held, 64)));
+  for (void*& b : buffer) b = blas_memory_alloc(0);
+  for (void* b : buffer) blas_memory_free(b);
 }
 
 /// Says whether OpenBLAS can have so many threads. Each of its own threads has a buffer from its beginning.
 bool can_have_threads(int threads) {
-  if (!has_stack_for_threads() || (threads > most_threads && !has_room_for(threads - most_threads))) return false;
+  if (!has_stack_for_threads() ||
+      (threads > most_threads && !has_room_for(threads - most_threads, threads - most_threads)))
+    return false;
   most_threads = std::max(most_threads, threads);
   return true;
 }
@@ -112,10 +129,10 @@ bool can_have_threads(int threads) {
 BlasThreads::BlasThreads(int threads) {
   if (!openblas_set_num_threads || !openblas_get_num_threads) return;
   const std::lock_guard lock(mutex);
-  if (scopes == 0) require_buffers(callers + 1);
-  if (scopes++ == 0) ++callers;
   former_ = openblas_get_num_threads();
   most_threads = std::max(most_threads, former_);
+  if (scopes == 0) require_buffers(callers + 1);
+  if (scopes++ == 0) ++callers;
   if (users++ == 0) hosts_threads = former_;
   if (callers > 1) return;
   if (threads > 1 && !can_have_threads(threads)) threads = 1;
