@@ -12,9 +12,9 @@ void require_support() {
 }
 
 // Not reached: there is no body that could ask.
-std::unique_ptr<SurfaceResponse> make_response(const BodyMesh& /*mesh*/, const TractionNodes& /*fans*/,
-                                               double /*young*/, double /*poisson*/, const BodyOptions& /*options*/,
-                                               int /*threads*/, SectionReader* /*saved*/) {
+std::unique_ptr<Condensed> make_response(const BodyMesh& /*mesh*/, const TractionNodes& /*fans*/, double /*young*/,
+                                         double /*poisson*/, const BodyOptions& /*options*/, int /*threads*/,
+                                         SectionReader* /*saved*/) {
   require_support();
   return nullptr;
 }

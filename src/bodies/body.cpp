@@ -18,12 +18,12 @@ namespace {
 /// A body that is in memory serves instead of one in a file that is equal to it, unless more would have to be
 /// factorised again.
 bool serves_for(const BodyModel& known, SectionReader& file) {
-  if (!known.response) return true;
+  if (!known.response || !known.response->saved()) return true;
   std::int64_t solvable = 0;
   file.begin("response");
   InArchive ar(file);
   ar(solvable);
-  return known.response->solvable() >= solvable;
+  return known.response->saved()->solvable() >= solvable;
 }
 
 }  // namespace
@@ -94,7 +94,7 @@ void Body::prepare(SectionReader* saved) {
     shared_ = model != model_;
     shared_equations_ = shared_equations_ && !shared_;
     model_ = std::move(model);
-    if (shared_ && saved && response()) response()->add_kept(*saved);
+    if (shared_ && saved && response() && response()->saved()) response()->saved()->add_kept(*saved);
   } else if (model_->profile.curve) {
     model_->surface = surface_of(model_->profile);
   }

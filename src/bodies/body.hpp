@@ -138,7 +138,8 @@ class Body {
   /// Over the faces that may come into contact.
   const SurfaceSearch& search() const { return *model_->search; }
   /// Null for rigid bodies.
-  SurfaceResponse* response() const { return model_->response.get(); }
+  Condensed* response() const { return model_->response.get(); }
+  const OwnLoads& own() const { return model_->own; }
 
   // Of any prepared body.
   /// Prepared by sharing what an equal body had: nothing was assembled for this one.

@@ -50,7 +50,7 @@ std::span<const double> displacements_of(const Body& body, const NodalDisplaceme
     require_finite(nodes, 3, given.u, "u", body.mesh().surface.index_base);
     return {given.u, at(3 * nodes)};
   }
-  const std::span<const double> own = body.response()->own().displacement;
+  const std::span<const double> own = body.own().displacement;
   if (!own.empty()) return own;
   zero.assign(at(3 * nodes), 0.0);
   return zero;
@@ -66,7 +66,7 @@ std::unique_ptr<const SurfaceFields> own_fields(const Body& body, const NodalDis
     fail(Status::err_unsupported,
          "no stresses follow from displacements of boundary elements alone: u must be NULL, or the body's own "
          "(rollcon_body_get_displacements); under a contact: rollcon_contact_get_body_fields_at and _write_body");
-  return body.response()->surface_fields({}, body.response()->own());
+  return body.response()->surface_fields({}, body.own());
 }
 
 void require_no_overflow(const double* value, std::int64_t n) {
@@ -158,7 +158,7 @@ void write_body(const Body& body, const NodalDisplacements& given, const char* p
 std::vector<double> body_displacements(const Body& body, SurfaceState state) {
   require_fields(body);
   std::vector<double> u = std::move(state.u);
-  const std::span<const double> own = body.response()->own().displacement;
+  const std::span<const double> own = body.own().displacement;
   for (std::size_t k = 0; k < own.size(); ++k) u[k] += own[k];
   return u;
 }
@@ -168,7 +168,7 @@ void body_fields_at(const Body& body, SurfaceState state, std::int64_t n, const 
   require_fields(body);
   if (on_surface_alone(body))
     return body.response()
-        ->surface_fields(std::move(state), body.response()->own())
+        ->surface_fields(std::move(state), body.own())
         ->at_points(n, xyz, displacement, stress, body.context().threads());
   const std::vector<double> u = body_displacements(body, std::move(state));
   body_fields_at(body, {body.mesh().surface.nodes(), u.data()}, n, xyz, displacement, stress);
@@ -179,7 +179,7 @@ void write_body(const Body& body, SurfaceState state, const char* path) {
   std::vector<double> stress(6 * at(body.mesh().surface.nodes()));
   const std::vector<double> u = body_displacements(body, state);
   if (on_surface_alone(body))
-    body.response()->surface_fields(std::move(state), body.response()->own())->at_nodes(stress.data());
+    body.response()->surface_fields(std::move(state), body.own())->at_nodes(stress.data());
   else
     body_node_stresses(body, {body.mesh().surface.nodes(), u.data()}, stress.data());
   write_fields(body, u.data(), stress, path);

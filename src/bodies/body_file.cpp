@@ -15,7 +15,7 @@ namespace rollcon {
 namespace {
 
 /// To be raised whenever a section or the order of unknowns and equations changes.
-constexpr std::uint32_t body_format = 1;
+constexpr std::uint32_t body_format = 2;
 
 constexpr FileKind body_file{{0x89, 'R', 'C', 'B', '\r', '\n', 0x1a, '\n'},
                              "a saved body of rollcon",
@@ -29,7 +29,7 @@ void Body::save(const std::string& path) {
   prepare();
   SectionWriter file(path, body_file);
   write_content(*model_, file);
-  if (response()) response()->save(file);
+  if (response() && response()->saved()) response()->saved()->save(file, own());
   file.commit();
 }
 

@@ -23,11 +23,11 @@ std::unique_ptr<Compliance> on_halfspace(const Frame& frame, const PairOfBodies&
                                    accuracy, threads);
 }
 
-std::unique_ptr<SurfaceResponse> by_finite_elements(BodyModel& model, int threads, SectionReader* saved) {
+std::unique_ptr<Condensed> by_finite_elements(BodyModel& model, int threads, SectionReader* saved) {
   return fem::make_response(model.mesh, model.smooth_fans, model.material, model.options, threads, saved);
 }
 
-std::unique_ptr<SurfaceResponse> by_boundary_elements(BodyModel& model, int threads, SectionReader* saved) {
+std::unique_ptr<Condensed> by_boundary_elements(BodyModel& model, int threads, SectionReader* saved) {
   const auto [young, poisson] = model.contact_material;
   refuse_incompressible_cavities(model.mesh, poisson);
   return bem::make_response(model.mesh, model.traction_nodes, young, poisson, model.options, threads, saved);

@@ -15,7 +15,7 @@ struct Frame;
 struct PairOfBodies;
 class Compliance;
 class SectionReader;
-class SurfaceResponse;
+class Condensed;
 
 enum class BodyKind : std::int32_t { fem = 1, bem = 2, halfspace = 3, rigid = 4 };
 
@@ -33,7 +33,7 @@ struct BodyTraits {
   std::unique_ptr<Compliance> (*make_compliance)(const Frame& frame, const PairOfBodies& pair, int which,
                                                  double accuracy, int threads) = nullptr;
   // Of bodies with equations; null: it has none.
-  std::unique_ptr<SurfaceResponse> (*make_response)(BodyModel& model, int threads, SectionReader* saved) = nullptr;
+  std::unique_ptr<Condensed> (*make_response)(BodyModel& model, int threads, SectionReader* saved) = nullptr;
   double worst_condition = 0;  ///< beyond it few digits of its displacements are left
   bool dense = false;          ///< its matrix
   /// Its displacement less that of a half-space is smooth between nodes, too.

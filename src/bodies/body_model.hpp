@@ -33,7 +33,9 @@ struct BodyModel {
   std::unique_ptr<SurfaceSearch> search;
   std::unique_ptr<Surface> surface;
   Thinness thin;
-  std::unique_ptr<SurfaceResponse> response;  ///< safe for several threads
+  /// Shared with bodies that differ in their loads alone; safe for several threads.
+  std::shared_ptr<Condensed> response;
+  OwnLoads own;  ///< what the body's own loads do
 };
 
 /// Young's modulus and Poisson's ratio that every model takes; err_argument, err_nonfinite.

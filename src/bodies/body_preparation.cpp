@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "bodies/body_model.hpp"
-#include "bodies/load_case.hpp"
 #include "bodies/model/supports.hpp"
 #include "mesh/shape.hpp"
 #include "mesh/surface_check.hpp"
@@ -108,8 +107,13 @@ void prepare_model(BodyModel& model, int threads, const EquationSource& from) {
   model.thin = thinness(mesh, traits.thin_linear, traits.thin_quadratic);
   if (traits.volume) choose_contact_material(model);
   try {
-    model.response = from.unlike_loads ? make_load_case(from.unlike_loads, mesh, threads)
-                                       : traits.make_response(model, threads, from.saved);
+    if (const std::shared_ptr<BodyModel>& base = from.unlike_loads) {
+      model.own = base->response->solve_loads(mesh, threads);
+      model.response = {base, base->response.get()};  // it refers to the mesh of the other
+    } else {
+      model.response = traits.make_response(model, threads, from.saved);
+      model.own = model.response->own();
+    }
   } catch (const std::bad_alloc&) {
     fail(Status::err_memory, "%s; the body has %lld nodes", out_of_memory_text(),
          static_cast<long long>(mesh.surface.nodes()));

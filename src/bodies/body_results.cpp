@@ -61,7 +61,7 @@ constexpr Statistic statistics[] = {
     {"imbalance_y", missed_along<1>},
     {"imbalance_z", missed_along<2>},
     {"imbalance_pressure", [](const Body& body) { return imbalances_of(body.response()).pressure; }},
-    {"imbalance_loads", [](const Body& body) { return imbalances_of(body.response()).loads; }},
+    {"imbalance_loads", [](const Body& body) { return body.own().missed; }},
     {"shared", [](const Body& body) { return body.shared() ? 1.0 : 0.0; }},
     {"loaded", [](const Body& body) { return body.loaded() ? 1.0 : 0.0; }},
 };
@@ -74,8 +74,7 @@ void body_displacements(const Body& body, std::int64_t capacity, double* u) {
   if (capacity < nodes)
     fail(Status::err_capacity, "capacity is %lld nodes; needed: %lld", static_cast<long long>(capacity),
          static_cast<long long>(nodes));
-  std::span<const double> own;
-  if (body.response()) own = body.response()->own().displacement;
+  const std::span<const double> own = body.own().displacement;
   if (own.empty())
     std::fill_n(u, 3 * nodes, 0.0);
   else
@@ -84,10 +83,8 @@ void body_displacements(const Body& body, std::int64_t capacity, double* u) {
 
 void body_reaction(const Body& body, Vec3& force, Vec3& moment) {
   require_prepared_mesh(body);
-  Resultant r;
-  if (body.response()) r = body.response()->own().reaction;
-  force = r.force;
-  moment = r.moment;
+  force = body.own().reaction.force;
+  moment = body.own().reaction.moment;
 }
 
 double body_statistic(const Body& body, const char* name) {

@@ -17,10 +17,9 @@ double largest_poisson(VolumeType /*type*/) {
   return 0;
 }
 
-std::unique_ptr<SurfaceResponse> make_response(const BodyMesh& /*mesh*/, const TractionNodes& /*fans*/,
-                                               const std::map<std::int32_t, Elastic>& /*material*/,
-                                               const BodyOptions& /*options*/, int /*threads*/,
-                                               SectionReader* /*saved*/) {
+std::unique_ptr<Condensed> make_response(const BodyMesh& /*mesh*/, const TractionNodes& /*fans*/,
+                                         const std::map<std::int32_t, Elastic>& /*material*/,
+                                         const BodyOptions& /*options*/, int /*threads*/, SectionReader* /*saved*/) {
   require_support();
   return nullptr;
 }

@@ -227,7 +227,7 @@ TEST(Expanded, loads_of_its_own_are_solved_in_any_case) {
     owner->pressure(4, 30);
     owner->body().prepare();
     EXPECT_EQ(stat(owner->body(), &BodyStatistics::factorizations), 1);
-    const auto& u = owner->body().response()->own().displacement;
+    const auto& u = owner->body().own().displacement;
     return std::vector<double>(u.begin(), u.end());
   };
   const auto same = [&](auto type) {

@@ -16,25 +16,24 @@ class Counted final : public ResponseCache {
  public:
   Counted(const SurfaceMesh& surface, std::int64_t most_bytes) : ResponseCache(surface, most_bytes) {}
   std::shared_ptr<const BodyEquations> equations(int /*threads*/) override { return nullptr; }
-  const OwnLoads& own() const override { return none_; }
   OwnLoads solve_loads(const BodyMesh& /*loaded*/, int /*threads*/) override { return {}; }
   void solve_everywhere(std::span<double> /*load*/, SurfaceState& /*state*/, int /*threads*/) override {}
   BodyStatistics statistics() const override {
     const std::lock_guard lock(mutex_);
-    BodyStatistics s;
+    BodyStatistics s = statistics_with(0);
     s.condensations = asked;
-    s.bytes = kept_bytes();
-    count_kept(s);
     return s;
   }
-  std::int64_t solvable() const override { return 0; }
-  void save(SectionWriter& file, const OwnLoads& /*own*/) const override { save_kept(file); }
 
  private:
   void respond(const LoadedSurface& on, SurfaceRows& rows, int /*threads*/) override {
     fill(on.of_faces() ? static_cast<double>(on.face[0]) : on.layer.node[0][0], rows);
   }
   void load(const LoadedSurface& /*on*/, SurfaceLoads& /*loads*/, int /*threads*/) override { ++asked; }
+  std::uint64_t numbering() const override { return 0; }
+  std::int64_t factored() const override { return 0; }
+  void write_factors(SectionWriter& /*file*/) const override {}
+  void read_factors(SectionReader& /*file*/) override {}
   void fill(double mark, SurfaceRows& rows) {
     ++asked;
     rows.u.resize(3 * static_cast<std::int64_t>(rows.row.size()), 3 * static_cast<std::int64_t>(rows.column.size()));
@@ -42,7 +41,6 @@ class Counted final : public ResponseCache {
   }
 
   std::int64_t asked = 0;
-  OwnLoads none_;
 };
 
 class Cache : public ::testing::Test {

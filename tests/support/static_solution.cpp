@@ -109,7 +109,7 @@ StaticBody& StaticBody::solve() {
 }
 
 Vec3 StaticBody::displacement(std::int32_t node) const {
-  const auto& u = body_->response()->own().displacement;
+  const auto& u = body_->own().displacement;
   return {u[3 * at(node)], u[3 * at(node) + 1], u[3 * at(node) + 2]};
 }
 
@@ -118,7 +118,7 @@ Vec3 StaticBody::displacement(const Vec3& near) const {
 }
 
 Vec3 StaticBody::traction_at(std::int64_t fan) const {
-  const auto& t = body_->response()->own().traction;
+  const auto& t = body_->own().traction;
   return {t[3 * at(fan)], t[3 * at(fan) + 1], t[3 * at(fan) + 2]};
 }
 

@@ -45,10 +45,10 @@ class StaticBody {
   StaticBody& solve();
 
   Vec3 displacement(std::int32_t node) const;
-  Vec3 displacement(const Vec3& near) const;  ///< displacement of the node nearest to the point
-  /// Returns what the supports exert, about the origin.
-  Resultant reaction() const { return body_->response()->own().reaction; }
-  /// Returns the traction of a traction node (boundary elements).
+  Vec3 displacement(const Vec3& near) const;  ///< of the node nearest to it
+  /// What the supports exert, about the origin.
+  Resultant reaction() const { return body_->own().reaction; }
+  /// Of a traction node (boundary elements).
   Vec3 traction_at(std::int64_t fan) const;
   /// Returns the sum over all elements of integral t, and of x cross t about the origin (boundary elements).
   Resultant resultant(std::initializer_list<std::int32_t> tags) const;

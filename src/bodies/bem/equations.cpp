@@ -23,8 +23,7 @@ std::shared_ptr<const BodyEquations> System::equations(int threads) {
     assemble(mesh_, threads, equations->dense.data(), no_load);
     ++statistics_.assemblies;
   }
-  statistics_.peak_bytes =
-      std::max(statistics_.peak_bytes, matrix_.bytes() + equations->dense.capacity() * sizeof(double));
+  count_peak(matrix_.bytes() + equations->bytes());
   equations_ = equations;
   if (options_.keep_factors != 0 && !matrix_.factored()) kept_equations_ = equations;
   return equations;

@@ -64,12 +64,13 @@ System::System(const BodyMesh& mesh, const TractionNodes& fans, double young, do
   reach_ = 0.5 * length(box_of(mesh.surface.node).size());
   held_at_ = middle_of_held(mesh);
   statistics_.unknowns = unknowns_.columns;
-  const auto given = [](const Vec3& v) { return v != Vec3{0, 0, 0}; };
-  const bool loaded = !mesh.load.empty() || std::any_of(mesh.held_value.begin(), mesh.held_value.end(), given);
-  if (saved)
-    restore(*saved);
-  else if (options.prepare != 0 || loaded)
+  statistics_.nonzeros = unknowns_.columns * unknowns_.columns;
+  if (saved) {
+    restore(*saved, unknowns_.displacement.size(), unknowns_.traction.size());
+    statistics_.peak_bytes = matrix_.bytes() + kept_bytes();
+  } else if (options.prepare != 0 || mesh.loaded()) {
     factorize(threads);
+  }
   own_solved_ = true;
 }
 
@@ -80,7 +81,7 @@ void System::factorize(int threads) {
   double* a = matrix_.prepare(unknowns_.columns);
   if (const auto known = equations_.lock()) {
     std::copy(known->dense.begin(), known->dense.end(), a);
-    statistics_.peak_bytes = std::max(statistics_.peak_bytes, 2 * matrix_.bytes());
+    count_peak(2 * matrix_.bytes());
   } else {
     const Stopwatch watch(statistics_.seconds_assembly);
     assemble(mesh_, threads, a, own_load);
@@ -91,9 +92,8 @@ void System::factorize(int threads) {
   ++statistics_.factorizations;
   const bool regular = matrix_.factor();
   statistics_.condition = matrix_.condition();
-  statistics_.peak_bytes =
-      std::max(statistics_.peak_bytes, matrix_.bytes() + at(threads) * (at(lifted_.mesh.nodes()) + at(fans_.size())) *
-                                                             9 * lanes * sizeof(double));
+  count_peak(matrix_.bytes() +
+             at(threads) * (at(lifted_.mesh.nodes()) + at(fans_.size())) * 9 * lanes * sizeof(double));
   if (!regular || !(matrix_.condition() < worst_condition)) {
     matrix_.release();
     fail(Status::err_singular,
@@ -101,21 +101,16 @@ void System::factorize(int threads) {
          "supports and its mesh",
          statistics_.condition);
   }
-  if (own_solved_) return;
-  own_ = solve_own_load(mesh_, own_load);
-  imbalances_.loads = own_.missed;
+  if (!own_solved_) own_ = solve_own_load(mesh_, own_load);
 }
 
 OwnLoads System::solve_own_load(const BodyMesh& loaded, std::vector<double>& b) const {
   OwnLoads own;
   const std::vector<double> given = given_tractions(loaded);
-  const bool moved = std::any_of(loaded.held_value.begin(), loaded.held_value.end(), [](const Vec3& v) {
-    return v != Vec3{0, 0, 0};
-  });
+  const bool moved = loaded.moved();
   if (given.empty() && !moved) return own;
   matrix_.solve(b.data(), 1);
-  if (!std::all_of(b.begin(), b.end(), [](double v) { return std::isfinite(v); }))
-    fail(Status::err_argument, "the body's loads are too large for its elastic constants: its displacements overflow");
+  require_no_overflow(b);
   own.displacement.resize(unknowns_.displacement.size());
   for (std::size_t k = 0; k < own.displacement.size(); ++k) {
     const std::int32_t column = unknowns_.displacement[k];
@@ -168,8 +163,7 @@ void System::condense(std::vector<double> b, const LoadedSurface& surface, Surfa
       double* out = rows.u.row(static_cast<std::int64_t>(3 * r + c));
       for (std::int64_t k = 0; k < 3 * columns; ++k) out[k] = unknown >= 0 ? b[at(unknown + k * n)] : 0;
     }
-  statistics_.peak_bytes =
-      std::max(statistics_.peak_bytes, matrix_.bytes() + b.size() * sizeof(double) + rows.u.bytes());
+  count_peak(matrix_.bytes() + b.size() * sizeof(double) + rows.u.bytes());
   if (options_.keep_factors == 0) matrix_.release();
 }
 
@@ -186,22 +180,17 @@ Imbalances System::imbalances() const {
 
 BodyStatistics System::statistics() const {
   const std::lock_guard lock(mutex_);
-  BodyStatistics s = statistics_;
+  BodyStatistics s = statistics_with(matrix_.bytes() + integrals_.bytes());
   s.kernel_evaluations += integrals_.kernel_evaluations();
-  s.bytes = matrix_.bytes() + integrals_.bytes() + kept_bytes();
-  if (const auto equations = equations_.lock()) s.bytes += equations->dense.capacity() * sizeof(double);
-  s.nonzeros = s.unknowns * s.unknowns;
   const Imbalances& i = imbalances_;
-  s.imbalance = std::max({i.along[0], i.along[1], i.along[2], i.pressure, i.loads});
-  count_kept(s);
+  s.imbalance = std::max({i.along[0], i.along[1], i.along[2], i.pressure, own_.missed});
   return s;
 }
 
 void require_support() {}
 
-std::unique_ptr<SurfaceResponse> make_response(const BodyMesh& mesh, const TractionNodes& fans, double young,
-                                               double poisson, const BodyOptions& options, int threads,
-                                               SectionReader* saved) {
+std::unique_ptr<Condensed> make_response(const BodyMesh& mesh, const TractionNodes& fans, double young, double poisson,
+                                         const BodyOptions& options, int threads, SectionReader* saved) {
   return std::make_unique<System>(mesh, fans, young, poisson, options, threads, saved);
 }
 

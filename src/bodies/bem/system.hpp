@@ -7,14 +7,13 @@
 #include "bodies/bem/somigliana.hpp"
 #include "bodies/bem/unknowns.hpp"
 #include "bodies/model/body_mesh.hpp"
-#include "bodies/model/imbalance.hpp"
 #include "bodies/model/response_cache.hpp"
 #include "linalg/factored_matrix.hpp"
 #include "mesh/traction_nodes.hpp"
 
 namespace rollcon::bem {
 
-class System final : public ResponseCache, public MayMissLoads {
+class System final : public ResponseCache {
  public:
   /// Assembles and factorises, unless option prepare is 0 and the body has no loads of its own: then the first use
   /// does. The mesh (checked, held) and fans must outlive it. saved: takes instead what save() wrote for an equal body.
@@ -22,24 +21,21 @@ class System final : public ResponseCache, public MayMissLoads {
   System(const BodyMesh& mesh, const TractionNodes& fans, double young, double poisson, const BodyOptions& options,
          int threads, SectionReader* saved);
 
-  const OwnLoads& own() const override { return own_; }
   OwnLoads solve_loads(const BodyMesh& loaded, int threads) override;
   BodyStatistics statistics() const override;
   Imbalances imbalances() const override;
   std::shared_ptr<const BodyEquations> equations(int threads) override;
-  std::int64_t solvable() const override;
   void solve_everywhere(std::span<double> load, SurfaceState& state, int threads) override;
   std::unique_ptr<const SurfaceFields> surface_fields(SurfaceState&& state, const OwnLoads& own) override;
-  using SurfaceResponse::save;
-  void save(SectionWriter& file, const OwnLoads& own) const override;
 
  private:
   void respond(const LoadedSurface& surface, SurfaceRows& rows, int threads) override;
   void load(const LoadedSurface& surface, SurfaceLoads& loads, int threads) override;
+  std::uint64_t numbering() const override;
+  std::int64_t factored() const override { return matrix_.factored() ? unknowns_.columns : 0; }
+  void write_factors(SectionWriter& file) const override;
+  void read_factors(SectionReader& file) override;
   void factorize(int threads);
-  void restore(SectionReader& file);
-  /// Of the order of unknowns and equations, which factors belong to.
-  std::uint64_t numbering() const;
   struct PackTarget;
   std::vector<std::int32_t> needed_fans(const std::vector<double>& given, std::int32_t& columns) const;
   void place(const double* h, const double* g, const std::vector<std::int32_t>& column_of_fan,
@@ -81,14 +77,10 @@ class System final : public ResponseCache, public MayMissLoads {
   double reach_ = 0;              ///< half the diagonal of the body's box
   Vec3 held_at_{0, 0, 0};         ///< mean place of the held nodes
   FactoredMatrix matrix_;
-  std::weak_ptr<const BodyEquations> equations_;
   std::shared_ptr<const BodyEquations> kept_equations_;  ///< until factorised
   std::shared_ptr<const SomiglianaBody> inside_;         ///< made when fields inside are asked for
-  OwnLoads own_;
   bool own_solved_ = false;
-
-  Imbalances imbalances_;
-  BodyStatistics statistics_;  ///< mutex_ guards both, and matrix_ after construction
+  Imbalances imbalances_;  ///< mutex_ guards it, and matrix_ after construction
 };
 
 }  // namespace rollcon::bem

@@ -44,7 +44,7 @@ std::shared_ptr<const BodyEquations> System::equations(int threads) {
   equations->unknowns = unknowns_.count;
   equations->symmetric = true;
   equations->matrix = both_triangles(matrix_);
-  statistics_.peak_bytes = std::max(statistics_.peak_bytes, matrix_.bytes() + equations->matrix.bytes());
+  count_peak(matrix_.bytes() + equations->bytes());
   if (options_.keep_factors == 0) matrix_ = {};
   equations_ = equations;
   return equations;

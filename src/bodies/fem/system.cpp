@@ -66,17 +66,15 @@ System::System(const BodyMesh& mesh, const TractionNodes& fans, const std::map<s
       interior_(mesh, assembly_, hex8_of(options), reference_),
       unknowns_(number_unknowns(mesh)) {
   statistics_.unknowns = unknowns_.count;
-  const bool loaded = !mesh.load.empty() || !mesh.body_force.empty() ||
-                      std::any_of(mesh.held_value.begin(), mesh.held_value.end(), [](const Vec3& v) {
-                        return v != Vec3{0, 0, 0};
-                      });
   contact_ = unknowns_at(nodes_around(surface_, contact_elements(mesh)));
   const bool few = static_cast<std::int64_t>(contact_.size()) <=
                    (mesh.contact_tag.empty() ? most_unnamed_at_once : most_condensed_at_once);
-  if (saved)
-    restore(*saved);
-  else if ((few && options.prepare != 0) || loaded)
+  if (saved) {
+    restore(*saved, unknowns_.of.size(), 0);
+    statistics_.peak_bytes = kept_bytes() + factor_bytes();
+  } else if ((few && options.prepare != 0) || mesh.loaded()) {
     factorize(few ? contact_ : std::vector<std::int64_t>{}, threads);
+  }
 }
 
 std::vector<std::int64_t> System::unknowns_at(const std::vector<std::int32_t>& node) const {
@@ -116,7 +114,7 @@ std::unique_ptr<SparseFactor> System::factor_of(std::span<const std::int64_t> co
   const SparseStatistics s = factor->statistics();
   statistics_.seconds_order += s.seconds_order;
   statistics_.seconds_factor += seconds - s.seconds_order;
-  statistics_.peak_bytes = std::max(statistics_.peak_bytes, matrix_.bytes() + s.peak_bytes);
+  count_peak(matrix_.bytes() + s.peak_bytes);
   return factor;
 }
 
@@ -161,10 +159,8 @@ void System::place_condensed(std::vector<std::int64_t> condensed) {
 
 OwnLoads System::solve_own_load(const BodyMesh& loaded, const Assembly& assembly, SparseFactor& factor) const {
   OwnLoads own;
-  const bool moved = std::any_of(loaded.held_value.begin(), loaded.held_value.end(), [](const Vec3& v) {
-    return v != Vec3{0, 0, 0};
-  });
-  if (loaded.load.empty() && loaded.body_force.empty() && !moved) return own;
+  if (!loaded.loaded()) return own;
+  const bool moved = loaded.moved();
   const std::vector<double> load = assembly.loads(reference_);
   std::vector<double> u(load.size(), 0.0), b(at(unknowns_.count));
   for (std::size_t k = 0; k < u.size(); ++k)
@@ -173,8 +169,7 @@ OwnLoads System::solve_own_load(const BodyMesh& loaded, const Assembly& assembly
   for (std::size_t k = 0; k < u.size(); ++k)
     if (unknowns_.of[k] >= 0) b[at(unknowns_.of[k])] = load[k] - moved_force[k];
   factor.solve(b.data(), 1);
-  if (!std::all_of(b.begin(), b.end(), [](double v) { return std::isfinite(v); }))
-    fail(Status::err_argument, "the body's loads are too large for its elastic constants: its displacements overflow");
+  require_no_overflow(b);
   for (std::size_t k = 0; k < u.size(); ++k)
     if (unknowns_.of[k] >= 0) u[k] = b[at(unknowns_.of[k])];
   const std::vector<double> force = assembly.forces_at_supports(u);
@@ -246,8 +241,7 @@ void System::condense(const std::vector<std::int32_t>& loaded, const RowMatrix<d
         for (std::size_t k = 0; k < 3 * count; ++k) out[k] = u >= 0 ? b[k * m + at(condensed_at_[at(u)])] : 0;
       }
   }
-  statistics_.peak_bytes = std::max(statistics_.peak_bytes, matrix_.bytes() + factor_->statistics().bytes +
-                                                                b.capacity() * sizeof(double) + rows.u.bytes());
+  count_peak(matrix_.bytes() + factor_bytes() + b.capacity() * sizeof(double) + rows.u.bytes());
   if (options_.keep_factors == 0) factor_.reset();
 }
 
@@ -281,19 +275,14 @@ void System::solve_everywhere(std::span<double> load, SurfaceState& state, int t
 
 BodyStatistics System::statistics() const {
   const std::lock_guard lock(mutex_);
-  BodyStatistics s = statistics_;
-  s.bytes = matrix_.bytes() + kept_bytes() + (factor_ ? factor_->statistics().bytes : 0) +
-            (whole_ ? whole_->statistics().bytes : 0);
-  if (const auto equations = equations_.lock()) s.bytes += equations->matrix.bytes();
-  count_kept(s);
-  return s;
+  return statistics_with(matrix_.bytes() + factor_bytes() + (whole_ ? whole_->statistics().bytes : 0));
 }
 
 void require_support() {}
 
-std::unique_ptr<SurfaceResponse> make_response(const BodyMesh& mesh, const TractionNodes& fans,
-                                               const std::map<std::int32_t, Elastic>& material,
-                                               const BodyOptions& options, int threads, SectionReader* saved) {
+std::unique_ptr<Condensed> make_response(const BodyMesh& mesh, const TractionNodes& fans,
+                                         const std::map<std::int32_t, Elastic>& material, const BodyOptions& options,
+                                         int threads, SectionReader* saved) {
   return std::make_unique<System>(mesh, fans, material, options, threads, saved);
 }
 

@@ -25,13 +25,9 @@ class System final : public ResponseCache {
   System(const BodyMesh& mesh, const TractionNodes& fans, const std::map<std::int32_t, Elastic>& material,
          const BodyOptions& options, int threads, SectionReader* saved);
 
-  const OwnLoads& own() const override { return own_; }
   OwnLoads solve_loads(const BodyMesh& loaded, int threads) override;
   BodyStatistics statistics() const override;
   std::shared_ptr<const BodyEquations> equations(int threads) override;
-  std::int64_t solvable() const override;
-  using SurfaceResponse::save;
-  void save(SectionWriter& file, const OwnLoads& own) const override;
   void solve_everywhere(std::span<double> load, SurfaceState& state, int threads) override;
   const BodyInterior* interior() const override { return &interior_; }
 
@@ -46,10 +42,11 @@ class System final : public ResponseCache {
   std::unique_ptr<SparseFactor> factor_of(std::span<const std::int64_t> condensed, int threads);
   std::string bending_hint() const;
   void place_condensed(std::vector<std::int64_t> condensed);
-  void restore(SectionReader& file);
-  void restore_factor(SectionReader& file);
-  /// Of the order of unknowns, which factors belong to.
-  std::uint64_t numbering() const;
+  std::uint64_t numbering() const override;
+  std::int64_t factored() const override { return factor_ ? static_cast<std::int64_t>(condensed_.size()) : 0; }
+  void write_factors(SectionWriter& file) const override;
+  void read_factors(SectionReader& file) override;
+  std::size_t factor_bytes() const { return factor_ ? factor_->statistics().bytes : 0; }
   void require_condensed(const std::vector<std::int32_t>& node, int threads);
   std::vector<std::int64_t> unknowns_at(const std::vector<std::int32_t>& node) const;
   OwnLoads solve_own_load(const BodyMesh& loaded, const Assembly& assembly, SparseFactor& factor) const;
@@ -68,17 +65,14 @@ class System final : public ResponseCache {
   Assembly assembly_;
   Interior interior_;
   Unknowns unknowns_;
-  OwnLoads own_;
 
   /// Empty until needed, once freed, and once all that contact may need is condensed.
   SparseMatrix matrix_;
-  std::weak_ptr<const BodyEquations> equations_;
   std::unique_ptr<SparseFactor> factor_;
   std::unique_ptr<SparseFactor> whole_;     ///< of nothing condensed, made when displacements inside are asked for
   std::vector<std::int64_t> condensed_;     ///< unknowns, ascending
   std::vector<std::int64_t> condensed_at_;  ///< place of each unknown in condensed_, -1: none
   std::vector<std::int64_t> contact_;       ///< unknowns that contact may need
-  BodyStatistics statistics_;
 };
 
 }  // namespace rollcon::fem

@@ -66,6 +66,10 @@ Vec3 FaceLoad::turned(const Vec3& v, const Vec3& normal) const {
   return v[0] * tangent + v[1] * cross(normal, tangent) + v[2] * normal;
 }
 
+bool BodyMesh::moved() const {
+  return std::any_of(held_value.begin(), held_value.end(), [](const Vec3& v) { return v != Vec3{0, 0, 0}; });
+}
+
 void tag_by_nodes(const FaceNaming& naming, SurfaceMesh& surface) {
   std::vector<std::uint8_t> named(static_cast<std::size_t>(surface.nodes()), 0);
   for (const std::int32_t k : naming.nodes) named[static_cast<std::size_t>(k)] = 1;

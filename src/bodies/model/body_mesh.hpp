@@ -71,6 +71,11 @@ struct BodyMesh {
   std::vector<BodyForce> body_force;  ///< likewise, of volume elements
   /// Tags of faces that may come into contact; empty: all faces that are neither held nor loaded.
   std::vector<std::int32_t> contact_tag;
+
+  /// Displacements are given that are not zero.
+  bool moved() const;
+  /// The body has loads of its own.
+  bool loaded() const { return !load.empty() || !body_force.empty() || moved(); }
 };
 
 struct BodyOptions {

@@ -16,7 +16,7 @@
 
 namespace rollcon {
 
-class SurfaceResponse;
+class Condensed;
 class TranslationKernel;
 
 /// Points of the contact surface, by their coordinates in the plane of the frame's axes (t1, t2): on a curved frame,
@@ -58,7 +58,7 @@ class BlockBuffer {
 
 /// What a frame finds of the mesh of a body.
 struct MeshOnFrame {
-  const SurfaceResponse* response = nullptr;  ///< null: the body has no mesh
+  const Condensed* response = nullptr;  ///< null: the body has no mesh
   double under_faces = 0;   ///< thickness over length of faces (square root of the area), mean by area; at most 10
   double glued = INFINITY;  ///< least thickness where the other side is held
   /// Least depth of volume elements, half of it if quadratic, where the body has fewer than four layers of them.

@@ -26,6 +26,8 @@ struct BodyEquations {
   bool symmetric = false;     ///< positive definite
   SparseMatrix matrix;        ///< whole, both triangles; empty when dense
   std::vector<double> dense;  ///< unknowns squared, column-major; empty when sparse
+
+  std::size_t bytes() const { return matrix.bytes() + dense.capacity() * sizeof(double); }
 };
 
 struct ExpandedBody {

@@ -7,26 +7,15 @@ namespace rollcon {
 struct Imbalances {
   /// Parts of uniform tractions on frames, the largest of all frames: along the body's axes, and of a pressure.
   double along[3] = {0, 0, 0}, pressure = 0;
-  double loads = 0;  ///< part of the body's own loads
   /// Part of the work of uniform tractions along each of the body's axes that bends elements too long for its
   /// thickness.
   double bent[3] = {0, 0, 0};
 };
 
-/// A response that may miss loads.
-class MayMissLoads {
- public:
-  virtual Imbalances imbalances() const = 0;
-
- protected:
-  ~MayMissLoads() = default;
-};
-
-/// Of any response: none where it cannot miss a load.
+/// Without a response: none.
 template <class Response>
 Imbalances imbalances_of(const Response* response) {
-  const auto* missing = dynamic_cast<const MayMissLoads*>(response);
-  return missing ? missing->imbalances() : Imbalances{};
+  return response ? response->imbalances() : Imbalances{};
 }
 
 }  // namespace rollcon

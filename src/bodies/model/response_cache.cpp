@@ -1,10 +1,12 @@
 #include "bodies/model/response_cache.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
 #include "bodies/model/body_mesh.hpp"
+#include "support/error.hpp"
 
 namespace rollcon {
 
@@ -74,9 +76,22 @@ std::size_t ResponseCache::kept_bytes() const {
   return bytes;
 }
 
-void ResponseCache::count_kept(BodyStatistics& statistics) const {
-  statistics.responses_kept = static_cast<std::int64_t>(kept_.size());
-  statistics.responses_dropped = dropped_;
+BodyStatistics ResponseCache::statistics_with(std::size_t bytes) const {
+  BodyStatistics s = statistics_;
+  s.bytes = bytes + kept_bytes();
+  if (const auto equations = equations_.lock()) s.bytes += equations->bytes();
+  s.responses_kept = static_cast<std::int64_t>(kept_.size());
+  s.responses_dropped = dropped_;
+  return s;
+}
+
+void ResponseCache::require_no_overflow(std::span<const double> u) {
+  if (!std::all_of(u.begin(), u.end(), [](double v) { return std::isfinite(v); }))
+    fail(Status::err_argument, "the body's loads are too large for its elastic constants: its displacements overflow");
+}
+
+void ResponseCache::count_peak(std::size_t bytes) {
+  statistics_.peak_bytes = std::max(statistics_.peak_bytes, bytes);
 }
 
 }  // namespace rollcon

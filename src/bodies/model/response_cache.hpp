@@ -1,6 +1,6 @@
 #pragma once
-/// Keeps what a body's surface answered: for each set of faces and each layer, the latest used ones up to a number of
-/// bytes.
+/// What bodies with equations share. Responses are kept for each set of faces and each layer, the latest used ones up
+/// to a number of bytes; these and the factors go to and from files.
 
 #include <cstddef>
 #include <list>
@@ -10,10 +10,15 @@
 
 namespace rollcon {
 
-class ResponseCache : public SurfaceResponse {
+class ResponseCache : public Condensed, public AsEquations, public Saved {
  public:
   std::shared_ptr<const SurfaceRows> rows(const LoadedSurface& surface, int threads) final;
   std::shared_ptr<const SurfaceLoads> loads(const LoadedSurface& surface, int threads) final;
+  const OwnLoads& own() const final { return own_; }
+  AsEquations* as_equations() final { return this; }
+  Saved* saved() final { return this; }
+  std::int64_t solvable() const final;
+  void save(SectionWriter& file, const OwnLoads& own) const final;
   void add_kept(SectionReader& file) final;
 
  protected:
@@ -21,20 +26,35 @@ class ResponseCache : public SurfaceResponse {
   /// used last.
   ResponseCache(const SurfaceMesh& surface, std::int64_t most_bytes)
       : surface_(surface), most_bytes_(static_cast<std::size_t>(most_bytes)) {}
-  /// Rows and columns are set; u is to be filled. Called with the mutex held.
-  virtual void respond(const LoadedSurface& surface, SurfaceRows& rows, int threads) = 0;
-  /// Likewise: load and unknown are to be filled.
-  virtual void load(const LoadedSurface& surface, SurfaceLoads& loads, int threads) = 0;
 
-  // With the mutex held.
+  // Called with the mutex held.
+
+  /// Fills u; rows and columns are set.
+  virtual void respond(const LoadedSurface& surface, SurfaceRows& rows, int threads) = 0;
+  /// Fills load and unknown.
+  virtual void load(const LoadedSurface& surface, SurfaceLoads& loads, int threads) = 0;
+  /// Checksum of the order of unknowns and equations, which factors belong to.
+  virtual std::uint64_t numbering() const = 0;
+  /// Unknowns that the factors solve for; 0: there are none.
+  virtual std::int64_t factored() const = 0;
+  /// Section "factors", its beginning and end apart.
+  virtual void write_factors(SectionWriter& file) const = 0;
+  virtual void read_factors(SectionReader& file) = 0;
+
   std::size_t kept_bytes() const;
-  /// Counts of what is kept and was dropped.
-  void count_kept(BodyStatistics& statistics) const;
-  /// Section "kept".
-  void save_kept(SectionWriter& file) const;
+  /// Statistics with the counts of what is kept and was dropped, and the bytes of that besides these.
+  BodyStatistics statistics_with(std::size_t bytes) const;
+  void count_peak(std::size_t bytes);
+  /// Throws err_argument where displacements under own loads are not finite.
+  static void require_no_overflow(std::span<const double> u);
+  /// Takes what save() wrote. displacements, tractions: how many numbers own loads have, if there are any.
+  void restore(SectionReader& file, std::size_t displacements, std::size_t tractions);
 
   const SurfaceMesh& surface_;
   mutable std::mutex mutex_;
+  OwnLoads own_;
+  BodyStatistics statistics_;
+  std::weak_ptr<const BodyEquations> equations_;
 
  private:
   struct Kept {
@@ -49,8 +69,6 @@ class ResponseCache : public SurfaceResponse {
   void set_outline(const LoadedSurface& surface, SurfaceOutline& outline) const;
   std::shared_ptr<const SurfaceRows> find(const LoadedSurface& surface);
   void drop();
-  template <class Archive, class Rows>
-  void content(Archive& ar, auto& surface, Rows& rows) const;
 
   std::size_t most_bytes_;
   std::list<Kept> kept_;  ///< latest used first

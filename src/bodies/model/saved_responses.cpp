@@ -14,11 +14,19 @@ bool within(const auto& ids, std::int64_t count) {
   return std::all_of(ids.begin(), ids.end(), [&](auto k) { return k >= 0 && k < count; });
 }
 
-}  // namespace
+template <class Archive>
+void own_content(Archive& ar, auto& statistics, auto& own) {
+  ar(statistics.condition);
+  ar(statistics.nonzeros);
+  ar(own.displacement);
+  ar(own.traction);
+  ar(own.reaction.force);
+  ar(own.reaction.moment);
+}
 
-// Of faces, rows and columns follow from the mesh.
-template <class Archive, class Rows>
-void ResponseCache::content(Archive& ar, auto& surface, Rows& rows) const {
+// Rows and columns of faces follow from the mesh.
+template <class Archive>
+void kept_content(Archive& ar, auto& surface, auto& rows) {
   ar(surface.face);
   ar(surface.layer.node);
   ar(surface.layer.type);
@@ -32,11 +40,49 @@ void ResponseCache::content(Archive& ar, auto& surface, Rows& rows) const {
   ar(rows.u);
 }
 
-void ResponseCache::save_kept(SectionWriter& file) const {
-  file.begin("kept");
+}  // namespace
+
+std::int64_t ResponseCache::solvable() const {
+  const std::lock_guard lock(mutex_);
+  return factored();
+}
+
+void ResponseCache::save(SectionWriter& file, const OwnLoads& own) const {
+  const std::lock_guard lock(mutex_);
   OutArchive ar(file);
+  file.begin("response");
+  ar(factored());
+  ar(numbering());
+  own_content(ar, statistics_, own);
+  if (factored() > 0) {
+    file.begin("factors");
+    write_factors(file);
+  }
+  file.begin("kept");
   ar.count(kept_.size());
-  for (const Kept& entry : kept_) content(ar, entry.surface, *entry.rows);
+  for (const Kept& entry : kept_) kept_content(ar, entry.surface, *entry.rows);
+}
+
+void ResponseCache::restore(SectionReader& file, std::size_t displacements, std::size_t tractions) {
+  InArchive ar(file);
+  file.begin("response");
+  std::int64_t solvable = 0;
+  std::uint64_t numbers = 0;
+  ar(solvable);
+  ar(numbers);
+  own_content(ar, statistics_, own_);
+  file.end();
+  if (numbers != numbering())
+    file.fail_here("this library numbers the unknowns of the body differently: save it again");
+  const std::size_t u = own_.displacement.size(), t = own_.traction.size();
+  if ((u != 0 || t != 0) && (u != displacements || t != tractions))
+    file.fail_here("the displacements under loads do not fit the mesh");
+  if (solvable > 0) {
+    file.begin("factors");
+    read_factors(file);
+    file.end();
+  }
+  add_kept(file);
 }
 
 void ResponseCache::add_kept(SectionReader& file) {
@@ -48,7 +94,7 @@ void ResponseCache::add_kept(SectionReader& file) {
   file.begin("kept");
   InArchive ar(file);
   std::vector<Read> all(ar.count(least));
-  for (Read& entry : all) content(ar, entry.surface, *entry.rows);
+  for (Read& entry : all) kept_content(ar, entry.surface, *entry.rows);
   file.end();
   const std::lock_guard lock(mutex_);
   std::list<Kept> more;

@@ -1,6 +1,5 @@
 #pragma once
-/// An elastic body with a mesh: its equations, and how its surface answers loads. Boundary-element and finite-element
-/// bodies implement it; everything above sees this face of them.
+/// Elastic bodies with a mesh: how their surface answers loads, their equations, and their fields inside.
 
 #include <cstdint>
 #include <memory>
@@ -9,6 +8,7 @@
 
 #include "bodies/model/body_interior.hpp"
 #include "bodies/model/expanded_compliance.hpp"
+#include "bodies/model/imbalance.hpp"
 #include "bodies/model/surface_state.hpp"
 #include "linalg/dense.hpp"
 #include "mesh/surface_mesh.hpp"
@@ -46,8 +46,7 @@ struct SurfaceRows : SurfaceOutline {
   RowMatrix<double> u;  ///< (3 * row.size()) x (3 * column.size())
 };
 
-/// The same before the body's unknowns are eliminated: right sides of its equations, and which unknowns the
-/// displacements are.
+/// Right sides of the body's equations under unit nodal tractions, and which unknowns the displacements are.
 struct SurfaceLoads : SurfaceOutline {
   SparseMatrix load;                  ///< unknowns x (3 * column.size())
   std::vector<std::int64_t> unknown;  ///< of (row, component): [3 * r + c]; -1: held
@@ -65,7 +64,7 @@ struct OwnLoads {
   /// was given, and the reactions of the supports. Empty when displacement is.
   std::vector<double> traction;
   Resultant reaction;  ///< what the supports exert on the body
-  double missed = 0;   ///< boundary elements: see Imbalances
+  double missed = 0;   ///< boundary elements: the part of these loads that the reactions miss
 };
 
 struct BodyStatistics {
@@ -84,14 +83,10 @@ struct BodyMesh;
 class SectionReader;
 class SectionWriter;
 
-/// Safe for several threads.
-class SurfaceResponse {
+/// The body with its unknowns written out instead of eliminated. Nothing is factorised for loads and equations.
+class AsEquations {
  public:
-  virtual ~SurfaceResponse() = default;
-  /// Kept, up to option cache_bytes: asking again for the same surface costs nothing.
-  virtual std::shared_ptr<const SurfaceRows> rows(const LoadedSurface& surface, int threads) = 0;
-  /// Right sides for the same tractions. The body factorises and condenses nothing for them. Shared as long as anyone
-  /// holds them.
+  /// Right sides for tractions on the surface. Shared as long as anyone holds them.
   virtual std::shared_ptr<const SurfaceLoads> loads(const LoadedSurface& surface, int threads) = 0;
   /// The matrix to these right sides, assembled once: shared like them, and kept by the body itself until it is
   /// factorised (unless option keep_factors is 0).
@@ -99,28 +94,53 @@ class SurfaceResponse {
   /// Displacements of every node, and the reactions of supports as tractions of boundary elements, under a right side
   /// of the equations, which is overwritten; own loads and given displacements apart. Factorises at most once.
   virtual void solve_everywhere(std::span<double> load, SurfaceState& state, int threads) = 0;
-  /// Boundary elements: fields inside under this state and own loads; an empty one is those alone. Null: the body has
-  /// elements inside.
-  virtual std::unique_ptr<const SurfaceFields> surface_fields(SurfaceState&& /*state*/, const OwnLoads& /*own*/) {
-    return nullptr;
-  }
-  /// Null: the body has no elements inside.
-  virtual const BodyInterior* interior() const { return nullptr; }
-  /// Those that the body was prepared with.
-  virtual const OwnLoads& own() const = 0;
-  /// Those of a mesh that differs from the body's in loads and given displacements alone. Factorises at most once for
-  /// all that ask, finite elements with nothing condensed; boundary elements are assembled anew. err_argument.
-  virtual OwnLoads solve_loads(const BodyMesh& loaded, int threads) = 0;
-  virtual BodyStatistics statistics() const = 0;
 
+ protected:
+  ~AsEquations() = default;
+};
+
+/// A body whose factors and responses go to and from files.
+class Saved {
+ public:
   /// Unknowns for whose loads nothing needs to be assembled or factorised any more.
   virtual std::int64_t solvable() const = 0;
-  /// Writes what is kept: sections "response", "factors" when there are any, "kept". What can be found again from the
-  /// mesh without factorising is left out.
-  void save(SectionWriter& file) const { save(file, own()); }
+  /// Writes what is kept, and the displacements under these loads: sections "response", "factors" when there are any,
+  /// "kept". What can be found again from the mesh without factorising is left out.
   virtual void save(SectionWriter& file, const OwnLoads& own) const = 0;
   /// Adds what section "kept" has and is not kept yet.
   virtual void add_kept(SectionReader& file) = 0;
+
+ protected:
+  ~Saved() = default;
+};
+
+/// An elastic body with a mesh as a contact needs it: how the surface that a frame lies on answers tractions and the
+/// body's own loads. A body model implements this, and offers the other faces where it has them. Safe for several
+/// threads.
+class Condensed {
+ public:
+  virtual ~Condensed() = default;
+  /// Kept, up to option cache_bytes: asking again for the same surface costs nothing.
+  virtual std::shared_ptr<const SurfaceRows> rows(const LoadedSurface& surface, int threads) = 0;
+  /// The loads that the body was prepared with.
+  virtual const OwnLoads& own() const = 0;
+  /// What the loads of a mesh do that differs from the body's in loads and given displacements alone. Factorises at
+  /// most once for all that ask, finite elements with nothing condensed; boundary elements are assembled anew.
+  /// err_argument.
+  virtual OwnLoads solve_loads(const BodyMesh& loaded, int threads) = 0;
+  virtual BodyStatistics statistics() const = 0;
+  /// What loads on frames miss: see Imbalances.
+  virtual Imbalances imbalances() const { return {}; }
+
+  // Null where the body has no such face.
+  virtual AsEquations* as_equations() { return nullptr; }
+  virtual Saved* saved() { return nullptr; }
+  /// Fields of a body that has elements inside.
+  virtual const BodyInterior* interior() const { return nullptr; }
+  /// Fields inside of boundary elements under this state and own loads; an empty state is those alone.
+  virtual std::unique_ptr<const SurfaceFields> surface_fields(SurfaceState&& /*state*/, const OwnLoads& /*own*/) {
+    return nullptr;
+  }
 };
 
 }  // namespace rollcon
