@@ -1,4 +1,4 @@
-/// In place of boundary-element bodies, in a build without them.
+/// Stands for boundary-element bodies in a build without them.
 
 #include "bodies/model/mesh_models.hpp"
 #include "support/error.hpp"
@@ -11,7 +11,7 @@ void require_support() {
        "ROLLCON_WITH_BEM is OFF)");
 }
 
-// Not reached: there is no body that could ask.
+// Is not reached: there is no body that could ask.
 std::unique_ptr<Condensed> make_response(const BodyMesh& /*mesh*/, const TractionNodes& /*fans*/, double /*young*/,
                                          double /*poisson*/, const BodyOptions& /*options*/, int /*threads*/,
                                          SectionReader* /*saved*/) {

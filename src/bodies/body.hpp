@@ -40,7 +40,7 @@ class Body {
   std::int32_t group_count() const;
   std::string group_name(std::int64_t i) const;
   std::vector<std::int32_t> group_nodes(const char* name) const;  ///< ascending, from 0
-  /// Of finite-element bodies: volume elements, whose tag names their material, and surface elements, which give their
+  /// Finite-element bodies take volume elements, whose tag names their material, and surface elements, which give their
   /// tag to the boundary faces with the same nodes.
   void add_elements(std::int32_t type, std::int64_t n, const std::int32_t* connectivity, std::int32_t index_base,
                     std::int32_t tag);
@@ -55,21 +55,21 @@ class Body {
                    const double* value);
   void set_traction(std::int32_t tag, const double* traction);
   void set_pressure(std::int32_t tag, double pressure);
-  /// By node, in the body's axes; along not null: see FaceLoad.
+  /// Takes tractions by node, in the body's axes; along not null: see FaceLoad.
   void set_node_tractions(std::int32_t tag, std::int64_t n, const std::int32_t* node, std::int32_t index_base,
                           const double* along, const double* traction);
-  // On the finite elements with a tag: force per volume, and that of a rotation with this vector about an axis through
-  // origin.
+  // Loads on the finite elements with a tag: force per volume, and that of a rotation with this vector about an axis
+  // through origin.
   void set_body_force(std::int32_t tag, const double* force);
   void set_rotation(std::int32_t tag, double density, const double* origin, const double* rate);
   void set_contact_faces(std::int64_t n, const std::int32_t* tag);
-  // Of half-spaces and rigid bodies without a mesh. A profile forgets the one before and its place.
+  // Half-spaces and rigid bodies without a mesh take a profile, which forgets the one before and its place.
 
   /// Through n points (y, z), see profile_through; err_argument, err_nonfinite.
   void set_profile(std::int64_t n, const double* points, double filter_length);
   /// See profile_of_shape.
   void set_profile_shape(const char* shape, std::int64_t n, const double* parameters);
-  /// From a file, see profile_file.hpp, whose numbers count in `unit`; mirror: 1 y, 2 z, 3 both. err_io, err_argument.
+  /// Reads a file, see profile_file.hpp, whose numbers count in `unit`; mirror: 1 y, 2 z, 3 both. err_io, err_argument.
   void read_profile(const char* path, double unit, std::int32_t mirror, double filter_length);
   /// Its points in `unit`. err_state without a profile, err_io.
   void write_profile(const char* path, double unit) const;
@@ -111,13 +111,13 @@ class Body {
   const BodyTraits& traits() const { return traits_; }
   bool prepared() const { return prepared_.load(); }
   bool rigid() const { return !traits_.elastic; }
-  /// Also while another thread gives the mesh or prepares the body.
+  /// May be asked while another thread gives the mesh or prepares the body.
   bool meshed() const;
   /// A mesh or a profile; likewise. Others take the plane of the contact's axes.
   bool has_surface() const;
   /// Nodes and elements (of a volume: those inside) given so far; likewise.
   std::pair<std::int64_t, std::int64_t> size() const;
-  /// Where the contact is: of a prepared body of several materials, that of the greatest part of its contact faces.
+  /// The material at the contact: of a prepared body of several, that of the greatest part of its contact faces.
   double young() const { return model_->contact_material.young; }
   double poisson() const { return model_->contact_material.poisson; }
   const BodyMesh& mesh() const { return model_->mesh; }
@@ -131,7 +131,7 @@ class Body {
   /// body.
   const Surface* surface() const { return model_->surface.get(); }
 
-  // Of a prepared body with a mesh.
+  // Prepared bodies with a mesh have these.
   const TractionNodes& traction_nodes() const { return model_->traction_nodes; }
   /// Fans that tags and supports do not divide: normals of the surface itself.
   const TractionNodes& smooth_fans() const { return model_->smooth_fans; }
@@ -141,7 +141,7 @@ class Body {
   Condensed* response() const { return model_->response.get(); }
   const OwnLoads& own() const { return model_->own; }
 
-  // Of any prepared body.
+  // Any prepared body has these.
   /// Prepared by sharing what an equal body had: nothing was assembled for this one.
   bool shared() const { return shared_; }
   /// Both have the same mesh and equations in memory: one handle twice, or equal bodies.
@@ -152,7 +152,7 @@ class Body {
  private:
   void require_unprepared(const char* what) const;
   void require_takes_mesh() const;
-  /// With these nodes, none of them held, and no elements.
+  /// A mesh with these nodes, none of them held, and no elements.
   BodyMesh empty_mesh(std::int64_t n, const double* x, std::int64_t node_stride, std::int64_t component_stride) const;
   const BodyGroup& group(const char* name) const;
   void require_tag(std::int32_t tag, const std::string& entry) const;
@@ -163,7 +163,7 @@ class Body {
   void replace_profile(ProfileCurve curve);
   /// Logs what is told of the file, and of the fit.
   void fit_profile(const std::vector<Vec2>& point, double filter_length, const PointName& name, std::string told = {});
-  /// From what a file has, if one is given.
+  /// Takes what a file has, if one is given.
   void prepare(SectionReader* saved);
   void log_preparation() const;
   BodyMesh& given() { return model_->mesh; }

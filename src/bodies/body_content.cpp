@@ -15,7 +15,8 @@ namespace rollcon {
 namespace {
 
 /// Bytes that an entry of a list takes at least.
-constexpr std::size_t least_material = 20, least_option = 28, least_naming = 40, least_load = 36, least_face = 12;
+constexpr std::size_t least_material = 20, least_option = 28, least_naming = 40, least_load = 76, least_face = 12,
+                      least_body_force = 84;
 
 void require(bool good, const char* what) {
   if (!good) fail(Status::err_mesh, "%s", what);
@@ -39,7 +40,7 @@ struct NamedValue {
   double real = 0;
 };
 
-// By name: a later library may have more of them.
+// Options go by name: a later library may have more of them.
 template <class Archive, class Model>
 void options(Archive& ar, Model& model) {
   const auto& table = body_option_table();
@@ -93,30 +94,18 @@ void mesh_content(Archive& ar, Mesh& mesh, bool volume) {
     a(load.tag);
     a(load.traction);
     a(load.pressure);
+    a(load.node);
+    a(load.of_node);
+    a(load.along);
   });
-  ar(mesh.contact_tag);
-}
-
-template <class Archive, class Model>
-void content(Archive& ar, Model& model) {
-  ar(model.kind);
-  materials(ar, model);
-  options(ar, model);
-  if constexpr (Archive::reads) require(find_traits(model.kind) != nullptr, "the kind of body is unknown");
-  mesh_content(ar, model.mesh, model.traits().volume);
-}
-
-/// At the end, of finite-element bodies that have some.
-template <class Archive, class Mesh>
-void body_forces(Archive& ar, Mesh& mesh) {
-  constexpr std::size_t least = 84;
-  ar.list(mesh.body_force, least, [](auto& a, auto& load) {
+  ar.list(mesh.body_force, least_body_force, [](auto& a, auto& load) {
     a(load.tag);
     a(load.force);
     a(load.density);
     a(load.origin);
     a(load.rate);
   });
+  ar(mesh.contact_tag);
 }
 
 /// What setters check when a caller gives it.
@@ -138,9 +127,11 @@ void check_profile(const BodyProfile& profile, const std::vector<ProfilePiece>& 
   require(std::isfinite(profile.radius), "a number is not finite");
 }
 
-/// At the end, of bodies that have one.
 template <class Archive, class Profile>
 void profile_content(Archive& ar, Profile& profile) {
+  std::uint8_t given = profile.curve ? 1 : 0;
+  ar(given);
+  if (given == 0) return;
   std::vector<ProfilePiece> piece;
   if constexpr (!Archive::reads) piece = profile.curve->pieces();
   ar.list(piece, sizeof(ProfilePiece), [](auto& a, auto& p) {
@@ -162,18 +153,14 @@ void profile_content(Archive& ar, Profile& profile) {
   }
 }
 
-bool has_node_loads(const BodyMesh& mesh) {
-  return std::any_of(mesh.load.begin(), mesh.load.end(), [](const FaceLoad& load) { return !load.node.empty(); });
-}
-
-/// Tractions by node, one entry for each load; a section of its own.
-template <class Archive, class Mesh>
-void node_loads(Archive& ar, Mesh& mesh) {
-  for (auto& load : mesh.load) {
-    ar(load.node);
-    ar(load.of_node);
-    ar(load.along);
-  }
+template <class Archive, class Model>
+void content(Archive& ar, Model& model) {
+  ar(model.kind);
+  materials(ar, model);
+  options(ar, model);
+  if constexpr (Archive::reads) require(find_traits(model.kind) != nullptr, "the kind of body is unknown");
+  mesh_content(ar, model.mesh, model.traits().volume);
+  profile_content(ar, model.profile);
 }
 
 template <class Type>
@@ -262,7 +249,7 @@ void check_mesh(BodyModel& model) {
 void require_elastic_constants(double young, double poisson) {
   require_finite(young, "young");
   require_finite(poisson, "poisson");
-  // Beyond these, squares of stiffnesses and compliances would leave the range of doubles.
+  // Squares of stiffnesses and compliances beyond these would leave the range of doubles.
   constexpr double least = 1e-60, most = 1e60;
   if (!(young >= least && young <= most))
     fail(Status::err_argument, "young is %g; allowed: > 0, from %g to %g", young, least, most);
@@ -274,9 +261,6 @@ ContentDigest digest_of(const BodyModel& model) {
   Digest digest;
   OutArchive ar(digest);
   content(ar, model);
-  if (model.profile.curve) profile_content(ar, model.profile);
-  if (!model.mesh.body_force.empty()) body_forces(ar, model.mesh);
-  if (has_node_loads(model.mesh)) node_loads(ar, model.mesh);
   return digest.value();
 }
 
@@ -297,11 +281,6 @@ void write_content(const BodyModel& model, SectionWriter& file) {
   file.begin("body");
   OutArchive ar(file);
   content(ar, model);
-  if (model.profile.curve) profile_content(ar, model.profile);
-  if (!model.mesh.body_force.empty()) body_forces(ar, model.mesh);
-  if (!has_node_loads(model.mesh)) return;
-  file.begin("by node");
-  node_loads(ar, model.mesh);
 }
 
 void read_content(SectionReader& file, BodyModel& model) {
@@ -309,18 +288,7 @@ void read_content(SectionReader& file, BodyModel& model) {
   InArchive ar(file);
   try {
     content(ar, model);
-    if (file.left() > 0) {
-      if (model.traits().volume)
-        body_forces(ar, model.mesh);
-      else
-        profile_content(ar, model.profile);
-    }
     file.end();
-    if (file.has("by node")) {
-      file.begin("by node");
-      node_loads(ar, model.mesh);
-      file.end();
-    }
     check_materials(model);
     check_mesh(model);
   } catch (const Error& e) {

@@ -17,7 +17,7 @@ namespace rollcon {
 
 namespace {
 
-/// Beyond it, loads and given displacements would leave the range of doubles on their way.
+/// Loads and given displacements beyond it would leave the range of doubles on their way.
 constexpr double most_given = 1e100;
 
 void require_mesh_kind(const BodyTraits& traits, const char* what) {

@@ -32,13 +32,13 @@ struct BodyTraits {
   /// Its part of u1 - u2 on a frame; null: rigid.
   std::unique_ptr<Compliance> (*make_compliance)(const Frame& frame, const PairOfBodies& pair, int which,
                                                  double accuracy, int threads) = nullptr;
-  // Of bodies with equations; null: it has none.
+  // Makes the equations; null: the body has none.
   std::unique_ptr<Condensed> (*make_response)(BodyModel& model, int threads, SectionReader* saved) = nullptr;
   double worst_condition = 0;  ///< beyond it few digits of its displacements are left
   bool dense = false;          ///< its matrix
   /// Its displacement less that of a half-space is smooth between nodes, too.
   bool smooth_difference = false;
-  /// Of linear and quadratic elements: length over thickness from which bending is lost.
+  /// Length over thickness from which linear and quadratic elements lose bending.
   double thin_linear = 0, thin_quadratic = 0;
 };
 

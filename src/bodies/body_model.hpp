@@ -41,7 +41,7 @@ struct BodyModel {
 /// Young's modulus and Poisson's ratio that every model takes; err_argument, err_nonfinite.
 void require_elastic_constants(double young, double poisson);
 
-/// Where a model's equations come from: they are assembled and factorised as far as known to be needed, unless a file
+/// The source of a model's equations: they are assembled and factorised as far as known to be needed, unless a file
 /// has them, or a prepared body that differs in its loads alone.
 struct EquationSource {
   SectionReader* saved = nullptr;
@@ -53,13 +53,13 @@ void prepare_model(BodyModel& model, int threads, const EquationSource& from);
 
 using ContentDigest = std::pair<std::uint64_t, std::uint64_t>;
 
-/// Of all that was given: kind, materials, mesh, supports, loads, contact faces, options.
+/// Digests all that was given: kind, materials, mesh, supports, loads, contact faces, options.
 ContentDigest digest_of(const BodyModel& model);
-/// The same but for loads and given displacements.
+/// Digests all but loads and given displacements.
 ContentDigest digest_without_loads(const BodyModel& model);
 
-/// The same to and from section "body" of a file. Reading throws err_io for what cannot be: nothing of it is then used.
-/// (Shapes of elements are checked by preparing, as always.)
+/// Bring all that was given to and from section "body" of a file. Reading throws err_io for what cannot be: nothing of
+/// it is then used. (Shapes of elements are checked by preparing, as always.)
 void write_content(const BodyModel& model, SectionWriter& file);
 void read_content(SectionReader& file, BodyModel& model);
 

@@ -17,10 +17,10 @@ Vec3 vector_of(const double* v) {
   return {v[0], v[1], v[2]};
 }
 
-/// Of length > 0, made one.
+/// Makes the length of a vector one.
 Vec3 unit_vector(const double* v, const char* name) {
   require_finite_vector(v, name);
-  // By its largest component first: squares of any length stay in range.
+  // Divides by its largest component first: squares of any length stay in range.
   const double most = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
   if (!(most > 0)) fail(Status::err_argument, "%s is (0, 0, 0); allowed: any other vector", name);
   return normalized((1 / most) * vector_of(v));

@@ -22,21 +22,21 @@ struct NodalDisplacements {
   const double* u = nullptr;
 };
 
-// Of finite-element bodies under such displacements, and of boundary-element bodies under their own loads alone; 11,
-// 22, 33, 12, 13, 23 in the body's axes. err_unsupported: another kind, or displacements of boundary elements, from
-// which no stresses follow; err_state: not prepared; err_argument: not as many nodes as the body has, or stresses
-// overflow; err_nonfinite.
+// Stresses of finite-element bodies under such displacements, and of boundary-element bodies under their own loads
+// alone; 11, 22, 33, 12, 13, 23 in the body's axes. err_unsupported: another kind, or displacements of boundary
+// elements, from which no stresses follow; err_state: not prepared; err_argument: not as many nodes as the body has, or
+// stresses overflow; err_nonfinite.
 
-/// Smoothed, stress[6 * node + c]; see BodyInterior.
+/// Smoothed, stress[6 * node + c]; see BodyFields.
 void body_node_stresses(const Body& body, const NodalDisplacements& given, double* stress);
 std::int64_t body_stress_points(const Body& body);
-/// Of the integration points: body_stress_points() of them. Both may be null.
+/// Stresses and places of the body_stress_points() integration points. Both may be null.
 void body_point_stresses(const Body& body, const NodalDisplacements& given, double* stress, double* xyz);
 /// Displacements and smoothed stresses at any points; both may be null. err_argument: a point is outside.
 void body_fields_at(const Body& body, const NodalDisplacements& given, std::int64_t n, const double* xyz,
                     double* displacement, double* stress);
 
-// The same under tractions of a contact (Compliance::everywhere) and the body's own loads.
+// Fields under tractions of a contact (Compliance::everywhere) and the body's own loads.
 
 std::vector<double> body_displacements(const Body& body, SurfaceState state);
 void body_fields_at(const Body& body, SurfaceState state, std::int64_t n, const double* xyz, double* displacement,

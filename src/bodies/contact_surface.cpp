@@ -33,7 +33,7 @@ Vec3 NormalField::surface_normal(double x, double y) const {
   const Vec3 from = pose_.to_body(plane_point(axes_, x, y));
   const Vec3 direction = pose_.turn_back(axes_.n);
   auto n = surface_->normal(from, direction, sign_ * direction);
-  // Beyond the surface's edge: as at the edge, where a wall of the body is as near as the face.
+  // The normal beyond the surface's edge is that of the edge, where a wall of the body is as near as the face.
   if (!n) n = surface_->normal(surface_->nearest(from), direction, sign_ * direction);
   return n ? sign_ * pose_.turn(*n) : axes_.n;
 }

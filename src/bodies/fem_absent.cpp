@@ -1,4 +1,4 @@
-/// In place of finite-element bodies, in a build without them.
+/// Stands for finite-element bodies in a build without them.
 
 #include "bodies/model/mesh_models.hpp"
 #include "support/error.hpp"
@@ -11,7 +11,7 @@ void require_support() {
        "ROLLCON_WITH_FEM is OFF, or CHOLMOD is not built in)");
 }
 
-// Not reached: there is no body that could ask.
+// Is not reached: there is no body that could ask.
 double largest_poisson(VolumeType /*type*/) {
   require_support();
   return 0;

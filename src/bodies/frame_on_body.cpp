@@ -72,24 +72,6 @@ std::vector<std::int64_t> matching_faces(const Frame& frame, const SurfaceMesh& 
   return face;
 }
 
-/// Nodes of the elements found and of all contact elements that touch them, ascending.
-std::vector<std::int32_t> nodes_around(const SurfaceMesh& mesh, const std::vector<std::int64_t>& candidates,
-                                       const std::vector<SurfacePoint>& point) {
-  std::vector<std::uint8_t> touched(at(mesh.nodes()), 0), wanted(at(mesh.nodes()), 0);
-  for (const SurfacePoint& p : point)
-    if (p.element >= 0)
-      for (const std::int32_t k : mesh.element(p.element)) touched[at(k)] = 1;
-  for (const std::int64_t e : candidates) {
-    const auto nodes = mesh.element(e);
-    if (std::any_of(nodes.begin(), nodes.end(), [&](std::int32_t k) { return touched[at(k)]; }))
-      for (const std::int32_t k : nodes) wanted[at(k)] = 1;
-  }
-  std::vector<std::int32_t> row;
-  for (std::size_t k = 0; k < wanted.size(); ++k)
-    if (wanted[k]) row.push_back(static_cast<std::int32_t>(k));
-  return row;
-}
-
 /// Supports of these components keep the face from moving along its normal.
 bool holds_normal(std::uint8_t held, const Vec3& normal) {
   constexpr double rounding = 1e-6;
@@ -136,7 +118,10 @@ FrameOnBody lay_on_body(const Frame& frame, const Body& body, const Pose& pose, 
   if (which == 1) turn_over(result.layer);  // the frame looks out of body 1
   for (std::int64_t k = 0; k < frame.nodes(); ++k)
     result.layer.node[at(k)] = belongs[at(k)] ? point[at(k)].x : Vec3{0, 0, 0};
-  result.row = nodes_around(mesh, candidates, point);
+  std::vector<std::int64_t> met;
+  for (const SurfacePoint& p : point)
+    if (p.element >= 0) met.push_back(p.element);
+  result.row = nodes_around(mesh, met, candidates);
   return result;
 }
 

@@ -26,7 +26,7 @@ bool ByShapeFunctions::resolves_frame() const {
   return std::count(frame.used.begin(), frame.used.end(), 1) <= std::count(moves.begin(), moves.end(), 1);
 }
 
-// From the body's axes to local components, from the response's columns to the frame's nodes.
+// Turns the body's axes to local components, from the response's columns to the frame's nodes.
 void ByShapeFunctions::require_response() const {
   if (outline_) return;
   const std::shared_ptr<const SurfaceRows> found = zone_.body.response()->rows(zone_.on_body, threads_);

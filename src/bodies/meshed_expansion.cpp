@@ -16,7 +16,7 @@ const SurfaceLoads* ByShapeFunctions::require_loads() const {
   return loads_.get();
 }
 
-// From tractions in the body's axes to local ones at the frame's nodes.
+// Turns tractions in the body's axes to local ones at the frame's nodes.
 SparseMatrix ByShapeFunctions::local_loads() const {
   const SparseMatrix& load = loads_->load;
   const std::vector<std::int64_t> column = zone_.columns(*loads_);

@@ -38,7 +38,7 @@ class MeshedZone {
   std::vector<double> x, y;  ///< rows of the response, in the axes
   MeshOnFrame under;
 
-  /// Where a smooth displacement is to bend between the nodes of linear faces; locate() then adds that.
+  /// Lets a smooth displacement bend between the nodes of linear faces; locate() then adds that.
   void let_bend();
   Interpolation locate(double px, double py) const;
   /// Row of the frame node that stands exactly here and is a node of the body; -1: none.

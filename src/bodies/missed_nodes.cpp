@@ -34,21 +34,13 @@ std::optional<SurfacePoint> meet_contact_faces(const Frame& frame, std::size_t k
                     [&](const Vec3& from) { return body.search().along(from, direction, facing); });
 }
 
-void MissedNodes::fail_off_profile() const {
+std::string MissedNodes::off_profile() const {
   Listed off;
   for (const auto& [k, n] : missed_) off.add(static_cast<long long>(k) + frame_.mesh.index_base);
-  const auto used = std::count(frame_.used.begin(), frame_.used.end(), std::uint8_t{1});
-  fail(
-      Status::err_mesh,
-      "%lld of the %lld nodes of the frame (counting from %d) do not lie over the profile of body %d, along the normal "
-      "there: they are beyond its ends, or beside the body; such nodes: %s; check frame, axes and poses",
-      static_cast<long long>(missed_.size()), static_cast<long long>(used), frame_.mesh.index_base, which_ + 1,
-      off.first.c_str());
+  return ": they are beyond its ends, or beside the body; such nodes: " + off.first;
 }
 
-void MissedNodes::fail_if_any() const {
-  if (missed_.empty()) return;
-  if (!body_.meshed()) fail_off_profile();
+std::string MissedNodes::off_faces() const {
   const SurfaceSearch everything(body_.mesh().surface, {});
   Listed behind, other, beyond;
   for (const auto& [k, n] : missed_) {
@@ -56,24 +48,25 @@ void MissedNodes::fail_if_any() const {
     const Vec3 facing = which_ == 0 ? direction : -1.0 * direction;
     const long long id = static_cast<long long>(k) + frame_.mesh.index_base;
     // Through a closed body every line meets faces that look either way.
-    if (everything.along(from, direction, facing) && !body_.search().along(from, direction, {}))
-      other.add(id);
-    else if (body_.search().along(from, direction, {}))
+    if (body_.search().along(from, direction, {}))
       behind.add(id);
     else
-      beyond.add(id);
+      (everything.along(from, direction, facing) ? other : beyond).add(id);
   }
+  return beyond.text("beyond the edge of the body, whose contact faces the frame outgrows") +
+         other.text("over faces that are held, loaded or not among rollcon_body_set_contact_faces") +
+         behind.text("meet a contact face from behind (the normal of the axes must point out of body 1, into body 2)");
+}
+
+void MissedNodes::fail_if_any() const {
+  if (missed_.empty()) return;
   const auto used = std::count(frame_.used.begin(), frame_.used.end(), std::uint8_t{1});
-  const std::string text = beyond.text("beyond the edge of the body, whose contact faces the frame outgrows") +
-                           other.text("over faces that are held, loaded or not among rollcon_body_set_contact_faces") +
-                           behind.text(
-                               "meet a contact face from behind (the normal of the axes must point out of body "
-                               "1, into body 2)");
   fail(Status::err_mesh,
-       "%lld of the %lld nodes of the frame (counting from %d) do not lie over the contact faces "
-       "of body %d, along the normal there%s; check frame, axes and poses",
-       static_cast<long long>(missed_.size()), static_cast<long long>(used), frame_.mesh.index_base, which_ + 1,
-       text.c_str());
+       "%lld of the %lld nodes of the frame (counting from %d) do not lie over the %s of body %d, along the normal "
+       "there%s; check frame, axes and poses",
+       static_cast<long long>(missed_.size()), static_cast<long long>(used), frame_.mesh.index_base,
+       body_.meshed() ? "contact faces" : "profile", which_ + 1,
+       (body_.meshed() ? off_faces() : off_profile()).c_str());
 }
 
 }  // namespace rollcon

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <numbers>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -19,7 +20,7 @@ namespace rollcon {
 /// meets it.
 inline constexpr double coincidence = 1e-6;
 
-/// Of the elements around a frame node: at a corner of a quadratic one its own cell is far smaller.
+/// The size of the elements around a frame node: at a corner of a quadratic one its own cell is far smaller.
 inline double element_size(const Frame& frame, std::size_t k) {
   return 4 * std::sqrt(frame.cell_area[k]);
 }
@@ -39,8 +40,8 @@ auto look_aside(const Vec3& from, const Vec3& direction, double size, F look) {
   return found;
 }
 
-/// Where the line from frame node k along n, out of body 1, meets the contact faces of body `which` (0 or 1) that look
-/// towards the other body. In the body's axes.
+/// Finds where the line from frame node k along n, out of body 1, meets the contact faces of body `which` (0 or 1) that
+/// look towards the other body. In the body's axes.
 std::optional<SurfacePoint> meet_contact_faces(const Frame& frame, std::size_t k, const Vec3& n, const Body& body,
                                                const Pose& pose, int which);
 
@@ -55,7 +56,8 @@ class MissedNodes {
   void fail_if_any() const;
 
  private:
-  [[noreturn]] void fail_off_profile() const;
+  std::string off_profile() const;
+  std::string off_faces() const;
 
   const Frame& frame_;
   const Body& body_;

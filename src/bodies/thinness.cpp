@@ -26,7 +26,7 @@ Through look_through(const SurfaceMesh& surface, const SurfaceSearch& all, std::
   const SurfaceFrame middle = evaluate_surface(surface, e, at, at);
   const Vec3 inward = -1.0 * normalized(middle.normal);
   Through result{(triangle ? 0.5 : 4) * length(middle.normal), all.along(middle.x, inward, inward)};
-  // Of two walls that face each other across a gap, the body is behind.
+  // The body is behind two walls that face each other across a gap.
   if (result.opposite && result.opposite->distance <= 0) result.opposite.reset();
   return result;
 }

@@ -1,12 +1,12 @@
 #include "linalg/fft.hpp"
 
+#include <mutex>
+
 #include "build_info.hpp"
 #include "support/error.hpp"
 
 #if ROLLCON_BUILD_FFTW
 #include <fftw3.h>
-
-#include <mutex>
 #endif
 
 namespace rollcon {
@@ -40,7 +40,6 @@ std::int64_t fft_size(std::int64_t least) {
   return best;
 }
 
-#if ROLLCON_BUILD_FFTW
 namespace {
 
 // FFTW's planner works on tables of the whole process. Plans are estimated, which takes a millisecond, and not
@@ -50,7 +49,8 @@ std::mutex& planner() {
   return lock;
 }
 
-/// Gives FFTW's calls one name for either precision.
+/// FFTW's calls in either precision; without FFTW no plan is made, and nothing else is reached.
+#if ROLLCON_BUILD_FFTW
 template <class T>
 struct Calls;
 template <>
@@ -85,6 +85,22 @@ struct Calls<float> {
   static void run(Plan p, Complex* data) { fftwf_execute_dft(p, data, data); }
   static void destroy(Plan p) { fftwf_destroy_plan(p); }
 };
+constexpr int forwards = FFTW_FORWARD, backwards = FFTW_BACKWARD;
+#else
+template <class T>
+struct Calls {
+  using Plan = void*;
+  using Complex = std::complex<T>;
+  static Plan plan_real(int, T*, Complex*) { return nullptr; }
+  static Plan plan_real_back(int, Complex*, T*) { return nullptr; }
+  static Plan plan(int, Complex*, int) { return nullptr; }
+  static void run_real(Plan, T*, Complex*) {}
+  static void run_back(Plan, Complex*, T*) {}
+  static void run(Plan, Complex*) {}
+  static void destroy(Plan) {}
+};
+constexpr int forwards = -1, backwards = 1;
+#endif
 
 template <class T>
 typename Calls<T>::Complex* raw(std::complex<T>* data) {
@@ -109,6 +125,7 @@ void require_room(std::int64_t n) {
 }
 
 void require(const void* a, const void* b, std::int64_t n) {
+  if (!has_fft()) fail(Status::err_unsupported, "this build has no FFTW (ROLLCON_WITH_FFTW=OFF)");
   if (a == nullptr || b == nullptr)
     fail(Status::err_internal, "FFTW has no plan for length %lld", static_cast<long long>(n));
 }
@@ -116,7 +133,7 @@ void require(const void* a, const void* b, std::int64_t n) {
 }  // namespace
 
 bool has_fft() {
-  return true;
+  return ROLLCON_BUILD_FFTW != 0;
 }
 
 template <class T>
@@ -151,8 +168,8 @@ ComplexFft<T>::ComplexFft(std::int64_t n) {
   AlignedArray<std::complex<T>> data(n);
   require_room(n);
   const std::lock_guard guard(planner());
-  forward_ = Calls<T>::plan(static_cast<int>(n), raw<T>(data.data()), FFTW_FORWARD);
-  inverse_ = Calls<T>::plan(static_cast<int>(n), raw<T>(data.data()), FFTW_BACKWARD);
+  forward_ = Calls<T>::plan(static_cast<int>(n), raw<T>(data.data()), forwards);
+  inverse_ = Calls<T>::plan(static_cast<int>(n), raw<T>(data.data()), backwards);
   require(forward_, inverse_, n);
 }
 
@@ -171,35 +188,6 @@ template <class T>
 void ComplexFft<T>::inverse(std::complex<T>* data) const {
   Calls<T>::run(plan<T>(inverse_), raw<T>(data));
 }
-
-#else
-
-bool has_fft() {
-  return false;
-}
-
-template <class T>
-RealFft<T>::RealFft(std::int64_t) {
-  fail(Status::err_unsupported, "this build has no FFTW (ROLLCON_WITH_FFTW=OFF)");
-}
-template <class T>
-RealFft<T>::~RealFft() = default;
-template <class T>
-void RealFft<T>::forward(const T*, std::complex<T>*) const {}
-template <class T>
-void RealFft<T>::inverse(std::complex<T>*, T*) const {}
-template <class T>
-ComplexFft<T>::ComplexFft(std::int64_t) {
-  fail(Status::err_unsupported, "this build has no FFTW (ROLLCON_WITH_FFTW=OFF)");
-}
-template <class T>
-ComplexFft<T>::~ComplexFft() = default;
-template <class T>
-void ComplexFft<T>::forward(std::complex<T>*) const {}
-template <class T>
-void ComplexFft<T>::inverse(std::complex<T>*) const {}
-
-#endif
 
 template class RealFft<double>;
 template class RealFft<float>;

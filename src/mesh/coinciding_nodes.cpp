@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "mesh/mesh_errors.hpp"
@@ -13,7 +12,6 @@ namespace {
 /// Nodes of different elements closer than this fraction of the distance to their own elements' nodes are one node
 /// given twice.
 constexpr double coincidence = 1e-6;
-constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
@@ -31,7 +29,7 @@ void check_coinciding_nodes(std::span<const Vec3> node, std::span<const double> 
     if (std::isinf(nearest[k])) continue;
     double magnitude = 0;
     for (double c : node[k]) magnitude = std::max(magnitude, std::abs(c));
-    order.push_back({dot(direction, node[k]), coincidence * nearest[k] + rounding * magnitude, k});
+    order.push_back({dot(direction, node[k]), coincidence * nearest[k] + coordinate_rounding * magnitude, k});
   }
   std::sort(order.begin(), order.end(), [](const Entry& a, const Entry& b) { return a.position < b.position; });
   Tally together;

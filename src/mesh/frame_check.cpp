@@ -1,10 +1,7 @@
 #include "mesh/frame_check.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
-#include <map>
 #include <vector>
 
 #include "mesh/element_sides.hpp"
@@ -15,10 +12,7 @@
 namespace rollcon {
 namespace {
 
-/// Both the smallest height of an element and the smallest distance of two nodes, over the element's length, must
-/// exceed this.
-constexpr double smallest_ratio = 1e-10;
-/// The frame's slope against the tangent plane is at most 60 degrees.
+/// cos 60 degrees: the frame's slope against the tangent plane.
 constexpr double smallest_cosine = 0.5;
 
 struct Sign {
@@ -60,37 +54,23 @@ void check_connectivity(const SurfaceMesh& mesh) {
 void check_elements(const SurfaceMesh& mesh, std::span<const double> x, std::span<const double> y,
                     std::span<const double> z) {
   const Names<SurfaceMesh> names{mesh, mesh.index_base, "frame"};
-  std::map<ElementType, std::vector<CheckPoint>> points;
-  Tally coincident, degenerate, flipped, folded, steep;
-  for (std::int64_t e = 0; e < mesh.elements(); ++e) {
-    const ElementType type = mesh.type[at(e)];
-    const auto nodes = mesh.element(e);
-    std::array<Vec3, max_element_nodes> all;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      const std::size_t k = at(nodes[i]);
-      all[i] = {x[k], y[k], z[k]};
-    }
-    const std::span<const Vec3> point(all.data(), nodes.size());
-    const NodeExtent extent = measure_nodes(point);
-    // Coordinates carry the rounding of their magnitude: what is below it cannot be told from zero.
-    const double rounding = 16 * std::numeric_limits<double>::epsilon() * extent.magnitude / extent.size;
-    const double tolerance = std::max(smallest_ratio, rounding);
-    if (!(extent.nearest > tolerance * extent.size)) {
-      coincident.add("element %lld (%s), nodes %lld and %lld", names.element(e), name(type),
-                     names.node(nodes[extent.near_i]), names.node(nodes[extent.near_j]));
-      continue;
-    }
-    auto& looked_at = points[type];
-    if (looked_at.empty()) looked_at = check_points(type);
-    const Sign sign = jacobian_signs(point, extent.size, looked_at, tolerance);
+  Tally degenerate, flipped, folded, steep;
+  const auto look = [&](const ShapeToCheck& shape) {
+    const double tolerance = std::max(smallest_ratio, shape.noise);
+    const Sign sign = jacobian_signs(shape.node, shape.size, shape.points, tolerance);
     Tally* found = sign.vanishing                   ? &degenerate
                    : sign.positive && sign.negative ? &folded
                    : sign.steep                     ? &steep
                    : sign.negative                  ? &flipped
                                                     : nullptr;
-    if (found) found->add("element %lld (%s)", names.element(e), name(type));
-  }
-  names.refuse(coincident, "degenerate element: two of its nodes coincide");
+    if (found) found->add("element %lld (%s)", names.element(shape.element), names.type(shape.element));
+  };
+  look_at_shapes(
+      names,
+      [&](std::size_t k) {
+        return Vec3{x[k], y[k], z[k]};
+      },
+      look);
   names.refuse(degenerate, "degenerate element: its Jacobian vanishes");
   names.refuse(folded, "degenerate element: its Jacobian changes sign");
   if (flipped.count == mesh.elements())

@@ -1,10 +1,12 @@
 #pragma once
 /// Reports the findings of mesh checks: the first offender and the number of offenders.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdio>
 #include <limits>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -86,5 +88,51 @@ struct CheckPoint {
   Shape shape;
 };
 std::vector<CheckPoint> check_points(ElementType type);
+
+/// Coordinates carry the rounding of their magnitude: what is below this cannot be told from zero.
+constexpr double coordinate_rounding = 16 * std::numeric_limits<double>::epsilon();
+/// Smallest height of an element over its length, and smallest distance of two nodes over it.
+constexpr double smallest_ratio = 1e-10;
+
+/// One surface element: its nodes, which do not coincide, the rounding of the coordinates over its size, and where its
+/// Jacobian is looked at.
+struct ShapeToCheck {
+  std::int64_t element;
+  std::span<const Vec3> node;
+  double size, noise;
+  const std::vector<CheckPoint>& points;
+};
+/// Calls look(ShapeToCheck) for all elements whose nodes are apart, and refuses the others. point_of(node) tells
+/// coordinates. Returns for each node the distance to the nearest other node of its elements.
+template <class PointOf, class Look>
+std::vector<double> look_at_shapes(const Names<SurfaceMesh>& names, PointOf point_of, Look look) {
+  const SurfaceMesh& mesh = names.mesh;
+  std::vector<double> nearest(mesh.node.size(), std::numeric_limits<double>::infinity());
+  std::map<ElementType, std::vector<CheckPoint>> points;
+  Tally coincident;
+  for (std::int64_t e = 0; e < mesh.elements(); ++e) {
+    const ElementType type = mesh.type[static_cast<std::size_t>(e)];
+    const auto nodes = mesh.element(e);
+    std::array<Vec3, max_element_nodes> all;
+    for (std::size_t i = 0; i < nodes.size(); ++i) all[i] = point_of(static_cast<std::size_t>(nodes[i]));
+    const std::span<const Vec3> point(all.data(), nodes.size());
+    const NodeExtent extent = measure_nodes(point);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      double& own = nearest[static_cast<std::size_t>(nodes[i])];
+      own = std::min(own, extent.own[i]);
+    }
+    const double noise = coordinate_rounding * extent.magnitude / extent.size;
+    if (extent.nearest > std::max(smallest_ratio, noise) * extent.size) {
+      auto& looked_at = points[type];
+      if (looked_at.empty()) looked_at = check_points(type);
+      look(ShapeToCheck{e, point, extent.size, noise, looked_at});
+    } else {
+      coincident.add("element %lld (%s), nodes %lld and %lld", names.element(e), name(type),
+                     names.node(nodes[extent.near_i]), names.node(nodes[extent.near_j]));
+    }
+  }
+  names.refuse(coincident, "degenerate element: two of its nodes coincide");
+  return nearest;
+}
 
 }  // namespace rollcon

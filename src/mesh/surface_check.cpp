@@ -1,11 +1,9 @@
 #include "mesh/surface_check.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <map>
 #include <vector>
 
 #include "mesh/coinciding_nodes.hpp"
@@ -16,12 +14,9 @@
 namespace rollcon {
 namespace {
 
-/// Both the smallest height of an element and the smallest distance of two nodes, over the element's length, must
-/// exceed this.
-constexpr double smallest_ratio = 1e-10;
-/// The smallest Jacobian within an element over its mean must exceed this; it does not see how slender the element is.
+/// Smallest Jacobian within an element over its mean: does not see how slender
+/// the element is.
 constexpr double smallest_jacobian = 1e-6;
-constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 
 enum class Defect { none, vanishing, turning };
 
@@ -57,40 +52,22 @@ Defect jacobian_defect(std::span<const Vec3> node, double size, const std::vecto
 /// Returns for each node the distance to the nearest other node of its elements.
 std::vector<double> check_shapes(const Names<SurfaceMesh>& names) {
   const SurfaceMesh& mesh = names.mesh;
-  std::vector<double> nearest(mesh.node.size(), std::numeric_limits<double>::infinity());
-  std::map<ElementType, std::vector<CheckPoint>> points;
-  Tally coincident, vanishing, turning;
-  for (std::int64_t e = 0; e < mesh.elements(); ++e) {
-    const ElementType type = mesh.type[at(e)];
-    const auto nodes = mesh.element(e);
-    std::array<Vec3, max_element_nodes> all;
-    for (std::size_t i = 0; i < nodes.size(); ++i) all[i] = mesh.node[at(nodes[i])];
-    const std::span<const Vec3> point(all.data(), nodes.size());
-    const NodeExtent extent = measure_nodes(point);
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      nearest[at(nodes[i])] = std::min(nearest[at(nodes[i])], extent.own[i]);
-    // Coordinates carry the rounding of their magnitude: what is below it cannot be told from zero.
-    const double noise = rounding * extent.magnitude / extent.size;
-    if (!(extent.nearest > std::max(smallest_ratio, noise) * extent.size)) {
-      coincident.add("element %lld (%s), nodes %lld and %lld", names.element(e), name(type),
-                     names.node(nodes[extent.near_i]), names.node(nodes[extent.near_j]));
-      continue;
-    }
-    auto& looked_at = points[type];
-    if (looked_at.empty()) looked_at = check_points(type);
+  Tally vanishing, turning;
+  const auto look = [&](const ShapeToCheck& shape) {
     std::size_t worst = 0;
-    const Defect defect = jacobian_defect(point, extent.size, looked_at, noise, worst);
-    if (defect == Defect::none) continue;
-    const CheckPoint& there = looked_at[worst];
+    const Defect defect = jacobian_defect(shape.node, shape.size, shape.points, shape.noise, worst);
+    if (defect == Defect::none) return;
+    const CheckPoint& there = shape.points[worst];
     char place[64];
     if (there.node >= 0)
-      std::snprintf(place, sizeof place, "at node %lld", names.node(nodes[at(there.node)]));
+      std::snprintf(place, sizeof place, "at node %lld", names.node(mesh.element(shape.element)[at(there.node)]));
     else
       std::snprintf(place, sizeof place, "at xi = %g, eta = %g", there.at.xi, there.at.eta);
     (defect == Defect::vanishing ? vanishing : turning)
-        .add("element %lld (%s) %s", names.element(e), name(type), place);
-  }
-  names.refuse(coincident, "degenerate element: two of its nodes coincide");
+        .add("element %lld (%s) %s", names.element(shape.element), names.type(shape.element), place);
+  };
+  std::vector<double> nearest = look_at_shapes(
+      names, [&](std::size_t k) { return mesh.node[k]; }, look);
   names.refuse(vanishing,
                "degenerate element: its Jacobian vanishes (no area, "
                "a corner of 180 degrees, or a "
@@ -132,7 +109,6 @@ void check_surface(const SurfaceMesh& mesh, SurfaceKind kind) {
   check_edges(mesh, sides);
   if (kind == SurfaceKind::open) return check_neighbours(mesh, find_shells(mesh, sides));
   check_closed(mesh, sides);
-  check_fans(mesh, sides);
   check_outward(mesh, find_shells(mesh, sides));
 }
 

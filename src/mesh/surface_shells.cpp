@@ -8,7 +8,6 @@
 
 #include "mesh/box.hpp"
 #include "mesh/mesh_errors.hpp"
-#include "mesh/node_fans.hpp"
 #include "mesh/surface_geometry.hpp"
 
 namespace rollcon {
@@ -18,40 +17,7 @@ Names<SurfaceMesh> names_of(const SurfaceMesh& mesh) {
   return {mesh, mesh.index_base, "surface"};
 }
 
-using Edge = std::pair<std::int32_t, std::int32_t>;
-Edge edge_of(std::int32_t a, std::int32_t b) {
-  return {std::min(a, b), std::max(a, b)};
-}
-
-/// Fails for a side without a partner whose halves have no partner either: its elements interpolate the edge
-/// differently although they may look closed.
-void check_halved_edges(const SurfaceMesh& mesh, std::span<const Side> sides) {
-  const Names names = names_of(mesh);
-  std::vector<std::pair<Edge, std::int64_t>> open;
-  for_each_edge(sides, [&](const Side& s, std::size_t count) {
-    if (count == 1) open.emplace_back(edge_of(s.from, s.to), s.cell);
-  });
-  auto element_at = [&](std::int32_t a, std::int32_t b) {
-    const auto at = std::lower_bound(open.begin(), open.end(), std::pair{edge_of(a, b), std::int64_t{0}});
-    return at != open.end() && at->first == edge_of(a, b) ? at->second : std::int64_t{-1};
-  };
-  Tally halved;
-  for_each_edge(sides, [&](const Side& s, std::size_t count) {
-    const std::int32_t mid = midside_node(mesh, s);
-    if (count != 1 || mid < 0) return;
-    const std::int64_t other = std::max(element_at(s.low(), mid), element_at(mid, s.high()));
-    if (other >= 0)
-      halved.add("edge %lld-%lld-%lld of element %lld (%s) on element %lld (%s)", names.node(s.low()), names.node(mid),
-                 names.node(s.high()), names.element(s.cell), names.type(s.cell), names.element(other),
-                 names.type(other));
-  });
-  names.refuse(halved,
-               "a quadratic element's edge lies on shorter edges of "
-               "its neighbours: elements on both sides "
-               "of an edge must share all of its nodes");
-}
-
-/// Joins elements across edges, and tells whether each looks to the side of its root.
+/// Elements joined across edges, and whether each looks to the same side as its root.
 class SignedForest {
  public:
   explicit SignedForest(std::size_t n) : parent_(n), sign_(n, 1) {
@@ -75,14 +41,12 @@ class SignedForest {
     }
     return r;
   }
-  /// Returns false when the two are joined already with the other sign.
-  bool join(std::size_t i, std::size_t j, int sign) {
+  void join(std::size_t i, std::size_t j, int sign) {
     const Root a = root(i), b = root(j);
-    if (a.at == b.at) return a.sign * b.sign == sign;
     const auto [low, high] = std::minmax(a.at, b.at);
+    if (low == high) return;
     parent_[high] = low;
     sign_[high] = a.sign * b.sign * sign;
-    return true;
   }
 
  private:
@@ -108,7 +72,6 @@ void check_edges(const SurfaceMesh& mesh, std::span<const Side> sides) {
   });
   names.refuse(crowded, "more than two elements share an edge");
   names.refuse(differ, "two elements share an edge but not its midside node");
-  check_halved_edges(mesh, sides);
 }
 
 void check_closed(const SurfaceMesh& mesh, std::span<const Side> sides) {
@@ -124,46 +87,13 @@ void check_closed(const SurfaceMesh& mesh, std::span<const Side> sides) {
                "must be closed");
 }
 
-void check_fans(const SurfaceMesh& mesh, std::span<const Side> sides) {
-  const Names names = names_of(mesh);
-  NodeFans fans(mesh);
-  for_each_edge(sides, [&](const Side& s, std::size_t count) {
-    if (count == 2) fans.join_across(s, *(&s + 1));
-  });
-  std::vector<std::int64_t> owner(mesh.node.size(), -1);
-  std::vector<char> reported(mesh.node.size(), 0);
-  Tally touching;
-  for (std::int64_t e = 0; e < mesh.elements(); ++e)
-    for (std::size_t i = 0; i < mesh.element(e).size(); ++i) {
-      const std::int32_t node = mesh.element(e)[i];
-      const auto k = static_cast<std::size_t>(node);
-      const auto entry = static_cast<std::size_t>(mesh.offset[static_cast<std::size_t>(e)]) + i;
-      if (fans.first(entry) != entry || reported[k]) continue;
-      if (owner[k] < 0) {
-        owner[k] = e;
-        continue;
-      }
-      reported[k] = 1;
-      touching.add("node %lld (elements %lld and %lld)", names.node(node), names.element(owner[k]), names.element(e));
-    }
-  names.refuse(touching, "two parts of the surface touch at a node without sharing an edge");
-}
-
 Shells find_shells(const SurfaceMesh& mesh, std::span<const Side> sides) {
-  const Names names = names_of(mesh);
   const auto n = static_cast<std::size_t>(mesh.elements());
   SignedForest forest(n);
-  Tally twisted;
   for_each_edge(sides, [&](const Side& a, std::size_t count) {
-    if (count != 2) return;
-    const Side& b = *(&a + 1);
-    if (!forest.join(static_cast<std::size_t>(a.cell), static_cast<std::size_t>(b.cell), a.from == b.from ? -1 : 1))
-      twisted.add("edge %lld-%lld of elements %lld and %lld", names.node(a.low()), names.node(a.high()),
-                  names.element(a.cell), names.element(b.cell));
+    const Side& b = *(&a + (count == 2 ? 1 : 0));
+    forest.join(static_cast<std::size_t>(a.cell), static_cast<std::size_t>(b.cell), a.from == b.from ? -1 : 1);
   });
-  names.refuse(twisted,
-               "one-sided surface (a Moebius strip): its elements "
-               "cannot all look outwards");
   Shells shells;
   shells.shell.resize(n);
   shells.sign.resize(n);

@@ -14,11 +14,8 @@ void check_edges(const SurfaceMesh& mesh, std::span<const Side> sides);
 /// Fails for edges of one element only.
 void check_closed(const SurfaceMesh& mesh, std::span<const Side> sides);
 
-/// Fails for nodes at which parts of the surface touch without sharing an edge.
-void check_fans(const SurfaceMesh& mesh, std::span<const Side> sides);
-
-/// Holds elements joined across edges: shell[e] (0, 1, ... by first element) and sign[e], +1 or -1, such that all
-/// elements of a shell look to one side once those of sign -1 are turned.
+/// Elements joined across edges: shell[e] (0, 1, ... by first element) and sign[e], +1 or -1, such that all elements of
+/// a shell look to the same side once those of sign -1 are turned.
 struct Shells {
   std::vector<std::int32_t> shell;
   std::vector<int> sign;
@@ -26,7 +23,6 @@ struct Shells {
 
   std::size_t size() const { return first.size(); }
 };
-/// Finds the shells; fails on one-sided surfaces.
 Shells find_shells(const SurfaceMesh& mesh, std::span<const Side> sides);
 
 /// Fails for the smaller part of each shell that looks to the other side.

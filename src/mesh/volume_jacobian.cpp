@@ -13,12 +13,8 @@
 namespace rollcon {
 namespace {
 
-/// The smallest distance of two nodes over the element's length must exceed this, and so must the smallest Jacobian
-/// over the product of its columns' lengths, which does not see how slender the element is.
-constexpr double smallest_ratio = 1e-10;
-/// The smallest Jacobian within an element over its mean must exceed this.
+/// Smallest Jacobian within an element over its mean.
 constexpr double smallest_jacobian = 1e-6;
-constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 
 /// Holds in columns the derivatives of the position to xi, eta, zeta.
 struct Jacobian {
@@ -144,7 +140,7 @@ Defect defect_of(const Element& e, const CheckPoints& points, std::size_t& worst
     most = std::max(most, det);
     // Coordinates carry the rounding of their magnitude, whatever the columns' lengths.
     const double shortest = std::min({length(j.u), length(j.v), length(j.w)});
-    const double noise = std::max(smallest_ratio * shortest, rounding * e.extent.magnitude);
+    const double noise = std::max(smallest_ratio * shortest, coordinate_rounding * e.extent.magnitude);
     flat = flat && !(std::abs(det) * shortest > noise * j.scale());
   }
   if (flat) return Defect::flat;
@@ -167,8 +163,7 @@ std::vector<double> check_shapes(std::span<const Vec3> node, const VolumeElement
     const NodeExtent& extent = e.extent;
     for (std::size_t k = 0; k < nodes.size(); ++k)
       nearest[at(nodes[k])] = std::min(nearest[at(nodes[k])], extent.own[k]);
-    // Coordinates carry the rounding of their magnitude: what is below it cannot be told from zero.
-    const double noise = rounding * extent.magnitude / extent.size;
+    const double noise = coordinate_rounding * extent.magnitude / extent.size;
     if (!(extent.nearest > std::max(smallest_ratio, noise) * extent.size)) {
       coincident.add("element %lld (%s), nodes %lld and %lld", id, name(type), names.node(nodes[extent.near_i]),
                      names.node(nodes[extent.near_j]));

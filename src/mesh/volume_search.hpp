@@ -1,13 +1,11 @@
 #pragma once
-/// Finds which volume element holds a point, with bounding boxes in a regular grid, and Newton's method inside an
-/// element.
+/// Finds which volume element holds a point, by a tree of boxes and Newton's method within an element.
 
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <vector>
 
-#include "mesh/box.hpp"
+#include "mesh/box_tree.hpp"
 #include "mesh/volume_mesh.hpp"
 
 namespace rollcon {
@@ -29,13 +27,7 @@ class VolumeSearch {
  private:
   std::span<const Vec3> node_;
   const VolumeElements& volume_;
-  std::vector<Box> element_box_;
-  Box box_;
-  Vec3 cell_{};
-  std::int64_t cells_[3] = {1, 1, 1};
-  std::vector<std::int64_t> start_, element_;  ///< elements of each cell
-
-  std::int64_t along(double x, std::size_t direction) const;
+  BoxTree tree_;
 };
 
 }  // namespace rollcon

@@ -62,8 +62,8 @@ std::vector<std::int32_t> System::needed_fans(const std::vector<double>& given, 
   return column;
 }
 
-/// Where the rows of a pack of points go: column by column, unknown ones into the matrix, given ones times their value
-/// to the right side.
+/// Places the rows of a pack of points go to: column by column, unknown ones into the matrix, given ones times their
+/// value to the right side.
 struct System::PackTarget {
   const std::int32_t* row;  ///< (point, component) to row, -1: none
   std::int64_t count;       ///< points

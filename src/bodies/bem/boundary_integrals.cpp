@@ -10,7 +10,6 @@
 #include "bodies/bem/kelvin.hpp"
 #include "bodies/bem/near_field.hpp"
 #include "bodies/bem/rule_tables.hpp"
-#include "mesh/box.hpp"
 #include "mesh/shape.hpp"
 #include "support/error.hpp"
 
@@ -24,12 +23,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double element_share = 0.2;
 /// The double layer's largest entry is about the free term of a smooth point.
 constexpr double free_term = 0.5;
-
-/// A power of two near the size of the mesh: coordinates divided by it lose nothing.
-double mesh_size(const SurfaceMesh& mesh) {
-  const double size = box_of(mesh.node).longest();
-  return size > 0 ? std::exp2(std::round(std::log2(size))) : 1;
-}
 
 }  // namespace
 
@@ -45,7 +38,7 @@ struct BoundaryIntegrals::Data {
 
   Data(const SurfaceMesh& surface, double poisson, double relative)
       : mesh(surface),
-        size(mesh_size(surface)),
+        size(size_near(surface)),
         tolerance(element_share * relative),
         constants(poisson),
         kernels(kelvin_kernels(instruction_set())),
@@ -53,13 +46,6 @@ struct BoundaryIntegrals::Data {
         far(element, tolerance * free_term) {
     constants.iso *= size;  // lengths are in units of `size`, the single layer's result is not
     constants.single *= size;
-  }
-
-  static std::vector<ElementGeometry> geometries(const SurfaceMesh& mesh, double scale) {
-    std::vector<ElementGeometry> all;
-    all.reserve(static_cast<std::size_t>(mesh.elements()));
-    for (std::int64_t e = 0; e < mesh.elements(); ++e) all.push_back(element_geometry(mesh, e, scale));
-    return all;
   }
 };
 

@@ -65,7 +65,7 @@ void System::solve_everywhere(std::span<double> load, SurfaceState& state, int t
   if (options_.keep_factors == 0) matrix_.release();
 }
 
-std::unique_ptr<const SurfaceFields> System::surface_fields(SurfaceState&& state, const OwnLoads& own) {
+std::unique_ptr<const BodyFields> System::fields(SurfaceState&& state, const OwnLoads& own) {
   state.u.resize(unknowns_.displacement.size(), 0.0);
   state.traction.resize(3 * fans_.of.size(), 0.0);
   for (std::size_t k = 0; k < own.displacement.size(); ++k) state.u[k] += own.displacement[k];

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "bodies/bem/kelvin.hpp"
+#include "mesh/box.hpp"
 
 namespace rollcon::bem {
 namespace {
@@ -14,6 +15,18 @@ constexpr double nearest = 2.5;  ///< in half-lengths
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
+
+double size_near(const SurfaceMesh& mesh) {
+  const double size = box_of(mesh.node).longest();
+  return size > 0 ? std::exp2(std::round(std::log2(size))) : 1;
+}
+
+std::vector<ElementGeometry> geometries(const SurfaceMesh& mesh, double scale) {
+  std::vector<ElementGeometry> all;
+  all.reserve(static_cast<std::size_t>(mesh.elements()));
+  for (std::int64_t e = 0; e < mesh.elements(); ++e) all.push_back(element_geometry(mesh, e, scale));
+  return all;
+}
 
 FarField::Level FarField::level(const ElementGeometry& e, int direction, int exact, double tolerance_t) {
   constexpr double pi = std::numbers::pi;

@@ -19,6 +19,10 @@ struct FarRule {
   int first = 0, second = 0;
 };
 
+/// A power of two near the size of a mesh: coordinates divided by it lose nothing.
+double size_near(const SurfaceMesh& mesh);
+std::vector<ElementGeometry> geometries(const SurfaceMesh& mesh, double scale);
+
 class FarField {
  public:
   /// tolerance.t holds for all packs; that of U is given pack by pack.

@@ -118,7 +118,7 @@ void place(const RuleTable& rule, int nodes, const double (*node)[max_element_no
 /// all of it together would not fit the registers.
 constexpr int block = 16;
 
-/// Where an entry of U goes: twice, but on the diagonal.
+/// Places an entry of U goes to: two, but one on the diagonal.
 constexpr int u_entry[6][2] = {{0, 0}, {1, 3}, {2, 6}, {4, 4}, {5, 7}, {8, 8}};
 
 /// How products with the shape functions are cut so that their sums stay in registers.

@@ -98,7 +98,7 @@ class Lifting {
         fan_of(a.cell, a.from) == fan_of(b.cell, a.from) && fan_of(a.cell, a.to) == fan_of(b.cell, a.to);
     const bool held[] = {held_[at(a.cell)] != 0, held_[at(b.cell)] != 0};
     std::map<std::int32_t, double> sum;
-    // Where two held faces meet, each would move what the other holds.
+    // Two held faces that meet would each move what the other holds.
     if (!smooth && held[0] && held[1]) return sum;
     std::vector<std::map<std::int32_t, double>> found;
     if (smooth || held[0] == held[1] || held[0]) found.push_back(by_face(a.cell, a.from, a.to));

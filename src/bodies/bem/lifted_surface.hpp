@@ -47,7 +47,7 @@ struct LiftedColumns {
 LiftedColumns lift_columns(const SurfaceMesh& surface, const LiftedSurface& lifted,
                            const std::vector<std::int32_t>& column, std::int64_t columns);
 
-/// The same on a mesh of its own, which is not lifted.
+/// Columns on a mesh of its own, which is not lifted.
 inline LiftedColumns columns_of_layer(const SurfaceMesh& layer) {
   return {layer.connectivity, {}, layer.nodes()};
 }

@@ -17,7 +17,7 @@ std::uint64_t System::numbering() const {
   add(unknowns_.row);
   add(fans_.of);
   add(lifted_.mesh.connectivity);
-  // By places on elements to six digits: positions differ in the last bit between compilers.
+  // Points count by their places on elements to six digits: positions differ in the last bit between compilers.
   for (const CollocationPoint& point : unknowns_.point) {
     add(std::array{point.node, point.element});
     add(std::array{to_index(std::round(1e6 * point.xi)), to_index(std::round(1e6 * point.eta))});

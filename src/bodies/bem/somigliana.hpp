@@ -53,13 +53,13 @@ struct SomiglianaBody {
   std::vector<double> bulge;  ///< of linear elements: how far the lifted sides leave the straight ones
 };
 
-class Somigliana final : public SurfaceFields {
+class Somigliana final : public BodyFields {
  public:
   /// surface: the mesh whose connectivity state.traction belongs to.
   Somigliana(std::shared_ptr<const SomiglianaBody> body, const SurfaceMesh& surface, const SurfaceState& state);
 
   void at_points(std::int64_t n, const double* xyz, double* displacement, double* stress, int threads) const override;
-  void at_nodes(double* stress) const override;
+  void at_nodes(double* stress, int threads) const override;
 
  private:
   struct Result;

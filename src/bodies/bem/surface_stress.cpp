@@ -34,7 +34,7 @@ Vec3 SurfaceValues::traction_at(std::int64_t element, double xi, double eta) con
   return t;
 }
 
-// With orthonormal e1, e2 in the surface and its normal n, A e1 and A e2 are known; A n follows from
+// A e1 and A e2 are known for orthonormal e1, e2 in the surface and its normal n; A n follows from
 // t = lambda tr(A) n + (A + A^T) n, all over G.
 LinearField SurfaceValues::field(std::int64_t element, double xi, double eta, const Vec3& more) const {
   Shape shape;

@@ -9,14 +9,14 @@
 
 namespace rollcon::bem {
 
-/// On a surface mesh; tractions and stresses over G.
+/// Fields on a surface mesh; tractions and stresses over G.
 struct SurfaceValues {
   const SurfaceMesh& mesh;
   std::vector<double> u;         ///< [3 * node + c]
   std::vector<double> traction;  ///< by entry of the connectivity, [3 * k + c]
   double poisson = 0;
 
-  /// Of the element's own fields at a place of it. more: traction besides that of the values.
+  /// Takes the element's own fields at a place of it. more: traction besides that of the values.
   LinearField field(std::int64_t element, double xi, double eta, const Vec3& more) const;
   Vec3 traction_at(std::int64_t element, double xi, double eta) const;
 };
@@ -28,10 +28,10 @@ using TractionBesides = std::vector<Vec3>;
 /// the same tag around the node whose normals there are within edge_angle (degrees). more: by entry.
 std::vector<double> smoothed_stresses(const SurfaceValues& values, const TractionBesides& more, double edge_angle);
 
-/// By node, over all its elements by area.
+/// Averages at each node over all its elements, by area.
 std::vector<double> stresses_at_nodes(const SurfaceMesh& mesh, const std::vector<double>& smoothed);
 
-/// Of one element's nodal stresses.
+/// Interpolates one element's nodal stresses.
 void interpolate_stress(const SurfaceMesh& mesh, const std::vector<double>& smoothed, std::int64_t element, double xi,
                         double eta, double* stress);
 

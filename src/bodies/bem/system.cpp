@@ -17,7 +17,7 @@
 namespace rollcon::bem {
 namespace {
 
-/// Beyond it no digit of a solution can be trusted.
+/// Condition beyond which no digit of a solution can be trusted.
 constexpr double worst_condition = 1e14;
 
 Vec3 middle_of_held(const BodyMesh& mesh) {

@@ -26,7 +26,7 @@ class System final : public ResponseCache {
   Imbalances imbalances() const override;
   std::shared_ptr<const BodyEquations> equations(int threads) override;
   void solve_everywhere(std::span<double> load, SurfaceState& state, int threads) override;
-  std::unique_ptr<const SurfaceFields> surface_fields(SurfaceState&& state, const OwnLoads& own) override;
+  std::unique_ptr<const BodyFields> fields(SurfaceState&& state, const OwnLoads& own) override;
 
  private:
   void respond(const LoadedSurface& surface, SurfaceRows& rows, int threads) override;
@@ -45,22 +45,22 @@ class System final : public ResponseCache {
   OwnLoads solve_own_load(const BodyMesh& loaded, std::vector<double>& b) const;
   /// Adds what a solution has of tractions, by traction node and component.
   void add_reactions(const double* b, std::vector<double>& traction) const;
-  /// Of tractions on the whole surface, by traction node and component.
+  /// Sums tractions on the whole surface, by traction node and component.
   Resultant resultant(std::span<const double> traction) const;
   /// How far loads and reactions are from a balance, beside a force and its moment about what is held; centre: where it
   /// acts.
   double imbalance(const Resultant& sum, const Vec3& centre, double force) const;
-  /// Of own loads, what the reactions miss.
+  /// Finds what the reactions miss of own loads.
   double missed(std::span<const double> load, std::span<const double> traction) const;
   /// See Imbalances; force: what causes the displacements.
   double bent(const std::vector<double>& displacement, double force) const;
-  /// Of uniform tractions on the surface that b was made for, right sides after elimination; err_mesh where a pressure
-  /// gets no answer that can be trusted. (No load may act along the faces.)
+  /// Checks uniform tractions on the surface that b was made for, right sides after elimination; err_mesh where a
+  /// pressure gets no answer that can be trusted. (No load may act along the faces.)
   void check_balance(const std::vector<double>& b, const LoadedSurface& loaded);
   std::vector<double> given_tractions(const BodyMesh& loaded) const;
   Resultant support_reaction(const std::vector<double>& traction, const std::vector<double>& given) const;
   LiftedColumns columns_of_faces(std::span<const std::int64_t> face, const SurfaceOutline& outline) const;
-  /// Of unit tractions: unknowns x (3 columns).
+  /// Right sides of unit tractions: unknowns x (3 columns).
   std::vector<double> right_sides(const LoadedSurface& surface, const SurfaceOutline& outline, int threads);
   /// Solves for them, and keeps some rows.
   void condense(std::vector<double> b, const LoadedSurface& surface, SurfaceRows& rows, int threads);

@@ -35,8 +35,8 @@ std::vector<std::int32_t> order_of_nodes(const BodyMesh& mesh) {
       smallest = std::min(smallest, own);
     }
   }
-  // In classes, four for each doubling, so that nodes alike stay in the order given, whatever the last digits of their
-  // elements' sizes. (Sizes are often equal, or halves and doubles.)
+  // Sizes fall in classes, four for each doubling, so that nodes alike stay in the order given, whatever the last
+  // digits of their elements' sizes. (Sizes are often equal, or halves and doubles.)
   const auto class_of = [&](std::int32_t k) {
     return size[at(k)] == none ? none : std::floor(4 * std::log2(size[at(k)] / smallest) + 0.37);
   };
@@ -64,7 +64,7 @@ std::vector<std::uint64_t> curve_positions(const std::vector<CollocationPoint>& 
   return position;
 }
 
-/// Where the extra equation of a fan is written: inside an element of the fan, preferably one whose nodes are all held.
+/// The place of the extra equation of a fan: inside an element of the fan, preferably one whose nodes are all held.
 CollocationPoint inner_point(const SurfaceMesh& mesh, std::int64_t element, std::size_t local) {
   const ElementType type = mesh.type[at(element)];
   const ReferencePoint node = reference_nodes(type)[local];

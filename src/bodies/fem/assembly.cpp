@@ -42,7 +42,7 @@ NodePattern node_pattern(const VolumeElements& volume, std::int64_t nodes) {
   return pattern;
 }
 
-/// Where the entries of a node's columns stand: those with the node itself first, then neighbour by neighbour, free
+/// Places of the entries of a node's columns: those with the node itself first, then neighbour by neighbour, free
 /// components only.
 class EntryPlaces {
  public:

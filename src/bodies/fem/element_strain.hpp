@@ -16,12 +16,12 @@ struct Gradients {
   double at[max_points][max_columns];
 };
 
-/// In units of a power of two near the element's size: lengths are over 2^exponent.
+/// Strains in units of a power of two near the element's size: lengths are over 2^exponent.
 struct ElementStrain {
   const ElementTable* table = nullptr;
   int exponent = 0;
   Gradients g;
-  /// Of the dilatation's functions f_m: integral of f_m times the gradient, and the lower triangle that the table's
+  /// Integrals of the dilatation's functions f_m times the gradient, and the lower triangle that the table's
   /// modes are to be solved with to give f_m at a point.
   double dilatation[max_modes][max_columns];
   double triangle[max_modes][max_modes];

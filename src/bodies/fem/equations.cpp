@@ -10,14 +10,14 @@
 namespace rollcon::fem {
 namespace {
 
-/// By columns, numbered by their place in `column`; rows are places in coupling.node.
+/// Arranges a coupling by columns, numbered by their place in `column`; rows are places in coupling.node.
 SparseMatrix by_columns(SurfaceCoupling coupling, const std::vector<std::int32_t>& column) {
   coupling.rows = static_cast<std::int64_t>(column.size());
   for (std::int64_t& k : coupling.row) k = std::lower_bound(column.begin(), column.end(), k) - column.begin();
   return transposed(coupling);
 }
 
-/// Without what is below the rounding of the largest entry of its column.
+/// Leaves out what is below the rounding of the largest entry of its column.
 SparseMatrix by_columns(const RowMatrix<double>& matrix) {
   constexpr double negligible = 1e-17;
   std::vector<double> least(at(matrix.columns()), 0.0);

@@ -33,9 +33,9 @@ struct FeltTractions {
 /// The coupling as a dense matrix: one row for each of its nodes; column: its columns, ascending.
 RowMatrix<double> columns_of(const SurfaceCoupling& coupling, std::span<const std::int32_t> column);
 
-/// By face: 0 under a frame as coarse as the body, whose tractions are felt as they are, growing to the spacing of the
-/// face's nodes over its size under a much finer one. 0 too for faces at sharp edges of the body, near which it is no
-/// half-space.
+/// The share of each face: 0 under a frame as coarse as the body, whose tractions are felt as they are, growing to the
+/// spacing of the face's nodes over its size under a much finer one. 0 too for faces at sharp edges of the body, near
+/// which it is no half-space.
 std::vector<double> smoothing_shares(const SurfaceMesh& surface, const TractionNodes& fans,
                                      std::span<const std::int64_t> face, const SurfaceCoupling& coupling);
 

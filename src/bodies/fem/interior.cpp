@@ -7,13 +7,14 @@
 #include "bodies/fem/element_stress.hpp"
 #include "bodies/fem/recovery.hpp"
 #include "mesh/volume_shape.hpp"
+#include "support/error.hpp"
 #include "support/index.hpp"
 #include "support/parallel.hpp"
 
 namespace rollcon::fem {
 namespace {
 
-constexpr std::int64_t grain = 64;  ///< elements
+constexpr std::int64_t grain = 64;  ///< elements, or points
 
 }  // namespace
 
@@ -94,6 +95,24 @@ bool Interior::interpolate(const Vec3& x, const double* u, const double* node_st
   sum(u, 3, displacement);
   sum(node_stress, 6, stress);
   return true;
+}
+
+void InteriorFields::at_points(std::int64_t n, const double* xyz, double* displacement, double* stress,
+                               int threads) const {
+  std::vector<double> of_nodes(stress && n > 0 ? 6 * at(interior_.nodes()) : 0);
+  if (!of_nodes.empty()) at_nodes(of_nodes.data(), threads);
+  std::vector<std::uint8_t> inside(at(n), 0);
+  parallel_for(n, grain, threads, [&](std::int64_t p, int /*thread*/) {
+    const double* x = xyz + 3 * p;
+    inside[at(p)] =
+        interior_.interpolate({x[0], x[1], x[2]}, u_.data(), of_nodes.data(),
+                              displacement ? displacement + 3 * p : nullptr, stress ? stress + 6 * p : nullptr);
+  });
+  const auto out = std::find(inside.begin(), inside.end(), 0);
+  if (out == inside.end()) return;
+  const auto p = out - inside.begin();
+  fail(Status::err_argument, "point %lld (counting from 0), at %g %g %g, is outside of the body's elements",
+       static_cast<long long>(p), xyz[3 * p], xyz[3 * p + 1], xyz[3 * p + 2]);
 }
 
 }  // namespace rollcon::fem

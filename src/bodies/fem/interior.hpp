@@ -3,24 +3,29 @@
 
 #include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 #include "bodies/fem/assembly.hpp"
-#include "bodies/model/body_interior.hpp"
+#include "bodies/model/surface_state.hpp"
 #include "mesh/volume_search.hpp"
 
 namespace rollcon::fem {
 
-class Interior final : public BodyInterior {
+class Interior final : public IntegrationPoints {
  public:
   /// Mesh and assembly must outlive it. reference: the modulus that materials are over.
   Interior(const BodyMesh& mesh, const Assembly& assembly, Hex8 hex8, double reference);
 
   std::int64_t points() const override { return first_.back(); }
   void at_points(const double* u, double* stress, double* xyz, int threads) const override;
-  void at_nodes(const double* u, double* stress, int threads) const override;
+  /// See BodyFields; u: of all nodes.
+  void at_nodes(const double* u, double* stress, int threads) const;
+  /// u, and smoothed stresses at nodes, interpolated by the elements' shape functions. Arrays may be null. False: the
+  /// point is outside, nothing is written.
   bool interpolate(const Vec3& x, const double* u, const double* node_stress, double* displacement,
-                   double* stress) const override;
+                   double* stress) const;
+  std::int64_t nodes() const { return mesh_.surface.nodes(); }
 
  private:
   /// See element_stress; stresses in the caller's unit.
@@ -34,6 +39,18 @@ class Interior final : public BodyInterior {
   std::vector<std::int64_t> first_;  ///< integration point of each element, and their number
   mutable std::once_flag searched_;
   mutable std::unique_ptr<const VolumeSearch> search_;
+};
+
+/// Fields under displacements of all nodes. The interior must outlive them.
+class InteriorFields final : public BodyFields {
+ public:
+  InteriorFields(const Interior& interior, std::vector<double> u) : interior_(interior), u_(std::move(u)) {}
+  void at_points(std::int64_t n, const double* xyz, double* displacement, double* stress, int threads) const override;
+  void at_nodes(double* stress, int threads) const override { interior_.at_nodes(u_.data(), stress, threads); }
+
+ private:
+  const Interior& interior_;
+  std::vector<double> u_;
 };
 
 }  // namespace rollcon::fem

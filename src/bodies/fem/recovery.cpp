@@ -93,7 +93,7 @@ VolumeType linear(VolumeType type) {
   return corners == 4 ? VolumeType::tet4 : corners == 6 ? VolumeType::wedge6 : VolumeType::hex8;
 }
 
-/// Where an element's stresses are sampled: each of the rule's points as a sum
+/// Places at which an element's stresses are sampled: each of the rule's points as a sum
 /// of corners, of the corner functions.
 struct Samples {
   std::vector<VolumeShape> corner, place;  ///< place: of all nodes
@@ -140,7 +140,7 @@ class Recovery {
     for (const VolumeType type : mesh.volume.type) samples_.try_emplace(type, type);
   }
   void fit(std::int64_t node);
-  /// At a node: its own patch, else by those of its elements.
+  /// Recovers at a node by its own patch, else by those of its elements.
   void at_node(std::int64_t node, double* stress) const;
 
  private:

@@ -273,6 +273,12 @@ void System::solve_everywhere(std::span<double> load, SurfaceState& state, int t
   if (options_.keep_factors == 0) whole_.reset();
 }
 
+std::unique_ptr<const BodyFields> System::fields(SurfaceState&& state, const OwnLoads& own) {
+  state.u.resize(unknowns_.of.size(), 0.0);
+  for (std::size_t k = 0; k < own.displacement.size(); ++k) state.u[k] += own.displacement[k];
+  return std::make_unique<InteriorFields>(interior_, std::move(state.u));
+}
+
 BodyStatistics System::statistics() const {
   const std::lock_guard lock(mutex_);
   return statistics_with(matrix_.bytes() + factor_bytes() + (whole_ ? whole_->statistics().bytes : 0));

@@ -29,12 +29,13 @@ class System final : public ResponseCache {
   BodyStatistics statistics() const override;
   std::shared_ptr<const BodyEquations> equations(int threads) override;
   void solve_everywhere(std::span<double> load, SurfaceState& state, int threads) override;
-  const BodyInterior* interior() const override { return &interior_; }
+  const IntegrationPoints* integration_points() const override { return &interior_; }
+  std::unique_ptr<const BodyFields> fields(SurfaceState&& state, const OwnLoads& own) override;
 
  private:
   void respond(const LoadedSurface& surface, SurfaceRows& rows, int threads) override;
   void load(const LoadedSurface& surface, SurfaceLoads& loads, int threads) override;
-  /// From entries by place in `loaded` and by column to the unknowns, component by component.
+  /// Brings entries by place in `loaded` and by column to the unknowns, component by component.
   void write_loads(const std::vector<std::int32_t>& loaded, const SparseMatrix& entries, SurfaceLoads& loads) const;
   FeltTractions feel(const SurfaceMesh& layer, SurfaceOutline& outline) const;
   void require_matrix(int threads);

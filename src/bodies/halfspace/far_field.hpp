@@ -23,7 +23,7 @@ inline constexpr double far_constant = 6;
 /// Share of the tolerance given to one element; the rest is for the sum at a node.
 inline constexpr double element_share = 0.1;
 
-/// Of an element of the frame, on the plane.
+/// The geometry of an element of the frame, on the plane.
 ElementGeometry plane_geometry(const Frame& frame, std::int64_t element);
 
 /// Elements of one type and one kind of map.

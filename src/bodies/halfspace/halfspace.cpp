@@ -35,7 +35,7 @@ struct Workspace {
   std::int64_t far_evaluations = 0;
 };
 
-/// For an observer on the element or near it, each integral off by about `tolerance` (a length).
+/// Integrals for an observer on the element or near it, each off by about `tolerance` (a length).
 void near_integrals(const ElementGeometry& element, double px, double py, double tolerance, int terms,
                     const Kernels& kernels, NearWorkspace& workspace, double* integral) {
   std::fill_n(integral, integral_count * max_shape_stride, 0.0);

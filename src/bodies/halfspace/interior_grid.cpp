@@ -169,7 +169,7 @@ std::vector<InteriorSlice> InteriorGrid::slices(std::int64_t points, const doubl
   return found;
 }
 
-/// Of a hat at the origin, by unit tractions; false: too near for a rule.
+/// The influence of a hat at the origin, by unit tractions; false: too near for a rule.
 bool InteriorGrid::far_influence(double x, double y, double z, double (&value)[3][9]) const {
   const double least =
       std::min(ellipse_axis2(x, y, z, lattice_.dx, lattice_.dy), ellipse_axis2(y, x, z, lattice_.dy, lattice_.dx));
@@ -317,7 +317,7 @@ void InteriorGrid::write(const InteriorSlice& slice, int output, const double* f
   }
 }
 
-/// From the lattice's axes to the frame's.
+/// Turns from the lattice's axes to the frame's.
 void InteriorGrid::turn(const InteriorSlice& slice, double* stress, double* displacement) const {
   const double c = lattice_.ex, s = lattice_.ey;
   for (const std::int64_t p : slice.point) {

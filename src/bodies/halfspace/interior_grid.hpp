@@ -24,12 +24,12 @@ struct InteriorSlice {
 
 class InteriorGrid {
  public:
-  /// As HalfspaceInterior; tractions of the frame's nodes. The lattice must outlive it.
+  /// Arguments as for HalfspaceInterior; tractions of the frame's nodes. The lattice must outlive it.
   InteriorGrid(const Lattice& lattice, const double* traction, HalfspaceInterior::Material material, double accuracy);
 
   /// False: some hat under load lacks a cell, or the build has no FFT: nothing can be done here.
   bool usable() const { return usable_; }
-  /// Those of the points (x, y, z) that make up slices for which convolutions are faster than points one by one.
+  /// Finds the points (x, y, z) that make up slices for which convolutions are faster than points one by one.
   std::vector<InteriorSlice> slices(std::int64_t points, const double* xyz) const;
   /// Into the slice's points of the caller's arrays, of which either may be null.
   void evaluate(const InteriorSlice& slice, double* stress, double* displacement) const;

@@ -41,7 +41,7 @@ struct InteriorKernels {
   const char* name;
   /// sum[interior_count] is added to.
   void (*push)(const InteriorForces& forces, const InteriorPoint& at, double kappa, double* sum);
-  /// The same of one element; points: as pad_points leaves them.
+  /// Adds one element; points: as pad_points leaves them.
   void (*element)(const InteriorElement& element, const NearPoints& points, const InteriorPoint& at, double kappa,
                   double* sum);
 };

@@ -23,7 +23,7 @@ struct Stencil {
   double coefficient[2][3];
 };
 
-/// With u = x - y the hat's integral of F''(u), by parts.
+/// Takes the hat's integral of F''(u), u = x - y, by parts.
 Stencil stencil(Hat hat) {
   switch (hat) {
     case Hat::before:
@@ -36,7 +36,7 @@ Stencil stencil(Hat hat) {
   return {{{1, -2, 1}, {0, 0, 0}}};
 }
 
-/// Of kernel k: H, its second antiderivative in x, and H_x.
+/// Holds for kernel k: H, its second antiderivative in x, and H_x.
 struct Inner {
   double value[integral_count][2];
 };

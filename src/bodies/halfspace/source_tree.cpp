@@ -13,9 +13,9 @@ namespace {
 
 constexpr int leaf_elements = 16;
 constexpr int most_line = 16;  ///< Chebyshev points along a side, at most
-/// Error of a box over error rho^-q times integral of |t|/R^2; tests/bodies/halfspace/source_tree_test.cpp.
+/// Error of a box over error rho^-q times integral of |t|/R^2; tests/bodies/halfspace/inside/boxes_test.cpp.
 constexpr double box_constant = 0.8;
-/// Where the largest grid serves at the latest.
+/// The largest grid serves from here at the latest.
 constexpr double nearest_axis = 2.2;
 
 /// Lagrange functions of q Chebyshev points: L_k(x) = (1 + 2 sum over m of T_m(x) T_m(x_k)) / q.

@@ -30,7 +30,7 @@ class Turned {
   std::pair<double, double> along_by_others(double by_t2, double by_n) const {
     return {c_ * by_t2 - s_ * by_n, s_ * by_t2 + c_ * by_n};
   }
-  /// Those along t2 and n per traction along t1.
+  /// Displacements along t2 and n per traction along t1.
   std::pair<double, double> others_by_along(double of_t2, double of_n) const {
     return {c_ * of_t2 + s_ * of_n, c_ * of_n - s_ * of_t2};
   }

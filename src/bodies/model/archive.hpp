@@ -89,7 +89,7 @@ class InArchive {
     values.resize(count(least_bytes));
     for (T& value : values) each(*this, value);
   }
-  /// Of entries that take at least so many bytes each.
+  /// Reads the count of entries that take at least so many bytes each.
   std::size_t count(std::size_t least_bytes) {
     std::uint64_t n = 0;
     (*this)(n);

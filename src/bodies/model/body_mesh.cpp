@@ -1,6 +1,7 @@
 #include "bodies/model/body_mesh.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 
 #include "mesh/surface_geometry.hpp"
@@ -141,9 +142,16 @@ std::vector<std::int32_t> nodes_of(const SurfaceMesh& surface, const std::vector
 }
 
 std::vector<std::int32_t> nodes_around(const SurfaceMesh& surface, const std::vector<std::int64_t>& element) {
+  std::vector<std::int64_t> all(surface.type.size());
+  std::iota(all.begin(), all.end(), 0);
+  return nodes_around(surface, element, all);
+}
+
+std::vector<std::int32_t> nodes_around(const SurfaceMesh& surface, const std::vector<std::int64_t>& element,
+                                       const std::vector<std::int64_t>& among) {
   const std::vector<std::uint8_t> touched = touched_nodes(surface, element);
   std::vector<std::uint8_t> wanted(touched.size(), 0);
-  for (std::int64_t e = 0; e < surface.elements(); ++e) {
+  for (const std::int64_t e : among) {
     const auto nodes = surface.element(e);
     if (std::any_of(nodes.begin(), nodes.end(),
                     [&](std::int32_t k) { return touched[static_cast<std::size_t>(k)] != 0; }))

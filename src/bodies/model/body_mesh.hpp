@@ -17,19 +17,20 @@ struct FaceLoad {
   Vec3 traction{0, 0, 0};  ///< in the body's axes
   double pressure = 0;     ///< against the outward normal, added to the traction
 
-  // Besides, by node, linear or quadratic between as the faces are.
+  // Tractions by node come besides, linear or quadratic between as the faces are.
   std::vector<std::int32_t> node{};
   std::vector<Vec3> of_node{};
-  /// Not zero: these are components along its part in the surface, across (normal x that) and along the outward normal.
+  /// Unless zero these are components along its part in the surface, across (normal x that) and along the outward
+  /// normal.
   Vec3 along{0, 0, 0};
 
   /// of_node of all nodes of the body; empty: none has any.
   std::vector<Vec3> by_node(std::size_t nodes) const;
-  /// In the body's axes, where the unit normal is this one.
+  /// Turns components into the body's axes, where the unit normal is this one.
   Vec3 turned(const Vec3& components, const Vec3& normal) const;
 };
 
-/// On the elements of one material, in the body's axes: force + density omega x (x - origin) x omega.
+/// A load on the elements of one material, in the body's axes: force + density omega x (x - origin) x omega.
 struct BodyForce {
   std::int32_t tag = 0;
   Vec3 force{0, 0, 0};  ///< per volume
@@ -108,7 +109,9 @@ std::vector<std::int64_t> contact_elements(const BodyMesh& mesh);
 /// The given faces' nodes, ascending.
 std::vector<std::int32_t> nodes_of(const SurfaceMesh& surface, const std::vector<std::int64_t>& element);
 
-/// The given faces' nodes and those of all surface elements that touch them, ascending.
+/// The given faces' nodes and those of all surface elements, or of the ones named, that touch them, ascending.
 std::vector<std::int32_t> nodes_around(const SurfaceMesh& surface, const std::vector<std::int64_t>& element);
+std::vector<std::int32_t> nodes_around(const SurfaceMesh& surface, const std::vector<std::int64_t>& element,
+                                       const std::vector<std::int64_t>& among);
 
 }  // namespace rollcon

@@ -88,8 +88,8 @@ class Compliance {
   /// False when the frame has more nodes than the displacements of this body can tell apart: alone it makes singular
   /// equations.
   virtual bool resolves_frame() const { return true; }
-  /// The same displacements with the unknowns of the bodies written out (adds to `out`, whose matrices belong to the
-  /// same points). Condenses and factorises nothing. False: has no such form.
+  /// Gives the same displacements with the unknowns of the bodies written out (adds to `out`, whose matrices belong to
+  /// the same points). Condenses and factorises nothing. False: has no such form.
   virtual bool expand(Points /*points*/, ExpandedCompliance& /*out*/) const { return false; }
   /// What displacements by offset come from, under the frame's own shape functions; null: they depend on the place.
   virtual std::shared_ptr<const TranslationKernel> translation() const { return nullptr; }

@@ -12,7 +12,7 @@ struct Imbalances {
   double bent[3] = {0, 0, 0};
 };
 
-/// Without a response: none.
+/// A missing response misses nothing.
 template <class Response>
 Imbalances imbalances_of(const Response* response) {
   return response ? response->imbalances() : Imbalances{};

@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "bodies/model/body_interior.hpp"
 #include "bodies/model/expanded_compliance.hpp"
 #include "bodies/model/imbalance.hpp"
 #include "bodies/model/surface_state.hpp"
@@ -15,12 +14,12 @@
 
 namespace rollcon {
 
-/// Where a frame's tractions act: on faces of the body, interpolated by the faces' own shape functions and zero
-/// elsewhere; or on a mesh of its own that lies on the body's surface.
+/// The place where a frame's tractions act: on faces of the body, interpolated by the faces' own shape functions and
+/// zero elsewhere; or on a mesh of its own that lies on the body's surface.
 struct LoadedSurface {
   std::vector<std::int64_t> face;  ///< elements, ascending; empty: `layer`
   SurfaceMesh layer;               ///< in the body's coordinates
-  /// Of a layer: the body's nodes whose displacements are wanted. Of faces these are their nodes and those of all
+  /// The body's nodes whose displacements are wanted under a layer. Under faces these are their nodes and those of all
   /// elements that touch them.
   std::vector<std::int32_t> row;
   bool of_faces() const { return !face.empty(); }
@@ -135,10 +134,10 @@ class Condensed {
   // Null where the body has no such face.
   virtual AsEquations* as_equations() { return nullptr; }
   virtual Saved* saved() { return nullptr; }
-  /// Fields of a body that has elements inside.
-  virtual const BodyInterior* interior() const { return nullptr; }
-  /// Fields inside of boundary elements under this state and own loads; an empty state is those alone.
-  virtual std::unique_ptr<const SurfaceFields> surface_fields(SurfaceState&& /*state*/, const OwnLoads& /*own*/) {
+  /// Finite elements.
+  virtual const IntegrationPoints* integration_points() const { return nullptr; }
+  /// Fields inside under this state and own loads; an empty state is those alone. They must not outlive the body.
+  virtual std::unique_ptr<const BodyFields> fields(SurfaceState&& /*state*/, const OwnLoads& /*own*/) {
     return nullptr;
   }
 };
