@@ -15,10 +15,9 @@ namespace {
 
 void check_axes(const Axes& axes) {
   const Vec3 &a = axes.t1, &b = axes.t2, &n = axes.n;
-  const Vec3 cross = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
   constexpr double tolerance = 1e-10;
   const bool orthonormal = std::abs(dot(a, a) - 1) < tolerance && std::abs(dot(b, b) - 1) < tolerance &&
-                           std::abs(dot(a, b)) < tolerance && std::abs(dot(cross, n) - 1) < tolerance &&
+                           std::abs(dot(a, b)) < tolerance && std::abs(dot(cross(a, b), n) - 1) < tolerance &&
                            std::abs(dot(n, n) - 1) < tolerance;
   if (!orthonormal) fail(Status::err_argument, "the axes (t1, t2, n) are not orthonormal and right-handed");
 }

@@ -20,8 +20,8 @@ constexpr double smallest_jacobian = 1e-6;
 
 enum class Defect { none, vanishing, turning };
 
-/// Judges the check point with the smallest component of the surface Jacobian along the mean normal; `noise` is the
-/// rounding of the coordinates over the element's size.
+/// Judges the check point with the smallest component of the surface Jacobian along
+/// the mean normal. noise: rounding of the coordinates over the element's size.
 Defect jacobian_defect(std::span<const Vec3> node, double size, const std::vector<CheckPoint>& points, double noise,
                        std::size_t& worst) {
   std::vector<Vec3> normal(points.size());

@@ -1,7 +1,6 @@
-// Uses symmetric rules with few points where such are known with positive weights and inner points, and collapsed
-// products of Gauss-Jacobi rules beyond. The orbits' parameters on tetrahedra solve the moment equations of their
-// degree (4 and 14 points: see Keast 1986 and Walkington 2000; 24 points: Keast's). The rules on triangles are those of
-// Strang and Fix (6 points) and Radon (7 points).
+// Symmetric rules with few points where such are known with positive weights and inner points, collapsed products of
+// Gauss-Jacobi rules beyond. Tetrahedra: the orbits' parameters solve the moment equations of their degree (4 and 14
+// points: see Keast 1986 and Walkington 2000). Triangles: Strang and Fix (6 points).
 
 #include <cmath>
 
@@ -40,18 +39,6 @@ void add_22(VolumeRule& rule, double part, double a) {
     }
 }
 
-/// Adds the points a, a, b, 1 - 2a - b in every order.
-void add_211(VolumeRule& rule, double part, double a, double b) {
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < 4; ++j) {
-      if (i == j) continue;
-      Bary4 l{a, a, a, a};
-      l[i] = b;
-      l[j] = 1 - 2 * a - b;
-      add(rule, part, l);
-    }
-}
-
 VolumeRule tetrahedron_rule(int degree) {
   VolumeRule rule;
   if (degree <= 1) {
@@ -65,11 +52,6 @@ VolumeRule tetrahedron_rule(int degree) {
     add_31(rule, 0.11268792571801585080, 0.31088591926330060980);
     add_31(rule, 0.07349304311636194954, 0.09273525031089122640);
     add_22(rule, 0.04254602077708146644, 0.04550370412564964949);
-  } else if (degree == 6) {
-    add_31(rule, 0.03992275025816749210, 0.21460287125915202929);
-    add_31(rule, 0.01007721105532064295, 0.04067395853461135312);
-    add_31(rule, 0.05535718154365472210, 0.32233789014227551034);
-    add_211(rule, 27.0 / 560, 0.06366100187501752530, 0.60300566479164914137);
   } else {
     const int n = degree / 2 + 1;
     const LineRule a = gauss_jacobi(n, 2), b = gauss_jacobi(n, 1), c = gauss_legendre(n);
@@ -108,11 +90,6 @@ PlaneRule symmetric_triangle_rule(int degree) {
     const double w = std::sqrt(213125 - 53320 * r);
     add_21(rule, (620 + w) / 3720, (8 - r + s) / 18);
     add_21(rule, (620 - w) / 3720, (8 - r - s) / 18);
-  } else if (degree == 5) {
-    const double r = std::sqrt(15.0);
-    rule = {{third}, {third}, {9.0 / 40 * area}};
-    add_21(rule, (155 + r) / 1200, (6 + r) / 21);
-    add_21(rule, (155 - r) / 1200, (6 - r) / 21);
   } else {
     rule = triangle_rule(degree);
   }

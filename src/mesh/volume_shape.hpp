@@ -42,10 +42,10 @@ struct VolumeRule {
   std::vector<double> w;
   std::size_t size() const { return w.size(); }
 };
-/// Returns a rule exact for polynomials of total degree `degree` >= 0 (hexahedra: in each variable; wedges: total in
-/// the triangle, and along zeta). All points are inside, all weights positive, with as few points as known rules allow:
-/// tetrahedra 1, 4, 8, 14, 24 up to degree 1, 2, 3, 5, 6, triangles of wedges 1, 3, 6, 7 up to degree 1, 2, 4, 5,
-/// symmetric in the corners; collapsed product rules beyond.
+/// Exact for polynomials of total degree `degree` (hexahedra: in each variable; wedges: total in the triangle, and
+/// along zeta). All points inside, all weights positive; as few points as known rules allow: tetrahedra 1, 4, 8, 14 up
+/// to degree 1, 2, 3, 5, triangles of wedges 1, 3, 6 up to degree 1, 2, 4, symmetric in the corners;
+/// collapsed product rules beyond. degree >= 0.
 VolumeRule volume_rule(VolumeType type, int degree);
 
 }  // namespace rollcon

@@ -1,6 +1,7 @@
 #pragma once
 /// What element stiffnesses share: the formulation of each type, tabulated at its quadrature points.
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -32,32 +33,20 @@ struct ElementTable {
 template <class T>
 class OfEachElement {
  public:
-  explicit OfEachElement(T (*make)(VolumeType, Hex8))
-      : made_{make(VolumeType::tet4, Hex8::enhanced),   make(VolumeType::tet10, Hex8::enhanced),
-              make(VolumeType::wedge6, Hex8::enhanced), make(VolumeType::wedge15, Hex8::enhanced),
-              make(VolumeType::hex20, Hex8::enhanced),  make(VolumeType::hex8, Hex8::enhanced),
-              make(VolumeType::hex8, Hex8::b_bar)} {}
+  explicit OfEachElement(T (*make)(VolumeType, Hex8)) {
+    for (const VolumeType type : types) made_.push_back(make(type, Hex8::enhanced));
+    made_.push_back(make(VolumeType::hex8, Hex8::b_bar));
+  }
   /// hex8 means nothing for the other types.
   const T& of(VolumeType type, Hex8 hex8) const {
-    switch (type) {
-      case VolumeType::tet4:
-        return made_[0];
-      case VolumeType::tet10:
-        return made_[1];
-      case VolumeType::wedge6:
-        return made_[2];
-      case VolumeType::wedge15:
-        return made_[3];
-      case VolumeType::hex20:
-        return made_[4];
-      case VolumeType::hex8:
-        break;
-    }
-    return made_[hex8 == Hex8::b_bar ? 6 : 5];
+    if (type == VolumeType::hex8 && hex8 == Hex8::b_bar) return made_.back();
+    return made_[static_cast<std::size_t>(std::find(types.begin(), types.end(), type) - types.begin())];
   }
 
  private:
-  std::array<T, 7> made_;
+  static constexpr std::array types{VolumeType::tet4,    VolumeType::tet10, VolumeType::wedge6,
+                                    VolumeType::wedge15, VolumeType::hex8,  VolumeType::hex20};
+  std::vector<T> made_;
 };
 
 /// Made once, on first use; thread-safe.

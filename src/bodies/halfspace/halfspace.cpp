@@ -179,42 +179,25 @@ void HalfspaceCompliance::integrate_row(double px, double py, int terms, const K
   }
 }
 
-/// Cerruti's and Boussinesq's combinations of the integrals, see halfspace.hpp.
+/// Writes Cerruti's and Boussinesq's combinations of the integrals, see halfspace.hpp.
 void HalfspaceCompliance::write_row(std::size_t p, int terms, const double* row, const ComplianceBlock& out) const {
   const auto n = static_cast<std::size_t>(nodes_);
-  const double* i0 = row;
-  const double* ixx = i0 + n;
-  const double* ixy = ixx + n;
-  const double* jx = (terms & with_shear) != 0 ? ixy + n : i0 + n;
-  const double* jy = jx + n;
-  auto entry = [&](int i, int j, auto value) {
+  const bool shear = (terms & with_shear) != 0, coupling = (terms & with_coupling) != 0;
+  const double *i0 = row, *ixx = i0 + n, *ixy = ixx + n, *jx = shear ? ixy + n : i0 + n, *jy = jx + n;
+  const auto entry = [&](int i, int j, auto value) {
     if (out.a[i][j] == nullptr) return;
     double* a = out.a[i][j] + static_cast<std::ptrdiff_t>(p) * out.stride;
     for (std::size_t k = 0; k < n; ++k) a[k] = value(k);
   };
   const double cn = c_.cn, cv = c_.cv, ck = c_.ck;
   entry(2, 2, [=](std::size_t k) { return cn * i0[k]; });
-  if ((terms & with_shear) != 0) {
-    entry(0, 0, [=](std::size_t k) { return cn * i0[k] + cv * ixx[k]; });
-    entry(1, 1, [=](std::size_t k) { return cn * i0[k] + cv * (i0[k] - ixx[k]); });
-    entry(0, 1, [=](std::size_t k) { return cv * ixy[k]; });
-    entry(1, 0, [=](std::size_t k) { return cv * ixy[k]; });
-  } else {
-    entry(0, 0, [=](std::size_t k) { return cn * i0[k]; });
-    entry(1, 1, [=](std::size_t k) { return cn * i0[k]; });
-    entry(0, 1, [](std::size_t) { return 0.0; });
-    entry(1, 0, [](std::size_t) { return 0.0; });
-  }
-  if ((terms & with_coupling) != 0) {
-    entry(0, 2, [=](std::size_t k) { return ck * jx[k]; });
-    entry(1, 2, [=](std::size_t k) { return ck * jy[k]; });
-    entry(2, 0, [=](std::size_t k) { return -ck * jx[k]; });
-    entry(2, 1, [=](std::size_t k) { return -ck * jy[k]; });
-  } else {
-    for (int t = 0; t < 2; ++t) {
-      entry(t, 2, [](std::size_t) { return 0.0; });
-      entry(2, t, [](std::size_t) { return 0.0; });
-    }
+  for (int t = 0; t < 2; ++t) {
+    const double* j = t == 0 ? jx : jy;
+    entry(t, t,
+          [=](std::size_t k) { return shear ? cn * i0[k] + cv * (t == 0 ? ixx[k] : i0[k] - ixx[k]) : cn * i0[k]; });
+    entry(t, 1 - t, [=](std::size_t k) { return shear ? cv * ixy[k] : 0; });
+    entry(t, 2, [=](std::size_t k) { return coupling ? ck * j[k] : 0; });
+    entry(2, t, [=](std::size_t k) { return coupling ? -ck * j[k] : 0; });
   }
 }
 
