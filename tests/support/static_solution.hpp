@@ -45,10 +45,10 @@ class StaticBody {
   StaticBody& solve();
 
   Vec3 displacement(std::int32_t node) const;
-  Vec3 displacement(const Vec3& near) const;  ///< of the node nearest to it
+  Vec3 displacement(const Vec3& near) const;  ///< displacement of the nearest node
   /// What the supports exert, about the origin.
   Resultant reaction() const { return body_->own().reaction; }
-  /// Of a traction node (boundary elements).
+  /// Returns what a traction node has (boundary elements).
   Vec3 traction_at(std::int64_t fan) const;
   /// Returns the sum over all elements of integral t, and of x cross t about the origin (boundary elements).
   Resultant resultant(std::initializer_list<std::int32_t> tags) const;
