@@ -1,0 +1,112 @@
+#pragma once
+/// Rolling contact of half-spaces on strips that fit the contact: every row's chord and the width are found with the
+/// pressures, so that forces and what one differentiates are smooth in all that is given. Signs and equations are those
+/// of docs/theory.md, sections 1 to 3. Lengths, forces and creepages are in the caller's units.
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "framing/strips/strip_integrals.hpp"
+#include "framing/strips/strip_layout.hpp"
+#include "geometry/rectangle.hpp"
+#include "geometry/vec2.hpp"
+#include "linalg/lu.hpp"
+
+namespace rollcon::strips {
+
+/// A function of the place in the plane of the axes.
+class PlaneField {
+ public:
+  virtual ~PlaneField() = default;
+  /// Values and slopes at points. slope may be null.
+  virtual void at(std::span<const Vec2> point, double* value, Vec2* slope) const = 0;
+};
+
+/// What is given.
+struct StripScene {
+  StripBodies bodies;
+  const PlaneField* gap = nullptr;  ///< of the undeformed bodies at approach 0, length
+  bool by_load = true;
+  double value = 0;                     ///< normal load, force; or approach, length
+  double mu = 0;                        ///< friction coefficient
+  const PlaneField* friction = nullptr;  ///< times this where it is given
+  /// Longitudinal and lateral creepage and spin (1/length); or the force on body 1 along x, along y, and the spin
+  /// moment about the origin of the axes.
+  std::array<double, 3> motion{};
+  std::array<bool, 3> force_given{};
+  std::array<const PlaneField*, 2> slip{};  ///< rigid slip over speed, beside that of the creepages
+};
+
+/// A solution, and the start of a solve: tractions on body 1 at the layout's nodes, pressures positive.
+struct StripState {
+  StripLayout layout;
+  std::vector<double> geometry, pressure, traction;  ///< traction: along x of all nodes, then along y
+  double approach = 0;
+  std::array<double, 3> motion{};
+};
+
+/// What one sees, all on body 1.
+struct StripTotals {
+  double load = 0, approach = 0;
+  std::array<double, 3> force{};   ///< along x, along y; spin moment about the origin
+  std::array<double, 3> motion{};  ///< creepages and spin
+  Vec2 pressed{};                  ///< integrals of pressure times x and times y
+};
+
+enum class StripStatus { solved, no_contact, unfit, beyond_friction, not_converged };
+
+struct StripReport {
+  StripStatus status = StripStatus::solved;
+  int normal_rounds = 0, friction_rounds = 0;
+};
+
+/// By which quantity to differentiate. The fields are those of the scene, differentiated at fixed places; null: 0.
+struct StripParameter {
+  double value = 0, mu = 0;           ///< rates of load or approach and of the friction coefficient
+  std::array<double, 3> motion{};     ///< of what is given of creepages, spin, forces and moment
+  const PlaneField* gap = nullptr;
+  const PlaneField* friction = nullptr;
+  std::array<const PlaneField*, 2> slip{};
+};
+
+/// Holds room for unknowns and matrices alone: results depend on what a call is given. Warm solves allocate nothing.
+class StripSolver {
+ public:
+  /// From the geometry of `state` (by a start, or another solution with the same layout) to the solution. warm: its
+  /// tractions are a start, too.
+  StripReport solve(const StripScene& scene, StripState& state, bool warm);
+  /// The normal problem alone, under tangential tractions 0.
+  StripReport press(const StripScene& scene, StripState& state, bool warm);
+  static StripTotals totals(const StripScene& scene, const StripState& state);
+  /// Total derivatives of the totals at a solution, the strips moving with it: one for each parameter.
+  bool rates(const StripScene& scene, const StripState& state, std::span<const StripParameter> parameter,
+             std::span<StripTotals> rate);
+
+ private:
+  struct Samples {
+    std::vector<Vec2> point, slope;
+    std::vector<double> value;
+  };
+  void sample(const PlaneField* field, std::span<const StripPoint> points, const StripLayout& layout,
+              const double* geometry, Samples& into);
+  /// Rows of the normal equations: gaps at nodes and edges, the load. Columns: pressures (over cn), geometry, approach.
+  void normal_rows(const StripScene& scene, const StripState& state, bool rates, double* matrix, int columns,
+                   double* residual);
+  double normal_step(const StripScene& scene, StripState& state, const double* step) const;
+  bool press_on(const StripScene& scene, StripState& state);
+  void slip_rows(const StripScene& scene, const StripState& state, bool rates);
+  void rigid_slip(const StripScene& scene, const StripState& state);
+  int friction_round(const StripScene& scene, StripState& state, double* change);
+
+  StripIntegrals integrals_;
+  Lu<double> lu_;
+  Samples gap_, friction_, slip_[2];
+  std::vector<double> residual_, step_;
+  std::vector<double> compliance_[5];  ///< slip by tractions: 11, 12, 22; by pressures: 1n, 2n
+  std::vector<double> slip_rates_;     ///< slip by geometry
+  std::vector<double> rigid_, bound_, scale_, slip_now_;
+};
+
+}  // namespace rollcon::strips

@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <cmath>
+
+#include "framing/strips/strip_contact.hpp"
+
+namespace rollcon::strips {
+namespace {
+
+constexpr int most_rounds = 25;
+constexpr double longest_step = 0.3;  // of a half chord or half width
+// Newton's steps square their errors: after a step of this size, over sizes, the next one is lost in rounding.
+constexpr double last_step = 3e-7;
+
+}  // namespace
+
+void StripSolver::sample(const PlaneField* field, std::span<const StripPoint> points, const StripLayout& layout,
+                         const double* geometry, Samples& into) {
+  const std::size_t n = points.size();
+  into.point.resize(n);
+  into.slope.resize(n);
+  into.value.resize(n);
+  for (std::size_t i = 0; i < n; ++i) into.point[i] = {layout.x(points[i], geometry), layout.y(points[i], geometry)};
+  if (field) return field->at(into.point, into.value.data(), into.slope.data());
+  std::fill(into.value.begin(), into.value.end(), 0.0);
+  std::fill(into.slope.begin(), into.slope.end(), Vec2{});
+}
+
+void StripSolver::normal_rows(const StripScene& scene, const StripState& state, bool rates, double* matrix,
+                              int columns, double* residual) {
+  const StripLayout& l = state.layout;
+  const double* g = state.geometry.data();
+  const double cn = scene.bodies.cn;
+  const int gap_rows = l.nodes + (rates ? l.geometry : 0), approach = columns - 1;
+  sample(scene.gap, l.observers, l, g, gap_);
+  for (int i = 0; i < gap_rows; ++i) {
+    double* row = matrix + static_cast<std::ptrdiff_t>(i) * columns;
+    std::fill(row, row + columns, 0.0);
+    const StripPoint& at = l.observers[i];
+    const Observation u = integrals_.observe(Displacement::normal, rates, at, 0);
+    integrals_.add_row(u, 0, 1 / cn, row);
+    row[approach] = -1;
+    residual[i] = gap_.value[i] - state.approach;
+    const int fields = integrals_.coupled() ? 3 : 1;
+    for (int k = 0; k < fields; ++k)
+      residual[i] += rates ? integrals_.add_rates(u, k, k, at, 1, row + l.nodes) : integrals_.displacement(u, k, k);
+    if (rates) l.add_motion(at, gap_.slope[i][0], gap_.slope[i][1], row + l.nodes);
+  }
+  double* row = matrix + static_cast<std::ptrdiff_t>(gap_rows) * columns;
+  std::fill(row, row + columns, 0.0);
+  if (!scene.by_load) {
+    row[approach] = 1;
+    residual[gap_rows] = state.approach - scene.value;
+    return;
+  }
+  double load = -cn * scene.value;
+  const double per_length = 1 / g[l.width_of(0)];
+  for (int i = 0; i < l.nodes; ++i) {
+    const int half = l.half_of(i / l.nodes_each), width = l.width_of(l.part_of(i / l.nodes_each));
+    const double unit = l.unit_weight[i] * per_length, p = cn * state.pressure[i];
+    row[i] = unit * g[half] * g[width];
+    load += row[i] * p / per_length;
+    if (!rates) continue;
+    row[l.nodes + half] += unit * g[width] * p;
+    row[l.nodes + width] += unit * g[half] * p;
+  }
+  residual[gap_rows] = load * per_length;
+}
+
+double StripSolver::normal_step(const StripScene& scene, StripState& state, const double* step) const {
+  const StripLayout& l = state.layout;
+  double* g = state.geometry.data();
+  const double* by = step + l.nodes;
+  double longest = 0, highest = 0, change = 0;
+  for (int row = 0; row < l.rows; ++row)
+    longest = std::max(longest, std::max(std::abs(by[row]), std::abs(by[l.half_of(row)])) / g[l.half_of(row)]);
+  for (int part = 0; part < l.parts; ++part)
+    longest = std::max(longest, std::max(std::abs(by[l.centre_of(part)]), std::abs(by[l.width_of(part)])) /
+                                    g[l.width_of(part)]);
+  const double share = longest > longest_step ? longest_step / longest : 1;
+  for (int i = 0; i < l.geometry; ++i) g[i] -= share * by[i];
+  for (int i = 0; i < l.nodes; ++i) {
+    state.pressure[i] -= share * step[i] / scene.bodies.cn;
+    highest = std::max(highest, std::abs(state.pressure[i]));
+    change = std::max(change, std::abs(step[i]) / scene.bodies.cn);
+  }
+  state.approach -= share * by[l.geometry];
+  return std::max(longest, change / highest);
+}
+
+bool StripSolver::press_on(const StripScene& scene, StripState& state) {
+  // Pressures of the strips as they are.
+  const StripLayout& l = state.layout;
+  const int n = l.nodes + 1;
+  integrals_.lay(l, scene.bodies, state.geometry.data());
+  for (int k = 0; k < 3; ++k) integrals_.set_field(k, k == 0 ? state.pressure.data() : state.traction.data() + (k - 1) * l.nodes);
+  step_.resize(static_cast<std::size_t>(n + l.geometry));
+  normal_rows(scene, state, false, lu_.prepare(n, l.geometry), n, step_.data());
+  if (!lu_.factor()) return false;
+  lu_.solve(step_.data());
+  for (int i = 0; i < l.nodes; ++i) state.pressure[i] -= step_[i] / scene.bodies.cn;
+  state.approach -= step_[l.nodes];
+  return true;
+}
+
+StripReport StripSolver::press(const StripScene& scene, StripState& state, bool warm) {
+  const StripLayout& l = state.layout;
+  const int n = l.nodes + l.geometry + 1;
+  StripReport report{StripStatus::not_converged};
+  if (!warm) {
+    state.pressure.assign(static_cast<std::size_t>(l.nodes), 0);
+    state.traction.assign(2 * static_cast<std::size_t>(l.nodes), 0);
+    if (!press_on(scene, state)) return report;
+  }
+  step_.resize(static_cast<std::size_t>(n));
+  while (report.normal_rounds++ < most_rounds) {
+    integrals_.lay(l, scene.bodies, state.geometry.data());
+    for (int k = 0; k < 3; ++k)
+      integrals_.set_field(k, k == 0 ? state.pressure.data() : state.traction.data() + (k - 1) * l.nodes);
+    normal_rows(scene, state, true, lu_.prepare(n), n, step_.data());
+    if (!lu_.factor()) return report;
+    lu_.solve(step_.data());
+    const double change = normal_step(scene, state, step_.data());
+    if (!std::isfinite(change)) return report;
+    if (change < last_step) {
+      report.status = StripStatus::solved;
+      return report;
+    }
+  }
+  return report;
+}
+
+StripTotals StripSolver::totals(const StripScene&, const StripState& state) {
+  const StripLayout& l = state.layout;
+  const double* g = state.geometry.data();
+  StripTotals t;
+  t.approach = state.approach;
+  t.motion = state.motion;
+  for (int i = 0; i < l.nodes; ++i) {
+    const int row = i / l.nodes_each;
+    const double w = l.unit_weight[i] * g[l.half_of(row)] * g[l.width_of(l.part_of(row))];
+    const double x = l.x(l.centroid[i], g), y = l.y(l.centroid[i], g);
+    const double p = w * state.pressure[i], t1 = w * state.traction[i], t2 = w * state.traction[l.nodes + i];
+    t.load += p;
+    t.pressed = t.pressed + Vec2{p * x, p * y};
+    t.force = {t.force[0] + t1, t.force[1] + t2, t.force[2] + x * t2 - y * t1};
+  }
+  return t;
+}
+
+}  // namespace rollcon::strips
