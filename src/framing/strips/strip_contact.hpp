@@ -79,7 +79,7 @@ class StripSolver {
   StripReport solve(const StripScene& scene, StripState& state, bool warm);
   /// The normal problem alone, under tangential tractions 0.
   StripReport press(const StripScene& scene, StripState& state, bool warm);
-  static StripTotals totals(const StripScene& scene, const StripState& state);
+  static StripTotals totals(const StripState& state);
   /// Total derivatives of the totals at a solution, the strips moving with it: one for each parameter.
   bool rates(const StripScene& scene, const StripState& state, std::span<const StripParameter> parameter,
              std::span<StripTotals> rate);
@@ -98,7 +98,19 @@ class StripSolver {
   bool press_on(const StripScene& scene, StripState& state);
   void slip_rows(const StripScene& scene, const StripState& state, bool rates);
   void rigid_slip(const StripScene& scene, const StripState& state);
-  int friction_round(const StripScene& scene, StripState& state, double* change);
+  void bounds(const StripScene& scene, const StripState& state);
+  void slip(const StripState& state);
+  void load_errors(const StripScene& scene, const StripState& state);
+  double judge(const StripScene& scene, const StripState& state);
+  bool friction_step(const StripScene& scene, StripState& state);
+  int slide(const StripScene& scene, StripState& state, bool warm, StripReport& report);
+
+  /// How a node's law is linearised: direction and share of the bound in the augmented traction.
+  struct Law {
+    bool slides = false;
+    double share = 1;
+    Vec2 along{1, 0};
+  };
 
   StripIntegrals integrals_;
   Lu<double> lu_;
@@ -106,7 +118,9 @@ class StripSolver {
   std::vector<double> residual_, step_;
   std::vector<double> compliance_[5];  ///< slip by tractions: 11, 12, 22; by pressures: 1n, 2n
   std::vector<double> slip_rates_;     ///< slip by geometry
-  std::vector<double> rigid_, bound_, scale_, slip_now_;
+  std::vector<double> rigid_, bound_, scale_, slip_now_, load_weight_[3];
+  std::vector<Law> laws_;
+  std::array<double, 3> load_error_{};
 };
 
 }  // namespace rollcon::strips

@@ -1,7 +1,11 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
 
 #include "framing/strips/strip_contact.hpp"
+#include "linalg/dense.hpp"
 
 namespace rollcon::strips {
 namespace {
@@ -89,31 +93,169 @@ void StripSolver::slip(const StripState& state) {
   }
 }
 
-double StripSolver::judge(const StripScene& scene, const StripState& state, const double* scale_of) {
-  // The projections' residuals over the largest bound; laws_ are those of the next step.
+void StripSolver::bounds(const StripScene& scene, const StripState& state) {
+  const StripLayout& l = state.layout;
+  const double* g = state.geometry.data();
+  bound_.resize(static_cast<std::size_t>(l.nodes));
+  for (auto& w : load_weight_) w.resize(static_cast<std::size_t>(l.nodes));
+  if (scene.friction) sample(scene.friction, l.node, l, g, friction_);
+  for (int i = 0; i < l.nodes; ++i) {
+    const int row = i / l.nodes_each;
+    const double w = l.unit_weight[i] * g[l.half_of(row)] * g[l.width_of(l.part_of(row))];
+    bound_[i] = scene.mu * (scene.friction ? friction_.value[i] : 1) * std::max(state.pressure[i], 0.0);
+    load_weight_[0][i] = w;
+    load_weight_[1][i] = w * l.x(l.centroid[i], g);
+    load_weight_[2][i] = w * l.y(l.centroid[i], g);
+  }
+}
+
+void StripSolver::load_errors(const StripScene& scene, const StripState& state) {
+  const StripTotals t = totals(state);
+  for (int k = 0; k < 3; ++k) load_error_[k] = scene.force_given[k] ? t.force[k] - scene.motion[k] : 0;
+}
+
+double StripSolver::judge(const StripScene& scene, const StripState& state) {
   const StripLayout& l = state.layout;
   laws_.resize(static_cast<std::size_t>(l.nodes));
-  double worst = 0, largest = 0;
+  double worst = 0, largest = 0, limit = 0;
   for (int i = 0; i < l.nodes; ++i) {
-    const double t1 = state.traction[i], t2 = state.traction[l.nodes + i], r = scale_of[i];
+    const double t1 = state.traction[i], t2 = state.traction[l.nodes + i], r = scale_[i];
     const double a1 = t1 - r * slip_now_[i], a2 = t2 - r * slip_now_[l.nodes + i], length = std::hypot(a1, a2);
     Law& law = laws_[i];
     law.slides = !(length < bound_[i]);
     law.share = law.slides && length > 0 ? bound_[i] / length : 1;
-    law.e = length > 0 ? Vec2{a1 / length, a2 / length} : Vec2{1, 0};
+    law.along = length > 0 ? Vec2{a1 / length, a2 / length} : Vec2{1, 0};
     worst = std::max(worst, std::hypot(t1 - law.share * a1, t2 - law.share * a2));
     largest = std::max(largest, bound_[i]);
+    limit += bound_[i] * load_weight_[0][i];
   }
-  double loads = 0;
-  if (scene.force_given[0] || scene.force_given[1] || scene.force_given[2]) {
-    const StripTotals t = totals(scene, state);
-    const double limit = largest_force(state);
-    const double arm = std::sqrt(limit > 0 ? largest_moment_ / limit * largest_moment_ / limit : 0);
-    for (int k = 0; k < 3; ++k)
-      if (scene.force_given[k])
-        loads = std::max(loads, std::abs(t.force[k] - scene.motion[k]) / (limit * (k == 2 ? arm : 1)));
+  double residual = largest > 0 ? worst / largest : 0;
+  load_errors(scene, state);
+  for (int k = 0; k < 3; ++k) {
+    const double scale = limit * (k == 2 ? state.geometry[l.width_of(0)] : 1);
+    if (scene.force_given[k]) residual = std::max(residual, std::abs(load_error_[k]) / scale);
   }
-  return std::max(largest > 0 ? worst / largest : 0, loads);
+  return residual;
+}
+
+// Unknowns of a step: two tractions of a node that sticks, the one across the known direction of one that slides, and
+// motions whose loads are given. With e the direction, b the bound, g = b over the augmented traction's length:
+//   stick: s = 0;   slide: t = b e + z k, k across e, (1 - g) z + g r k.s = 0
+bool StripSolver::friction_step(const StripScene& scene, StripState& state) {
+  const StripLayout& l = state.layout;
+  const int n = l.nodes;
+  double *t1 = state.traction.data(), *t2 = t1 + n;
+  int size = 0;
+  for (int i = 0; i < n; ++i) {
+    const Law& law = laws_[i];
+    size += law.slides ? 1 : 2;
+    if (!law.slides) continue;
+    t1[i] = bound_[i] * law.along[0];
+    t2[i] = bound_[i] * law.along[1];
+  }
+  const int motions = size;
+  for (const bool given : scene.force_given) size += given;
+  slip(state);
+  double* matrix = lu_.prepare(size, 2 * n + 3 - size);
+  step_.resize(2 * static_cast<std::size_t>(n) + 3);
+  double *row = matrix, *right = step_.data();
+  for (int i = 0; i < n; ++i) {
+    const Law& law = laws_[i];
+    const double *a = compliance_[0].data() + static_cast<std::ptrdiff_t>(i) * n,
+                 *b = compliance_[1].data() + static_cast<std::ptrdiff_t>(i) * n,
+                 *c = compliance_[2].data() + static_cast<std::ptrdiff_t>(i) * n;
+    const double f = law.share * scale_[i];
+    for (int d = 0; d < (law.slides ? 1 : 2); ++d, row += size) {
+      const double r1 = law.slides ? -f * law.along[1] : d == 0 ? scale_[i] : 0,
+                   r2 = law.slides ? f * law.along[0] : d == 1 ? scale_[i] : 0;
+      double* to = row;
+      int own = 0;
+      for (int j = 0; j < n; ++j) {
+        const double u = r1 * a[j] + r2 * b[j], v = r1 * b[j] + r2 * c[j];
+        if (j == i) own = static_cast<int>(to - row);
+        if (laws_[j].slides) {
+          *to++ = v * laws_[j].along[0] - u * laws_[j].along[1];
+        } else {
+          *to++ = u;
+          *to++ = v;
+        }
+      }
+      if (law.slides) row[own] += 1 - law.share;
+      const Vec2 at = slip_[0].point[i];
+      if (scene.force_given[0]) *to++ = r1;
+      if (scene.force_given[1]) *to++ = r2;
+      if (scene.force_given[2]) *to++ = r2 * at[0] - r1 * at[1];
+      *right++ = -(r1 * slip_now_[i] + r2 * slip_now_[n + i]);
+    }
+  }
+  if (size > motions) load_errors(scene, state);
+  for (int k = 0; k < 3; ++k) {
+    if (!scene.force_given[k]) continue;
+    double* to = row;
+    std::fill(row, row + size, 0.0);
+    for (int j = 0; j < n; ++j) {
+      const double u = k == 0 ? load_weight_[0][j] : k == 1 ? 0 : -load_weight_[2][j],
+                   v = k == 0 ? 0 : k == 1 ? load_weight_[0][j] : load_weight_[1][j];
+      if (laws_[j].slides) {
+        *to++ = v * laws_[j].along[0] - u * laws_[j].along[1];
+      } else {
+        *to++ = u;
+        *to++ = v;
+      }
+    }
+    row += size;
+    *right++ = -load_error_[k];
+  }
+  if (!lu_.factor()) return false;
+  lu_.solve(step_.data());
+  const double* by = step_.data();
+  for (int i = 0; i < n; ++i) {
+    const Law& law = laws_[i];
+    if (law.slides) {
+      t1[i] -= *by * law.along[1];
+      t2[i] += *by++ * law.along[0];
+    } else {
+      t1[i] += *by++;
+      t2[i] += *by++;
+    }
+  }
+  for (int k = 0; k < 3; ++k)
+    if (scene.force_given[k]) state.motion[k] += *by++;
+  return true;
+}
+
+int StripSolver::slide(const StripScene& scene, StripState& state, bool warm, StripReport& report) {
+  const StripLayout& l = state.layout;
+  if (!warm) std::fill(state.traction.begin(), state.traction.end(), 0.0);
+  for (int k = 0; k < 3; ++k)
+    if (!scene.force_given[k] || !warm) state.motion[k] = scene.force_given[k] ? 0 : scene.motion[k];
+  integrals_.lay(l, scene.bodies, state.geometry.data());
+  slip_rows(scene, state, false);
+  bounds(scene, state);
+  report.status = StripStatus::not_converged;
+  const bool loads = scene.force_given[0] || scene.force_given[1] || scene.force_given[2];
+  slip(state);
+  while (report.friction_rounds++ < most_rounds) {
+    const double residual = judge(scene, state);
+    if (!std::isfinite(residual)) return 0;
+    if (getenv("STRIPV")) printf("   friction %d residual %.2e\n", report.friction_rounds, residual);
+    if (residual < converged) {
+      report.status = StripStatus::solved;
+      return 1;
+    }
+    // Motions that are not known are found from sticking everywhere, first.
+    if (loads && !warm && report.friction_rounds == 1)
+      for (Law& law : laws_) law = Law{};
+    if (!friction_step(scene, state)) return 0;
+    slip(state);
+  }
+  return 0;
+}
+
+StripReport StripSolver::solve(const StripScene& scene, StripState& state, bool warm) {
+  StripReport report = press(scene, state, warm);
+  if (report.status == StripStatus::solved) slide(scene, state, warm, report);
+  return report;
 }
 
 }  // namespace rollcon::strips

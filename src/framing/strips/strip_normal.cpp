@@ -129,7 +129,7 @@ StripReport StripSolver::press(const StripScene& scene, StripState& state, bool 
   return report;
 }
 
-StripTotals StripSolver::totals(const StripScene&, const StripState& state) {
+StripTotals StripSolver::totals(const StripState& state) {
   const StripLayout& l = state.layout;
   const double* g = state.geometry.data();
   StripTotals t;
