@@ -94,7 +94,8 @@ class StripSolver {
   /// Rows of the normal equations: gaps at nodes and edges, the load. Columns: pressures (over cn), geometry, approach.
   void normal_rows(const StripScene& scene, const StripState& state, bool rates, double* matrix, int columns,
                    double* residual);
-  double normal_step(const StripScene& scene, StripState& state, const double* step) const;
+  static double normal_size(const StripState& state, const double* step);
+  static double normal_step(const StripScene& scene, StripState& state, const double* step, double share);
   bool press_on(const StripScene& scene, StripState& state);
   void slip_rows(const StripScene& scene, const StripState& state, bool rates);
   void rigid_slip(const StripScene& scene, const StripState& state);

@@ -1,7 +1,11 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
 
 #include "framing/strips/strip_contact.hpp"
+#include "linalg/dense.hpp"
 
 namespace rollcon::strips {
 namespace {
@@ -10,6 +14,7 @@ constexpr int most_rounds = 25;
 constexpr double longest_step = 0.3;  // of a half chord or half width
 // Newton's steps square their errors: after a step of this size, over sizes, the next one is lost in rounding.
 constexpr double last_step = 3e-7;
+constexpr double least_share = 0.02;  // of a step that is shortened as residuals grow
 
 }  // namespace
 
@@ -66,25 +71,31 @@ void StripSolver::normal_rows(const StripScene& scene, const StripState& state, 
   residual[gap_rows] = load * per_length;
 }
 
-double StripSolver::normal_step(const StripScene& scene, StripState& state, const double* step) const {
+// The longest change of a chord or a width, over its half.
+double StripSolver::normal_size(const StripState& state, const double* step) {
   const StripLayout& l = state.layout;
-  double* g = state.geometry.data();
-  const double* by = step + l.nodes;
-  double longest = 0, highest = 0, change = 0;
+  const double *g = state.geometry.data(), *by = step + l.nodes;
+  double longest = 0;
   for (int row = 0; row < l.rows; ++row)
-    longest = std::max(longest, std::max(std::abs(by[row]), std::abs(by[l.half_of(row)])) / g[l.half_of(row)]);
+    longest = std::max(longest, (std::abs(by[row]) + std::abs(by[l.half_of(row)])) / g[l.half_of(row)]);
   for (int part = 0; part < l.parts; ++part)
-    longest = std::max(longest, std::max(std::abs(by[l.centre_of(part)]), std::abs(by[l.width_of(part)])) /
+    longest = std::max(longest, (std::abs(by[l.centre_of(part)]) + std::abs(by[l.width_of(part)])) /
                                     g[l.width_of(part)]);
-  const double share = longest > longest_step ? longest_step / longest : 1;
-  for (int i = 0; i < l.geometry; ++i) g[i] -= share * by[i];
+  return longest;
+}
+
+// The largest change of a pressure over the highest.
+double StripSolver::normal_step(const StripScene& scene, StripState& state, const double* step, double share) {
+  const StripLayout& l = state.layout;
+  double highest = 0, change = 0;
   for (int i = 0; i < l.nodes; ++i) {
     state.pressure[i] -= share * step[i] / scene.bodies.cn;
     highest = std::max(highest, std::abs(state.pressure[i]));
     change = std::max(change, std::abs(step[i]) / scene.bodies.cn);
   }
-  state.approach -= share * by[l.geometry];
-  return std::max(longest, change / highest);
+  for (int i = 0; i < l.geometry; ++i) state.geometry[i] -= share * step[l.nodes + i];
+  state.approach -= share * step[l.nodes + l.geometry];
+  return change / highest;
 }
 
 bool StripSolver::press_on(const StripScene& scene, StripState& state) {
@@ -112,16 +123,30 @@ StripReport StripSolver::press(const StripScene& scene, StripState& state, bool 
     if (!press_on(scene, state)) return report;
   }
   step_.resize(static_cast<std::size_t>(n));
+  double before = std::numeric_limits<double>::infinity(), share = 0;
   while (report.normal_rounds++ < most_rounds) {
     integrals_.lay(l, scene.bodies, state.geometry.data());
     for (int k = 0; k < 3; ++k)
       integrals_.set_field(k, k == 0 ? state.pressure.data() : state.traction.data() + (k - 1) * l.nodes);
-    normal_rows(scene, state, true, lu_.prepare(n), n, step_.data());
+    residual_.resize(static_cast<std::size_t>(n));
+    normal_rows(scene, state, true, lu_.prepare(n), n, residual_.data());
+    const double now = norm2(residual_.data(), n);
+    if (getenv("STRIPV")) printf("   normal %d residual %.2e share %.3f\n", report.normal_rounds, now, share);
+    if (!(now < before) && share > least_share) {
+      // The step before was too long.
+      share /= 2;
+      normal_step(scene, state, step_.data(), -share);
+      continue;
+    }
+    before = now;
     if (!lu_.factor()) return report;
+    step_.swap(residual_);
     lu_.solve(step_.data());
-    const double change = normal_step(scene, state, step_.data());
-    if (!std::isfinite(change)) return report;
-    if (change < last_step) {
+    const double longest = normal_size(state, step_.data());
+    if (!std::isfinite(longest)) return report;
+    share = longest > longest_step ? longest_step / longest : 1;
+    const double change = normal_step(scene, state, step_.data(), share);
+    if (std::max(change, longest) < last_step) {
       report.status = StripStatus::solved;
       return report;
     }
