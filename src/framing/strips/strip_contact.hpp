@@ -93,7 +93,7 @@ class StripSolver {
               const double* geometry, Samples& into);
   /// Rows of the normal equations: gaps at nodes and edges, the load. Columns: pressures (over cn), geometry, approach.
   void normal_rows(const StripScene& scene, const StripState& state, bool rates, double* matrix, int columns,
-                   double* residual);
+                   int stride, double* residual);
   static double normal_size(const StripState& state, const double* step);
   static double normal_step(const StripScene& scene, StripState& state, const double* step, double share);
   bool press_on(const StripScene& scene, StripState& state);
@@ -103,7 +103,24 @@ class StripSolver {
   void slip(const StripState& state);
   void load_errors(const StripScene& scene, const StripState& state);
   double judge(const StripScene& scene, const StripState& state);
+  double* spread(const double* u, const double* v, double* to) const;
+  void spread_bounds(const StripScene& scene, const StripState& state, const double* u, const double* v,
+                     double* pressure, double* geometry) const;
+  int reduced_size() const;
+  void put_on_bounds(StripState& state) const;
+  void friction_rows(const StripScene& scene, const StripState& state, bool complete, double* row, int columns,
+                     double* right);
+  void take(const StripScene& scene, StripState& state, const double* by, double share) const;
   bool friction_step(const StripScene& scene, StripState& state);
+  /// Slopes of a total (forces and moment, load, integrals of pressure times x and y) by pressures and geometry, and by
+  /// tractions along x (u) and y (v).
+  static void total_slopes(const StripState& state, int which, double* slope, double* u, double* v);
+  void linearise(const StripScene& scene, StripState& state);
+  bool prepare(const StripScene& scene, const StripState& state, bool rates);
+  bool factor_all();
+  void solve_all(double* right) const;
+  void set_fields(const StripState& state);
+  StripReport couple(const StripScene& scene, StripState& state, StripReport report);
   int slide(const StripScene& scene, StripState& state, bool warm, StripReport& report);
 
   /// How a node's law is linearised: direction and share of the bound in the augmented traction.
@@ -114,13 +131,14 @@ class StripSolver {
   };
 
   StripIntegrals integrals_;
-  Lu<double> lu_;
+  Lu<double> lu_, lu_friction_;
   Samples gap_, friction_, slip_[2];
   std::vector<double> residual_, step_;
   std::vector<double> compliance_[5];  ///< slip by tractions: 11, 12, 22; by pressures: 1n, 2n
   std::vector<double> slip_rates_;     ///< slip by geometry
-  std::vector<double> rigid_, bound_, scale_, slip_now_, load_weight_[3];
+  std::vector<double> rigid_, bound_, scale_, slip_now_, form_, total_slope_, matrix_, all_right_, coupled_step_;
   std::vector<Law> laws_;
+  int normal_size_ = 0, friction_size_ = 0;  ///< of the system of all equations
   std::array<double, 3> load_error_{};
 };
 

@@ -97,15 +97,9 @@ void StripSolver::bounds(const StripScene& scene, const StripState& state) {
   const StripLayout& l = state.layout;
   const double* g = state.geometry.data();
   bound_.resize(static_cast<std::size_t>(l.nodes));
-  for (auto& w : load_weight_) w.resize(static_cast<std::size_t>(l.nodes));
   if (scene.friction) sample(scene.friction, l.node, l, g, friction_);
   for (int i = 0; i < l.nodes; ++i) {
-    const int row = i / l.nodes_each;
-    const double w = l.unit_weight[i] * g[l.half_of(row)] * g[l.width_of(l.part_of(row))];
     bound_[i] = scene.mu * (scene.friction ? friction_.value[i] : 1) * std::max(state.pressure[i], 0.0);
-    load_weight_[0][i] = w;
-    load_weight_[1][i] = w * l.x(l.centroid[i], g);
-    load_weight_[2][i] = w * l.y(l.centroid[i], g);
   }
 }
 
@@ -117,6 +111,7 @@ void StripSolver::load_errors(const StripScene& scene, const StripState& state) 
 double StripSolver::judge(const StripScene& scene, const StripState& state) {
   const StripLayout& l = state.layout;
   laws_.resize(static_cast<std::size_t>(l.nodes));
+  const double* g = state.geometry.data();
   double worst = 0, largest = 0, limit = 0;
   for (int i = 0; i < l.nodes; ++i) {
     const double t1 = state.traction[i], t2 = state.traction[l.nodes + i], r = scale_[i];
@@ -127,7 +122,7 @@ double StripSolver::judge(const StripScene& scene, const StripState& state) {
     law.along = length > 0 ? Vec2{a1 / length, a2 / length} : Vec2{1, 0};
     worst = std::max(worst, std::hypot(t1 - law.share * a1, t2 - law.share * a2));
     largest = std::max(largest, bound_[i]);
-    limit += bound_[i] * load_weight_[0][i];
+    limit += bound_[i] * l.unit_weight[i] * g[l.half_of(i / l.nodes_each)] * g[l.width_of(l.part_of(i / l.nodes_each))];
   }
   double residual = largest > 0 ? worst / largest : 0;
   load_errors(scene, state);
@@ -138,100 +133,143 @@ double StripSolver::judge(const StripScene& scene, const StripState& state) {
   return residual;
 }
 
-// Unknowns of a step: two tractions of a node that sticks, the one across the known direction of one that slides, and
-// motions whose loads are given. With e the direction, b the bound, g = b over the augmented traction's length:
-//   stick: s = 0;   slide: t = b e + z k, k across e, (1 - g) z + g r k.s = 0
-bool StripSolver::friction_step(const StripScene& scene, StripState& state) {
-  const StripLayout& l = state.layout;
-  const int n = l.nodes;
-  double *t1 = state.traction.data(), *t2 = t1 + n;
-  int size = 0;
-  for (int i = 0; i < n; ++i) {
-    const Law& law = laws_[i];
-    size += law.slides ? 1 : 2;
-    if (!law.slides) continue;
-    t1[i] = bound_[i] * law.along[0];
-    t2[i] = bound_[i] * law.along[1];
+// Columns of a linear form in the tractions, sum of u t1 + v t2: two of a node that sticks, one of a node that slides,
+// across its direction.
+double* StripSolver::spread(const double* u, const double* v, double* to) const {
+  for (std::size_t j = 0; j < laws_.size(); ++j) {
+    const Law& law = laws_[j];
+    if (law.slides) {
+      *to++ = v[j] * law.along[0] - u[j] * law.along[1];
+    } else {
+      *to++ = u[j];
+      *to++ = v[j];
+    }
   }
-  const int motions = size;
-  for (const bool given : scene.force_given) size += given;
-  slip(state);
-  double* matrix = lu_.prepare(size, 2 * n + 3 - size);
-  step_.resize(2 * static_cast<std::size_t>(n) + 3);
-  double *row = matrix, *right = step_.data();
+  return to;
+}
+
+// The form as a function of pressures (over cn) and geometry, on which the tractions of nodes that slide depend.
+void StripSolver::spread_bounds(const StripScene& scene, const StripState& state, const double* u, const double* v,
+                                double* pressure, double* geometry) const {
+  const StripLayout& l = state.layout;
+  for (int j = 0; j < l.nodes; ++j) {
+    if (!laws_[j].slides) continue;
+    const double along = u[j] * laws_[j].along[0] + v[j] * laws_[j].along[1];
+    pressure[j] += along * scene.mu * (scene.friction ? friction_.value[j] : 1) / scene.bodies.cn;
+    if (!scene.friction) continue;
+    const double by = along * scene.mu * state.pressure[j];
+    l.add_motion(l.node[j], by * friction_.slope[j][0], by * friction_.slope[j][1], geometry);
+  }
+}
+
+int StripSolver::reduced_size() const {
+  int size = 0;
+  for (const Law& law : laws_) size += law.slides ? 1 : 2;
+  return size;
+}
+
+void StripSolver::put_on_bounds(StripState& state) const {
+  const std::size_t n = laws_.size();
+  for (std::size_t i = 0; i < n; ++i)
+    if (laws_[i].slides) {
+      state.traction[i] = bound_[i] * laws_[i].along[0];
+      state.traction[n + i] = bound_[i] * laws_[i].along[1];
+    }
+}
+
+// Rows of a step. With e the direction, b the bound, g = b over the augmented traction's length:
+//   stick: s = 0;   slide: t = b e + z k, k across e, (1 - g) z + g r k.s = 0;   loads that are given
+// Columns: z or t, motions whose loads are given; if complete, pressures, geometry and approach before.
+void StripSolver::friction_rows(const StripScene& scene, const StripState& state, bool complete, double* row,
+                                int columns, double* right) {
+  const StripLayout& l = state.layout;
+  const int n = l.nodes, before = complete ? n + l.geometry + 1 : 0;
+  form_.resize(2 * static_cast<std::size_t>(n));
+  double *u = form_.data(), *v = u + n;
   for (int i = 0; i < n; ++i) {
     const Law& law = laws_[i];
-    const double *a = compliance_[0].data() + static_cast<std::ptrdiff_t>(i) * n,
-                 *b = compliance_[1].data() + static_cast<std::ptrdiff_t>(i) * n,
-                 *c = compliance_[2].data() + static_cast<std::ptrdiff_t>(i) * n;
+    const auto at = static_cast<std::ptrdiff_t>(i) * n;
+    const double *a = compliance_[0].data() + at, *b = compliance_[1].data() + at, *c = compliance_[2].data() + at;
     const double f = law.share * scale_[i];
-    for (int d = 0; d < (law.slides ? 1 : 2); ++d, row += size) {
+    for (int d = 0; d < (law.slides ? 1 : 2); ++d, row += columns) {
       const double r1 = law.slides ? -f * law.along[1] : d == 0 ? scale_[i] : 0,
                    r2 = law.slides ? f * law.along[0] : d == 1 ? scale_[i] : 0;
-      double* to = row;
-      int own = 0;
       for (int j = 0; j < n; ++j) {
-        const double u = r1 * a[j] + r2 * b[j], v = r1 * b[j] + r2 * c[j];
-        if (j == i) own = static_cast<int>(to - row);
-        if (laws_[j].slides) {
-          *to++ = v * laws_[j].along[0] - u * laws_[j].along[1];
-        } else {
-          *to++ = u;
-          *to++ = v;
-        }
+        u[j] = r1 * a[j] + r2 * b[j];
+        v[j] = r1 * b[j] + r2 * c[j];
       }
-      if (law.slides) row[own] += 1 - law.share;
-      const Vec2 at = slip_[0].point[i];
+      if (complete) {
+        std::fill(row, row + before, 0.0);
+        spread_bounds(scene, state, u, v, row, row + n);
+        const double* rate = slip_rates_.data() + static_cast<std::ptrdiff_t>(i) * l.geometry;
+        axpy(r1, rate, row + n, l.geometry);
+        axpy(r2, rate + static_cast<std::ptrdiff_t>(n) * l.geometry, row + n, l.geometry);
+        for (int k = 0; k < 2 && integrals_.coupled(); ++k)
+          axpy((k == 0 ? r1 : r2) / scene.bodies.cn, compliance_[3 + k].data() + at, row, n);
+      }
+      // Its own column, across the direction, has 1 - g more.
+      u[i] -= law.slides ? (1 - law.share) * law.along[1] : 0;
+      v[i] += law.slides ? (1 - law.share) * law.along[0] : 0;
+      double* to = spread(u, v, row + before);
+      const Vec2 place = slip_[0].point[i];
       if (scene.force_given[0]) *to++ = r1;
       if (scene.force_given[1]) *to++ = r2;
-      if (scene.force_given[2]) *to++ = r2 * at[0] - r1 * at[1];
-      *right++ = -(r1 * slip_now_[i] + r2 * slip_now_[n + i]);
+      if (scene.force_given[2]) *to++ = r2 * place[0] - r1 * place[1];
+      *right++ = r1 * slip_now_[i] + r2 * slip_now_[n + i];
     }
   }
-  if (size > motions) load_errors(scene, state);
   for (int k = 0; k < 3; ++k) {
     if (!scene.force_given[k]) continue;
-    double* to = row;
-    std::fill(row, row + size, 0.0);
-    for (int j = 0; j < n; ++j) {
-      const double u = k == 0 ? load_weight_[0][j] : k == 1 ? 0 : -load_weight_[2][j],
-                   v = k == 0 ? 0 : k == 1 ? load_weight_[0][j] : load_weight_[1][j];
-      if (laws_[j].slides) {
-        *to++ = v * laws_[j].along[0] - u * laws_[j].along[1];
-      } else {
-        *to++ = u;
-        *to++ = v;
-      }
+    std::fill(row, row + columns, 0.0);
+    total_slope_.assign(static_cast<std::size_t>(n + l.geometry), 0);
+    total_slopes(state, k, total_slope_.data(), u, v);
+    if (complete) {
+      std::copy(total_slope_.begin() + n, total_slope_.end(), row + n);
+      spread_bounds(scene, state, u, v, row, row + n);
     }
-    row += size;
-    *right++ = -load_error_[k];
+    spread(u, v, row + before);
+    row += columns;
+    *right++ = load_error_[k];
   }
-  if (!lu_.factor()) return false;
-  lu_.solve(step_.data());
-  const double* by = step_.data();
-  for (int i = 0; i < n; ++i) {
+}
+
+void StripSolver::take(const StripScene& scene, StripState& state, const double* by, double share) const {
+  const std::size_t n = laws_.size();
+  double *t1 = state.traction.data(), *t2 = t1 + n;
+  for (std::size_t i = 0; i < n; ++i) {
     const Law& law = laws_[i];
     if (law.slides) {
-      t1[i] -= *by * law.along[1];
-      t2[i] += *by++ * law.along[0];
+      t1[i] += share * *by * law.along[1];
+      t2[i] -= share * *by++ * law.along[0];
     } else {
-      t1[i] += *by++;
-      t2[i] += *by++;
+      t1[i] -= share * *by++;
+      t2[i] -= share * *by++;
     }
   }
   for (int k = 0; k < 3; ++k)
-    if (scene.force_given[k]) state.motion[k] += *by++;
+    if (scene.force_given[k]) state.motion[k] -= share * *by++;
+}
+
+bool StripSolver::friction_step(const StripScene& scene, StripState& state) {
+  const int loads = scene.force_given[0] + scene.force_given[1] + scene.force_given[2];
+  const int size = reduced_size() + loads, most = 2 * state.layout.nodes + 3;
+  put_on_bounds(state);
+  slip(state);
+  if (loads > 0) load_errors(scene, state);
+  double* matrix = lu_.prepare(size, most - size);
+  step_.resize(static_cast<std::size_t>(most));
+  friction_rows(scene, state, false, matrix, size, step_.data());
+  if (!lu_.factor()) return false;
+  lu_.solve(step_.data());
+  take(scene, state, step_.data(), 1);
   return true;
 }
 
 int StripSolver::slide(const StripScene& scene, StripState& state, bool warm, StripReport& report) {
-  const StripLayout& l = state.layout;
   if (!warm) std::fill(state.traction.begin(), state.traction.end(), 0.0);
   for (int k = 0; k < 3; ++k)
     if (!scene.force_given[k] || !warm) state.motion[k] = scene.force_given[k] ? 0 : scene.motion[k];
-  integrals_.lay(l, scene.bodies, state.geometry.data());
-  slip_rows(scene, state, false);
-  bounds(scene, state);
+  prepare(scene, state, false);
   report.status = StripStatus::not_converged;
   const bool loads = scene.force_given[0] || scene.force_given[1] || scene.force_given[2];
   slip(state);
@@ -250,12 +288,6 @@ int StripSolver::slide(const StripScene& scene, StripState& state, bool warm, St
     slip(state);
   }
   return 0;
-}
-
-StripReport StripSolver::solve(const StripScene& scene, StripState& state, bool warm) {
-  StripReport report = press(scene, state, warm);
-  if (report.status == StripStatus::solved) slide(scene, state, warm, report);
-  return report;
 }
 
 }  // namespace rollcon::strips

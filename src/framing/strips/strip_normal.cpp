@@ -31,15 +31,15 @@ void StripSolver::sample(const PlaneField* field, std::span<const StripPoint> po
 }
 
 void StripSolver::normal_rows(const StripScene& scene, const StripState& state, bool rates, double* matrix,
-                              int columns, double* residual) {
+                              int columns, int stride, double* residual) {
   const StripLayout& l = state.layout;
   const double* g = state.geometry.data();
   const double cn = scene.bodies.cn;
   const int gap_rows = l.nodes + (rates ? l.geometry : 0), approach = columns - 1;
   sample(scene.gap, l.observers, l, g, gap_);
   for (int i = 0; i < gap_rows; ++i) {
-    double* row = matrix + static_cast<std::ptrdiff_t>(i) * columns;
-    std::fill(row, row + columns, 0.0);
+    double* row = matrix + static_cast<std::ptrdiff_t>(i) * stride;
+    std::fill(row, row + stride, 0.0);
     const StripPoint& at = l.observers[i];
     const Observation u = integrals_.observe(Displacement::normal, rates, at, 0);
     integrals_.add_row(u, 0, 1 / cn, row);
@@ -49,9 +49,18 @@ void StripSolver::normal_rows(const StripScene& scene, const StripState& state, 
     for (int k = 0; k < fields; ++k)
       residual[i] += rates ? integrals_.add_rates(u, k, k, at, 1, row + l.nodes) : integrals_.displacement(u, k, k);
     if (rates) l.add_motion(at, gap_.slope[i][0], gap_.slope[i][1], row + l.nodes);
+    if (stride > columns && integrals_.coupled()) {
+      // By tractions, in the columns of friction.
+      form_.assign(2 * static_cast<std::size_t>(l.nodes), 0);
+      double *u1 = form_.data(), *u2 = u1 + l.nodes;
+      integrals_.add_row(u, 1, 1, u1);
+      integrals_.add_row(u, 2, 1, u2);
+      spread(u1, u2, row + columns);
+      spread_bounds(scene, state, u1, u2, row, row + l.nodes);
+    }
   }
-  double* row = matrix + static_cast<std::ptrdiff_t>(gap_rows) * columns;
-  std::fill(row, row + columns, 0.0);
+  double* row = matrix + static_cast<std::ptrdiff_t>(gap_rows) * stride;
+  std::fill(row, row + stride, 0.0);
   if (!scene.by_load) {
     row[approach] = 1;
     residual[gap_rows] = state.approach - scene.value;
@@ -98,14 +107,19 @@ double StripSolver::normal_step(const StripScene& scene, StripState& state, cons
   return change / highest;
 }
 
+void StripSolver::set_fields(const StripState& state) {
+  integrals_.set_field(0, state.pressure.data());
+  for (int k = 0; k < 2; ++k) integrals_.set_field(1 + k, state.traction.data() + k * state.layout.nodes);
+}
+
 bool StripSolver::press_on(const StripScene& scene, StripState& state) {
   // Pressures of the strips as they are.
   const StripLayout& l = state.layout;
   const int n = l.nodes + 1;
   integrals_.lay(l, scene.bodies, state.geometry.data());
-  for (int k = 0; k < 3; ++k) integrals_.set_field(k, k == 0 ? state.pressure.data() : state.traction.data() + (k - 1) * l.nodes);
+  set_fields(state);
   step_.resize(static_cast<std::size_t>(n + l.geometry));
-  normal_rows(scene, state, false, lu_.prepare(n, l.geometry), n, step_.data());
+  normal_rows(scene, state, false, lu_.prepare(n, l.geometry), n, n, step_.data());
   if (!lu_.factor()) return false;
   lu_.solve(step_.data());
   for (int i = 0; i < l.nodes; ++i) state.pressure[i] -= step_[i] / scene.bodies.cn;
@@ -126,10 +140,9 @@ StripReport StripSolver::press(const StripScene& scene, StripState& state, bool 
   double before = std::numeric_limits<double>::infinity(), share = 0;
   while (report.normal_rounds++ < most_rounds) {
     integrals_.lay(l, scene.bodies, state.geometry.data());
-    for (int k = 0; k < 3; ++k)
-      integrals_.set_field(k, k == 0 ? state.pressure.data() : state.traction.data() + (k - 1) * l.nodes);
+    set_fields(state);
     residual_.resize(static_cast<std::size_t>(n));
-    normal_rows(scene, state, true, lu_.prepare(n), n, residual_.data());
+    normal_rows(scene, state, true, lu_.prepare(n), n, n, residual_.data());
     const double now = norm2(residual_.data(), n);
     if (getenv("STRIPV")) printf("   normal %d residual %.2e share %.3f\n", report.normal_rounds, now, share);
     if (!(now < before) && share > least_share) {

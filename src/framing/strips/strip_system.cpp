@@ -1,0 +1,247 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "framing/strips/strip_contact.hpp"
+#include "linalg/dense.hpp"
+
+namespace rollcon::strips {
+namespace {
+
+constexpr int most_rounds = 25;
+constexpr double longest_step = 0.3, last_step = 3e-7;
+
+}  // namespace
+
+void StripSolver::total_slopes(const StripState& state, int which, double* slope, double* u, double* v) {
+  const StripLayout& l = state.layout;
+  const double* g = state.geometry.data();
+  for (int i = 0; i < l.nodes; ++i) {
+    const int row = i / l.nodes_each, half = l.half_of(row), width = l.width_of(l.part_of(row));
+    const double w = l.unit_weight[i] * g[half] * g[width], x = l.x(l.centroid[i], g), y = l.y(l.centroid[i], g);
+    const double p = state.pressure[i], t1 = state.traction[i], t2 = state.traction[l.nodes + i];
+    // What is integrated, its slopes by place, and by p, t1 and t2.
+    double f = 0, fx = 0, fy = 0, fp = 0, f1 = 0, f2 = 0;
+    switch (which) {
+      case 0:
+        f = t1, f1 = 1;
+        break;
+      case 1:
+        f = t2, f2 = 1;
+        break;
+      case 2:
+        f = x * t2 - y * t1, fx = t2, fy = -t1, f1 = -y, f2 = x;
+        break;
+      case 3:
+        f = p, fp = 1;
+        break;
+      case 4:
+        f = x * p, fx = p, fp = x;
+        break;
+      default:
+        f = y * p, fy = p, fp = y;
+    }
+    slope[i] += w * fp;
+    u[i] = w * f1;
+    v[i] = w * f2;
+    slope[l.nodes + half] += w * f / g[half];
+    slope[l.nodes + width] += w * f / g[width];
+    l.add_motion(l.centroid[i], w * fx, w * fy, slope + l.nodes);
+  }
+}
+
+// All equations linearised at the state: normal rows, then those of friction; columns as friction_rows has them.
+void StripSolver::linearise(const StripScene& scene, StripState& state) {
+  const StripLayout& l = state.layout;
+  const int loads = scene.force_given[0] + scene.force_given[1] + scene.force_given[2];
+  normal_size_ = l.nodes + l.geometry + 1;
+  friction_size_ = reduced_size() + loads;
+  const int size = normal_size_ + friction_size_;
+  matrix_.resize(static_cast<std::size_t>(size) * size);
+  all_right_.resize(static_cast<std::size_t>(size));
+  normal_rows(scene, state, true, matrix_.data(), normal_size_, size, all_right_.data());
+  load_errors(scene, state);
+  friction_rows(scene, state, true, matrix_.data() + static_cast<std::ptrdiff_t>(normal_size_) * size, size,
+                all_right_.data() + normal_size_);
+}
+
+bool StripSolver::factor_all() {
+  const int n = normal_size_, m = friction_size_, size = n + m;
+  const auto block = [&](Lu<double>& lu, int from, int count) {
+    double* to = lu.prepare(count);
+    for (int i = 0; i < count; ++i)
+      std::copy_n(matrix_.data() + static_cast<std::ptrdiff_t>(from + i) * size + from, count,
+                  to + static_cast<std::ptrdiff_t>(i) * count);
+    return lu.factor();
+  };
+  // Pressures that do not depend on friction are solved for alone.
+  if (integrals_.coupled()) return block(lu_, 0, size);
+  return block(lu_, 0, n) && block(lu_friction_, n, m);
+}
+
+void StripSolver::solve_all(double* right) const {
+  const int n = normal_size_, size = n + friction_size_;
+  lu_.solve(right);
+  if (integrals_.coupled()) return;
+  for (int i = n; i < size; ++i) right[i] -= dot(matrix_.data() + static_cast<std::ptrdiff_t>(i) * size, right, n);
+  lu_friction_.solve(right + n);
+}
+
+bool StripSolver::prepare(const StripScene& scene, const StripState& state, bool rates) {
+  const StripLayout& l = state.layout;
+  integrals_.lay(l, scene.bodies, state.geometry.data());
+  set_fields(state);
+  slip_rows(scene, state, rates);
+  bounds(scene, state);
+  slip(state);
+  return true;
+}
+
+// Pressures and tractions of unlike bodies: Newton's steps for all unknowns at once.
+StripReport StripSolver::couple(const StripScene& scene, StripState& state, StripReport report) {
+  double change = 1;
+  report.status = StripStatus::not_converged;
+  for (int k = 0; k < 3; ++k)
+    if (!scene.force_given[k]) state.motion[k] = scene.motion[k];
+  for (int round = 0; round < most_rounds; ++round) {
+    prepare(scene, state, true);
+    const double residual = judge(scene, state);
+    if (getenv("STRIPV")) printf("   coupled %d residual %.2e change %.2e\n", round, residual, change);
+    if (!std::isfinite(residual)) return report;
+    if (change < last_step && residual < 1e-9) {
+      report.status = StripStatus::solved;
+      return report;
+    }
+    put_on_bounds(state);
+    set_fields(state);
+    slip(state);
+    linearise(scene, state);
+    if (!factor_all()) return report;
+    solve_all(all_right_.data());
+    const double longest = normal_size(state, all_right_.data());
+    const double share = longest > longest_step ? longest_step / longest : 1;
+    change = std::max(longest, normal_step(scene, state, all_right_.data(), share));
+    take(scene, state, all_right_.data() + normal_size_, share);
+    ++report.normal_rounds;
+    ++report.friction_rounds;
+  }
+  return report;
+}
+
+StripReport StripSolver::solve(const StripScene& scene, StripState& state, bool warm) {
+  StripReport report;
+  if (!warm || scene.bodies.ck == 0) {
+    report = press(scene, state, warm);
+    if (report.status == StripStatus::solved) slide(scene, state, warm, report);
+    if (report.status != StripStatus::solved) return report;
+  }
+  return scene.bodies.ck == 0 ? report : couple(scene, state, report);
+}
+
+bool StripSolver::rates(const StripScene& scene, const StripState& solution, std::span<const StripParameter> parameter,
+                        std::span<StripTotals> rate) {
+  StripState state = solution;
+  const StripLayout& l = state.layout;
+  const int n = l.nodes, edges = n + l.geometry;
+  prepare(scene, state, true);
+  judge(scene, state);
+  linearise(scene, state);
+  if (!factor_all()) return false;
+  double *u = form_.data(), *v = u + n;
+  std::vector<double> right(all_right_.size()), bound(n), slopes(6 * static_cast<std::size_t>(edges + 2 * n));
+  for (int k = 0; k < 6; ++k) {
+    double* slope = slopes.data() + static_cast<std::ptrdiff_t>(k) * (edges + 2 * n);
+    total_slopes(state, k, slope, slope + edges, slope + edges + n);
+  }
+  for (std::size_t which = 0; which < parameter.size(); ++which) {
+    const StripParameter& p = parameter[which];
+    StripTotals& result = rate[which];
+    std::fill(right.begin(), right.end(), 0.0);
+    // Rates of the residuals with all unknowns held.
+    Samples& s = gap_;
+    sample(p.gap, l.observers, l, state.geometry.data(), s);
+    for (int i = 0; i < edges; ++i) right[i] = s.value[i];
+    right[edges] = scene.by_load ? -scene.bodies.cn * p.value / state.geometry[l.width_of(0)] : -p.value;
+    Samples explicit_mu;
+    sample(p.friction, l.node, l, state.geometry.data(), explicit_mu);
+    for (int i = 0; i < n; ++i)
+      bound[i] = state.pressure[i] *
+                 (p.mu * (scene.friction ? friction_.value[i] : 1) + scene.mu * explicit_mu.value[i]);
+    Samples creep[2];
+    for (int d = 0; d < 2; ++d) sample(p.slip[d], l.slip_place, l, state.geometry.data(), creep[d]);
+    // Slip with the unknowns held, but with the bounds' own rates.
+    std::vector<double> t1(n), t2(n);
+    for (int i = 0; i < n; ++i)
+      if (laws_[i].slides) t1[i] = bound[i] * laws_[i].along[0], t2[i] = bound[i] * laws_[i].along[1];
+    if (integrals_.coupled() && (p.mu != 0 || p.friction)) {
+      integrals_.set_field(1, t1.data());
+      integrals_.set_field(2, t2.data());
+      for (int i = 0; i < edges; ++i) {
+        const Observation o = integrals_.observe(Displacement::normal, false, l.observers[i], 0);
+        right[i] += integrals_.displacement(o, 1, 1) + integrals_.displacement(o, 2, 2);
+      }
+    }
+    int at = normal_size_;
+    for (int i = 0; i < n; ++i) {
+      const Law& law = laws_[i];
+      const Vec2 place = slip_[0].point[i];
+      const auto row = static_cast<std::ptrdiff_t>(i) * n;
+      std::array<double, 3> motion{};
+      for (int k = 0; k < 3; ++k) motion[k] = scene.force_given[k] ? 0 : p.motion[k];
+      const double *a = compliance_[0].data() + row, *b = compliance_[1].data() + row, *c = compliance_[2].data() + row;
+      const double s1 = creep[0].value[i] + motion[0] - motion[2] * place[1] + dot(a, t1.data(), n) + dot(b, t2.data(), n),
+                   s2 = creep[1].value[i] + motion[1] + motion[2] * place[0] + dot(b, t1.data(), n) + dot(c, t2.data(), n);
+      if (law.slides) {
+        right[at++] = law.share * scale_[i] * (s2 * law.along[0] - s1 * law.along[1]);
+      } else {
+        right[at++] = scale_[i] * s1;
+        right[at++] = scale_[i] * s2;
+      }
+    }
+    for (int k = 0; k < 3; ++k)
+      if (scene.force_given[k]) {
+        const double* slope = slopes.data() + static_cast<std::ptrdiff_t>(k) * (edges + 2 * n) + edges;
+        right[at++] = dot(slope, t1.data(), n) + dot(slope + n, t2.data(), n) - p.motion[k];
+      }
+    solve_all(right.data());
+    // Pressures from here on, not over cn; tractions.
+    double* dz = right.data();
+    for (double& d : right) d = -d;
+    for (int i = 0; i < n; ++i) dz[i] /= scene.bodies.cn;
+    const double* reduced = dz + normal_size_;
+    for (int i = 0; i < n; ++i) {
+      const Law& law = laws_[i];
+      if (law.slides) {
+        const double mu = scene.mu * (scene.friction ? friction_.value[i] : 1);
+        double by = bound[i] + mu * dz[i];
+        if (scene.friction) {
+          form_.assign(form_.size(), 0);
+          const StripPoint& q = l.node[i];
+          const double* dg = dz + n;
+          const double dx = l.x(q, dg), dy = l.y(q, dg);
+          by += scene.mu * state.pressure[i] * (friction_.slope[i][0] * dx + friction_.slope[i][1] * dy);
+        }
+        t1[i] = by * law.along[0] - *reduced * law.along[1];
+        t2[i] = by * law.along[1] + *reduced++ * law.along[0];
+      } else {
+        t1[i] = *reduced++;
+        t2[i] = *reduced++;
+      }
+    }
+    double total[6];
+    for (int k = 0; k < 6; ++k) {
+      const double* slope = slopes.data() + static_cast<std::ptrdiff_t>(k) * (edges + 2 * n);
+      total[k] = dot(slope, dz, edges) + dot(slope + edges, t1.data(), n) + dot(slope + edges + n, t2.data(), n);
+    }
+    result.force = {total[0], total[1], total[2]};
+    result.load = total[3];
+    result.pressed = {total[4], total[5]};
+    result.approach = dz[edges];
+    for (int k = 0; k < 3; ++k) result.motion[k] = scene.force_given[k] ? *reduced++ : p.motion[k];
+  }
+  (void)u, (void)v;
+  return true;
+}
+
+}  // namespace rollcon::strips
