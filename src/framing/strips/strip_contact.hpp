@@ -92,8 +92,11 @@ class StripSolver {
   void sample(const PlaneField* field, std::span<const StripPoint> points, const StripLayout& layout,
               const double* geometry, Samples& into);
   /// Rows of the normal equations: gaps at nodes and edges, the load. Columns: pressures (over cn), geometry, approach.
-  void normal_rows(const StripScene& scene, const StripState& state, bool rates, double* matrix, int columns,
-                   int stride, double* residual);
+  /// By pressures at the nodes alone, by all unknowns, or residuals alone.
+  enum class Rows { none, pressures, all };
+  void normal_rows(const StripScene& scene, const StripState& state, Rows rows, double* matrix, int columns, int stride,
+                   double* residual);
+  double kept_step(const StripScene& scene, StripState& state, int n);
   static double normal_size(const StripState& state, const double* step);
   static double normal_step(const StripScene& scene, StripState& state, const double* step, double share);
   bool press_on(const StripScene& scene, StripState& state);

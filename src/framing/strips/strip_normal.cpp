@@ -14,6 +14,7 @@ constexpr int most_rounds = 25;
 constexpr double longest_step = 0.3;  // of a half chord or half width
 // Newton's steps square their errors: after a step of this size, over sizes, the next one is lost in rounding.
 constexpr double last_step = 3e-7;
+constexpr double small_step = 1e-3;   // after which a step with the same factors may do
 constexpr double least_share = 0.02;  // of a step that is shortened as residuals grow
 
 }  // namespace
@@ -30,26 +31,32 @@ void StripSolver::sample(const PlaneField* field, std::span<const StripPoint> po
   std::fill(into.slope.begin(), into.slope.end(), Vec2{});
 }
 
-void StripSolver::normal_rows(const StripScene& scene, const StripState& state, bool rates, double* matrix,
-                              int columns, int stride, double* residual) {
+void StripSolver::normal_rows(const StripScene& scene, const StripState& state, Rows rows, double* matrix, int columns,
+                              int stride, double* residual) {
   const StripLayout& l = state.layout;
   const double* g = state.geometry.data();
   const double cn = scene.bodies.cn;
-  const int gap_rows = l.nodes + (rates ? l.geometry : 0), approach = columns - 1;
+  const bool rates = rows == Rows::all;
+  const int gap_rows = rows == Rows::pressures ? l.nodes : l.nodes + l.geometry, approach = columns - 1;
+  const int fields = integrals_.coupled() ? 3 : 1;
   sample(scene.gap, l.observers, l, g, gap_);
   for (int i = 0; i < gap_rows; ++i) {
-    double* row = matrix + static_cast<std::ptrdiff_t>(i) * stride;
-    std::fill(row, row + stride, 0.0);
     const StripPoint& at = l.observers[i];
     const Observation u = integrals_.observe(Displacement::normal, rates, at, 0);
+    residual[i] = gap_.value[i] - state.approach;
+    if (rows == Rows::none) {
+      for (int k = 0; k < fields; ++k) residual[i] += integrals_.displacement(u, k, k);
+      continue;
+    }
+    double* row = matrix + static_cast<std::ptrdiff_t>(i) * stride;
+    std::fill(row, row + stride, 0.0);
     integrals_.add_row(u, 0, 1 / cn, row);
     row[approach] = -1;
-    residual[i] = gap_.value[i] - state.approach;
-    const int fields = integrals_.coupled() ? 3 : 1;
     for (int k = 0; k < fields; ++k)
       residual[i] += rates ? integrals_.add_rates(u, k, k, at, 1, row + l.nodes) : integrals_.displacement(u, k, k);
-    if (rates) l.add_motion(at, gap_.slope[i][0], gap_.slope[i][1], row + l.nodes);
-    if (stride > columns && integrals_.coupled()) {
+    if (!rates) continue;
+    l.add_motion(at, gap_.slope[i][0], gap_.slope[i][1], row + l.nodes);
+    if (stride > columns && fields > 1) {
       // By tractions, in the columns of friction.
       form_.assign(2 * static_cast<std::size_t>(l.nodes), 0);
       double *u1 = form_.data(), *u2 = u1 + l.nodes;
@@ -59,23 +66,25 @@ void StripSolver::normal_rows(const StripScene& scene, const StripState& state, 
       spread_bounds(scene, state, u1, u2, row, row + l.nodes);
     }
   }
-  double* row = matrix + static_cast<std::ptrdiff_t>(gap_rows) * stride;
-  std::fill(row, row + stride, 0.0);
+  double* row = rows == Rows::none ? nullptr : matrix + static_cast<std::ptrdiff_t>(gap_rows) * stride;
+  if (row) std::fill(row, row + stride, 0.0);
   if (!scene.by_load) {
-    row[approach] = 1;
+    if (row) row[approach] = 1;
     residual[gap_rows] = state.approach - scene.value;
     return;
   }
+  // The load over the first width is as large as gaps are.
   double load = -cn * scene.value;
   const double per_length = 1 / g[l.width_of(0)];
   for (int i = 0; i < l.nodes; ++i) {
     const int half = l.half_of(i / l.nodes_each), width = l.width_of(l.part_of(i / l.nodes_each));
-    const double unit = l.unit_weight[i] * per_length, p = cn * state.pressure[i];
-    row[i] = unit * g[half] * g[width];
-    load += row[i] * p / per_length;
+    const double unit = l.unit_weight[i], p = cn * state.pressure[i];
+    load += unit * g[half] * g[width] * p;
+    if (!row) continue;
+    row[i] = unit * g[half] * g[width] * per_length;
     if (!rates) continue;
-    row[l.nodes + half] += unit * g[width] * p;
-    row[l.nodes + width] += unit * g[half] * p;
+    row[l.nodes + half] += unit * g[width] * p * per_length;
+    row[l.nodes + width] += unit * g[half] * p * per_length;
   }
   residual[gap_rows] = load * per_length;
 }
@@ -119,12 +128,21 @@ bool StripSolver::press_on(const StripScene& scene, StripState& state) {
   integrals_.lay(l, scene.bodies, state.geometry.data());
   set_fields(state);
   step_.resize(static_cast<std::size_t>(n + l.geometry));
-  normal_rows(scene, state, false, lu_.prepare(n, l.geometry), n, n, step_.data());
+  normal_rows(scene, state, Rows::pressures, lu_.prepare(n, l.geometry), n, n, step_.data());
   if (!lu_.factor()) return false;
   lu_.solve(step_.data());
   for (int i = 0; i < l.nodes; ++i) state.pressure[i] -= step_[i] / scene.bodies.cn;
   state.approach -= step_[l.nodes];
   return true;
+}
+
+// A step with the factors of the last one, whose size it leaves a multiple of the product of both sizes.
+double StripSolver::kept_step(const StripScene& scene, StripState& state, int n) {
+  integrals_.lay(state.layout, scene.bodies, state.geometry.data());
+  set_fields(state);
+  normal_rows(scene, state, Rows::none, nullptr, n, n, step_.data());
+  lu_.solve(step_.data());
+  return std::max(normal_size(state, step_.data()), normal_step(scene, state, step_.data(), 1));
 }
 
 StripReport StripSolver::press(const StripScene& scene, StripState& state, bool warm) {
@@ -142,7 +160,7 @@ StripReport StripSolver::press(const StripScene& scene, StripState& state, bool 
     integrals_.lay(l, scene.bodies, state.geometry.data());
     set_fields(state);
     residual_.resize(static_cast<std::size_t>(n));
-    normal_rows(scene, state, true, lu_.prepare(n), n, n, residual_.data());
+    normal_rows(scene, state, Rows::all, lu_.prepare(n), n, n, residual_.data());
     const double now = norm2(residual_.data(), n);
     if (getenv("STRIPV")) printf("   normal %d residual %.2e share %.3f\n", report.normal_rounds, now, share);
     if (!(now < before) && share > least_share) {
@@ -158,8 +176,8 @@ StripReport StripSolver::press(const StripScene& scene, StripState& state, bool 
     const double longest = normal_size(state, step_.data());
     if (!std::isfinite(longest)) return report;
     share = longest > longest_step ? longest_step / longest : 1;
-    const double change = normal_step(scene, state, step_.data(), share);
-    if (std::max(change, longest) < last_step) {
+    const double change = std::max(longest, normal_step(scene, state, step_.data(), share));
+    if (change < last_step || (change < small_step && kept_step(scene, state, n) * change < last_step * last_step)) {
       report.status = StripStatus::solved;
       return report;
     }

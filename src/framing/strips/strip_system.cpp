@@ -60,7 +60,7 @@ void StripSolver::linearise(const StripScene& scene, StripState& state) {
   const int size = normal_size_ + friction_size_;
   matrix_.resize(static_cast<std::size_t>(size) * size);
   all_right_.resize(static_cast<std::size_t>(size));
-  normal_rows(scene, state, true, matrix_.data(), normal_size_, size, all_right_.data());
+  normal_rows(scene, state, Rows::all, matrix_.data(), normal_size_, size, all_right_.data());
   load_errors(scene, state);
   friction_rows(scene, state, true, matrix_.data() + static_cast<std::ptrdiff_t>(normal_size_) * size, size,
                 all_right_.data() + normal_size_);
