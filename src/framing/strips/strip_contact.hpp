@@ -71,14 +71,16 @@ struct StripParameter {
   std::array<const PlaneField*, 2> slip{};
 };
 
+/// What of a state a solve begins with: the geometry; tractions over pressures, too; or a solution nearby.
+enum class StripStart { geometry, shares, solution };
+
 /// Holds room for unknowns and matrices alone: results depend on what a call is given. Warm solves allocate nothing.
 class StripSolver {
  public:
-  /// From the geometry of `state` (by a start, or another solution with the same layout) to the solution. warm: its
-  /// tractions are a start, too.
-  StripReport solve(const StripScene& scene, StripState& state, bool warm);
+  /// From what of `state` is said to be a start to the solution.
+  StripReport solve(const StripScene& scene, StripState& state, StripStart start);
   /// The normal problem alone, under tangential tractions 0.
-  StripReport press(const StripScene& scene, StripState& state, bool warm);
+  StripReport press(const StripScene& scene, StripState& state, StripStart start);
   static StripTotals totals(const StripState& state);
   /// Total derivatives of the totals at a solution, the strips moving with it: one for each parameter.
   bool rates(const StripScene& scene, const StripState& state, std::span<const StripParameter> parameter,
@@ -124,7 +126,7 @@ class StripSolver {
   void solve_all(double* right) const;
   void set_fields(const StripState& state);
   StripReport couple(const StripScene& scene, StripState& state, StripReport report);
-  int slide(const StripScene& scene, StripState& state, bool warm, StripReport& report);
+  int slide(const StripScene& scene, StripState& state, StripStart start, StripReport& report);
 
   /// How a node's law is linearised: direction and share of the bound in the augmented traction.
   struct Law {

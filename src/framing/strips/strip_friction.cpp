@@ -265,8 +265,13 @@ bool StripSolver::friction_step(const StripScene& scene, StripState& state) {
   return true;
 }
 
-int StripSolver::slide(const StripScene& scene, StripState& state, bool warm, StripReport& report) {
+int StripSolver::slide(const StripScene& scene, StripState& state, StripStart start, StripReport& report) {
+  const bool warm = start != StripStart::geometry;
   if (!warm) std::fill(state.traction.begin(), state.traction.end(), 0.0);
+  if (start == StripStart::shares) {
+    const std::size_t n = state.pressure.size();
+    for (std::size_t i = 0; i < 2 * n; ++i) state.traction[i] *= state.pressure[i % n];
+  }
   for (int k = 0; k < 3; ++k)
     if (!scene.force_given[k] || !warm) state.motion[k] = scene.force_given[k] ? 0 : scene.motion[k];
   prepare(scene, state, false);

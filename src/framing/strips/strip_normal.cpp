@@ -145,13 +145,13 @@ double StripSolver::kept_step(const StripScene& scene, StripState& state, int n)
   return std::max(normal_size(state, step_.data()), normal_step(scene, state, step_.data(), 1));
 }
 
-StripReport StripSolver::press(const StripScene& scene, StripState& state, bool warm) {
+StripReport StripSolver::press(const StripScene& scene, StripState& state, StripStart start) {
   const StripLayout& l = state.layout;
   const int n = l.nodes + l.geometry + 1;
   StripReport report{StripStatus::not_converged};
-  if (!warm) {
+  if (start != StripStart::solution) {
     state.pressure.assign(static_cast<std::size_t>(l.nodes), 0);
-    state.traction.assign(2 * static_cast<std::size_t>(l.nodes), 0);
+    if (start == StripStart::geometry) state.traction.assign(2 * static_cast<std::size_t>(l.nodes), 0);
     if (!press_on(scene, state)) return report;
   }
   step_.resize(static_cast<std::size_t>(n));

@@ -129,11 +129,11 @@ StripReport StripSolver::couple(const StripScene& scene, StripState& state, Stri
   return report;
 }
 
-StripReport StripSolver::solve(const StripScene& scene, StripState& state, bool warm) {
+StripReport StripSolver::solve(const StripScene& scene, StripState& state, StripStart start) {
   StripReport report;
-  if (!warm || scene.bodies.ck == 0) {
-    report = press(scene, state, warm);
-    if (report.status == StripStatus::solved) slide(scene, state, warm, report);
+  if (start != StripStart::solution || scene.bodies.ck == 0) {
+    report = press(scene, state, start);
+    if (report.status == StripStatus::solved) slide(scene, state, start, report);
     if (report.status != StripStatus::solved) return report;
   }
   return scene.bodies.ck == 0 ? report : couple(scene, state, report);

@@ -1,0 +1,234 @@
+#include "framing/strips/strip_find.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "framing/hertz.hpp"
+
+namespace rollcon::strips {
+namespace {
+
+// Lattices of the probe, one after the other until strips are found from one.
+constexpr ProbeCells probes[] = {{8, 12}, {12, 20}, {16, 32}};
+constexpr StripCounts rough{6, 10};
+constexpr int most_without_rough = 100;  // intervals along times across; finer strips begin with rough ones
+constexpr int looks_along = 12, looks_across = 24;  // where further parts are looked for
+
+// Values at `places` (ascending) of the curve through values at `from`: cubics through the four nearest.
+double cubic(std::span<const double> from, const double* value, int stride, double at) {
+  const int n = static_cast<int>(from.size());
+  int first = static_cast<int>(std::upper_bound(from.begin(), from.end(), at) - from.begin()) - 2;
+  first = std::clamp(first, 0, std::max(0, n - 4));
+  double sum = 0;
+  for (int i = first; i < std::min(first + 4, n); ++i) {
+    double w = 1;
+    for (int j = first; j < std::min(first + 4, n); ++j)
+      if (j != i) w *= (at - from[j]) / (from[i] - from[j]);
+    sum += w * value[i * stride];
+  }
+  return sum;
+}
+
+}  // namespace
+
+bool fit_ellipse(const StripScene& scene, const Vec2& at, double size, double depth, double load,
+                 const StripLayout& l, int part, double* geometry) {
+  // Second derivatives from slopes on both sides.
+  const Vec2 point[4] = {{at[0] - size, at[1]}, {at[0] + size, at[1]}, {at[0], at[1] - size}, {at[0], at[1] + size}};
+  double value[4];
+  Vec2 slope[4];
+  scene.gap->at(point, value, slope);
+  const QuadraticGap gap{(slope[1][0] - slope[0][0]) / (4 * size), (slope[3][1] - slope[2][1]) / (4 * size),
+                         (slope[1][1] - slope[0][1] + slope[3][0] - slope[2][0]) / (4 * size)};
+  if (!has_ellipse(gap)) return false;
+  const double modulus = 1 / (std::numbers::pi * scene.bodies.cn);
+  const HertzContact h = load > 0 ? hertz_by_load(gap, modulus, load) : hertz_by_approach(gap, modulus, depth);
+  const double c = std::cos(h.angle), s = std::sin(h.angle), a2 = 1 / (h.larger * h.larger),
+               b2 = 1 / (h.smaller * h.smaller);
+  const double xx = c * c * a2 + s * s * b2, xy = c * s * (a2 - b2), yy = s * s * a2 + c * c * b2;
+  const double width = std::sqrt(xx / (xx * yy - xy * xy));
+  geometry[l.centre_of(part)] = at[1];
+  geometry[l.width_of(part)] = width;
+  for (int k = 0; k < l.rows_each; ++k) {
+    const double u = l.across[k + 1];
+    geometry[part * l.rows_each + k] = at[0] - xy / xx * u * width;
+    geometry[l.half_of(part * l.rows_each + k)] = std::sqrt((1 - u * u) / xx);
+  }
+  return true;
+}
+
+void refine(const StripState& coarse, StripState& fine) {
+  const StripLayout &c = coarse.layout, &f = fine.layout;
+  fine.geometry.assign(f.geometry, 0);
+  fine.traction.assign(2 * static_cast<std::size_t>(f.nodes), 0);
+  fine.approach = coarse.approach;
+  fine.motion = coarse.motion;
+  const std::span<const double> from(c.across.data() + 1, c.rows_each);
+  std::vector<double> shape(c.rows_each);
+  for (int part = 0; part < f.parts; ++part) {
+    fine.geometry[f.centre_of(part)] = coarse.geometry[c.centre_of(part)];
+    fine.geometry[f.width_of(part)] = coarse.geometry[c.width_of(part)];
+    for (int k = 0; k < c.rows_each; ++k) {
+      const double u = from[k], half = coarse.geometry[c.half_of(part * c.rows_each + k)];
+      shape[k] = half * half / (1 - u * u);
+    }
+    for (int k = 0; k < f.rows_each; ++k) {
+      const double u = f.across[k + 1];
+      const int row = part * f.rows_each + k;
+      fine.geometry[row] = cubic(from, coarse.geometry.data() + part * c.rows_each, 1, u);
+      const double square = cubic(from, shape.data(), 1, u);
+      const auto [least, most] = std::minmax_element(shape.begin(), shape.end());
+      fine.geometry[f.half_of(row)] = std::sqrt(std::clamp(square, *least, *most) * (1 - u * u));
+      // Tractions over pressures, linear between nodes and constant beyond the last ones.
+      const int below = std::clamp(static_cast<int>(std::upper_bound(from.begin(), from.end(), u) - from.begin()) - 1, 0,
+                                   std::max(0, c.rows_each - 2));
+      const double t = std::clamp((u - from[below]) / (from[below + 1] - from[below]), 0.0, 1.0);
+      for (int i = 0; i < f.nodes_each; ++i) {
+        const double v = f.along[i + 1];
+        const double* begin = c.along.data() + 1;
+        const int left = std::clamp(static_cast<int>(std::upper_bound(begin, begin + c.nodes_each, v) - begin) - 1, 0,
+                                    c.nodes_each - 2);
+        const double q = std::clamp((v - begin[left]) / (begin[left + 1] - begin[left]), 0.0, 1.0);
+        for (int d = 0; d < 2; ++d) {
+          double sum = 0;
+          for (int m = 0; m < 4; ++m) {
+            const int node = (part * c.rows_each + below + m / 2) * c.nodes_each + left + m % 2;
+            const double w = (m / 2 ? t : 1 - t) * (m % 2 ? q : 1 - q);
+            if (coarse.pressure[node] > 0) sum += w * coarse.traction[d * c.nodes + node] / coarse.pressure[node];
+          }
+          fine.traction[d * f.nodes + row * f.nodes_each + i] = sum;
+        }
+      }
+    }
+  }
+}
+
+bool StripFinder::start(const StripScene& scene, const Rectangle& box, StripCounts counts, int cells,
+                        StripState& state) {
+  const bool finer = counts.along * counts.across > most_without_rough;
+  StripState& first = finer ? coarse_ : state;
+  status_ = probe_.start(scene, box, finer ? rough : counts, first, probes[cells]);
+  if (status_ != StripStatus::solved || !finer) return status_ == StripStatus::solved;
+  if (solver_.solve(scene, coarse_, StripStart::geometry).status != StripStatus::solved) return false;
+  if (!(state.layout.counts == counts) || state.layout.parts != coarse_.layout.parts)
+    state.layout = StripLayout(counts, coarse_.layout.parts);
+  refine(coarse_, state);
+  return true;
+}
+
+double StripFinder::deformed_gap(const StripScene& scene, const StripState& state, const Vec2& at, bool near) {
+  const StripLayout& l = state.layout;
+  const double* g = state.geometry.data();
+  double gap = 0;
+  scene.gap->at({&at, 1}, &gap, nullptr);
+  gap -= state.approach;
+  if (near) {
+    const double across = (at[1] - g[l.centre_of(0)]) / g[l.width_of(0)];
+    const StripPoint p{0, 0, 0, 1, 0, (at[0] - g[0]) / g[l.half_of(0)], across};
+    return gap + integrals_.displacement(integrals_.observe(Displacement::normal, false, p, 0), 0, 0);
+  }
+  for (int i = 0; i < l.nodes; ++i) {
+    const int row = i / l.nodes_each;
+    const double w = l.unit_weight[i] * g[l.half_of(row)] * g[l.width_of(l.part_of(row))];
+    const double dx = at[0] - l.x(l.node[i], g), dy = at[1] - l.y(l.node[i], g);
+    gap += scene.bodies.cn * w * state.pressure[i] / std::sqrt(dx * dx + dy * dy);
+  }
+  return gap;
+}
+
+bool StripFinder::inside(const StripState& state, const Vec2& at, double reach) const {
+  const StripLayout& l = state.layout;
+  const double* g = state.geometry.data();
+  for (int part = 0; part < l.parts; ++part) {
+    const double u = (at[1] - g[l.centre_of(part)]) / g[l.width_of(part)];
+    if (std::abs(u) > reach) continue;
+    const int row = static_cast<int>(std::lower_bound(l.across.begin() + 1, l.across.end() - 2, u) - l.across.begin()) - 1;
+    const int k = part * l.rows_each + row;
+    if (std::abs(at[0] - g[k]) < reach * g[l.half_of(k)] + (reach - 1) * g[l.width_of(part)]) return true;
+  }
+  return false;
+}
+
+// Looks where the undeformed bodies overlap outside of the strips for a place that the deformed ones overlap at, too,
+// and adds a part there.
+bool StripFinder::more_parts(const StripScene& scene, const Rectangle& box, StripState& state) {
+  constexpr double reach = 1.1;
+  const double hx = (box.x_greatest - box.x_least) / looks_along, hy = (box.y_greatest - box.y_least) / looks_across;
+  point_.clear();
+  for (int j = 0; j <= looks_across; ++j)
+    for (int i = 0; i <= looks_along; ++i) point_.push_back({box.x_least + i * hx, box.y_least + j * hy});
+  gap_.resize(point_.size());
+  scene.gap->at(point_, gap_.data(), nullptr);
+  std::size_t best = point_.size();
+  double least = 0;
+  integrals_.lay(state.layout, scene.bodies, state.geometry.data());
+  integrals_.set_field(0, state.pressure.data());
+  for (std::size_t i = 0; i < point_.size(); ++i) {
+    if (!(gap_[i] < state.approach) || inside(state, point_[i], reach)) continue;
+    const double gap = deformed_gap(scene, state, point_[i], false);
+    if (best == point_.size() || gap < least) {
+      best = i;
+      least = gap;
+    }
+  }
+  if (best == point_.size()) return false;
+  // To the least deformed gap beside it, by parabolas along both axes.
+  Vec2 at = point_[best];
+  Vec2 step{hx / 2, hy / 2};
+  double value = deformed_gap(scene, state, at, true);
+  for (int round = 0; round < 12; ++round)
+    for (int d = 0; d < 2; ++d) {
+      Vec2 before = at, after = at;
+      before[d] -= step[d];
+      after[d] += step[d];
+      const double a = deformed_gap(scene, state, before, true), b = deformed_gap(scene, state, after, true);
+      const double curve = a + b - 2 * value;
+      const double by = curve > 0 ? std::clamp((a - b) / (2 * curve), -1.0, 1.0) : a < b ? -1 : 1;
+      Vec2 to = at;
+      to[d] += by * step[d];
+      const double there = deformed_gap(scene, state, to, true);
+      if (there < value) {
+        at = to;
+        value = there;
+      }
+      step[d] = std::max(step[d] / 2, 1e-4 * (d == 0 ? hx : hy));
+    }
+  if (!(value < 0) || inside(state, at, reach)) return false;
+  StripState more;
+  more.layout = StripLayout(state.layout.counts, state.layout.parts + 1);
+  const StripLayout &o = state.layout, &l = more.layout;
+  more.geometry.assign(l.geometry, 0);
+  for (int part = 0; part < o.parts; ++part) {
+    for (int k = part * o.rows_each; k < (part + 1) * o.rows_each; ++k) {
+      more.geometry[k] = state.geometry[k];
+      more.geometry[l.half_of(k)] = state.geometry[o.half_of(k)];
+    }
+    more.geometry[l.centre_of(part)] = state.geometry[o.centre_of(part)];
+    more.geometry[l.width_of(part)] = state.geometry[o.width_of(part)];
+  }
+  more.approach = state.approach;
+  if (!fit_ellipse(scene, at, 1e-3 * hy, -value, 0, l, o.parts, more.geometry.data())) return false;
+  state = std::move(more);
+  return true;
+}
+
+StripReport StripFinder::find(const StripScene& scene, const Rectangle& box, StripCounts counts, StripState& state,
+                              bool warm) {
+  StripReport report;
+  report.status = StripStatus::unfit;
+  constexpr int attempts = static_cast<int>(std::size(probes));
+  for (int attempt = warm ? -1 : 0; attempt < attempts && report.status != StripStatus::solved; ++attempt) {
+    if (attempt >= 0 && !start(scene, box, counts, attempt, state)) {
+      if (status_ == StripStatus::no_contact) return {status_};
+      continue;
+    }
+    const bool refined = counts.along * counts.across > most_without_rough;
+    report = solver_.solve(scene, state,
+                           attempt < 0 ? StripStart::solution : refined ? StripStart::shares : StripStart::geometry);
+    while (report.status == StripStatus::solved && more_parts(scene, box, state)) report = solver_.solve(scene, state, StripStart::geometry);
+  }
+  return report;
+}
+
+}  // namespace rollcon::strips
