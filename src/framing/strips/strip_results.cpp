@@ -1,0 +1,133 @@
+#include "framing/strips/strip_results.hpp"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+#include <cmath>
+
+namespace rollcon::strips {
+namespace {
+
+/// Value at a node between two others, and its second derivative.
+double curvature(const double (&x)[3], const double (&f)[3]) {
+  return 2 * ((f[2] - f[1]) / (x[2] - x[1]) - (f[1] - f[0]) / (x[1] - x[0])) / (x[2] - x[0]);
+}
+
+/// What a node is above the curve: the mean distance of curve and chords, weighted with the node's shape function.
+double above(const double (&x)[3], const double (&f)[3]) {
+  const double a = x[1] - x[0], b = x[2] - x[1];
+  return -(a * a - a * b + b * b) / 12 * curvature(x, f);
+}
+
+/// Top of a parabola through three points near its middle one, within them.
+double top(const double (&x)[3], const double (&f)[3], double* at) {
+  const double bend = curvature(x, f), slope = (f[2] - f[0]) / (x[2] - x[0]) -
+                                               bend / 2 * (x[2] + x[0] - 2 * x[1]);
+  *at = bend < 0 ? std::clamp(x[1] - slope / bend, x[0], x[2]) : x[1];
+  const double d = *at - x[1];
+  return f[1] + slope * d + bend / 2 * d * d;
+}
+
+}  // namespace
+
+PressurePeak largest_pressure(const StripState& state) {
+  const StripLayout& l = state.layout;
+  const double* g = state.geometry.data();
+  // Pressure at a node or 0 at an end, and its place along.
+  const auto pressure = [&](int row, int i) {
+    return i < 0 || i >= l.nodes_each ? 0 : state.pressure[row * l.nodes_each + i];
+  };
+  const auto place = [&](int row, int i) { return g[row] + g[l.half_of(row)] * l.along[i + 1]; };
+  // Of a row at a place beside it, linear between its nodes.
+  const auto at = [&](int row, double x) {
+    for (int i = -1; i < l.nodes_each; ++i)
+      if (x >= place(row, i) && x <= place(row, i + 1)) {
+        const double t = (x - place(row, i)) / (place(row, i + 1) - place(row, i));
+        return (1 - t) * pressure(row, i) + t * pressure(row, i + 1);
+      }
+    return 0.0;
+  };
+  struct Crest {
+    double square = 0, x = 0;
+  };
+  const auto crest = [&](int row) {
+    Crest best;
+    const int highest = static_cast<int>(std::max_element(state.pressure.begin() + row * l.nodes_each,
+                                                          state.pressure.begin() + (row + 1) * l.nodes_each) -
+                                         state.pressure.begin()) -
+                        row * l.nodes_each;
+    const int line = row % l.rows_each;
+    double square[3], x[3];
+    for (int j = 0; j < 3; ++j) {
+      const int i = std::clamp(highest - 1 + j, -1, l.nodes_each);
+      x[j] = place(row, i);
+      const double p = pressure(row, i);
+      square[j] = 0;
+      if (i < 0 || i >= l.nodes_each) continue;
+      const double xs[3] = {place(row, i - 1), x[j], place(row, i + 1)};
+      const double ps[3] = {pressure(row, i - 1), p, pressure(row, i + 1)};
+      const double width = g[l.width_of(l.part_of(row))];
+      const double ys[3] = {width * l.across[line], width * l.across[line + 1], width * l.across[line + 2]};
+      const double pys[3] = {line > 0 ? at(row - 1, x[j]) : 0, p, line + 1 < l.rows_each ? at(row + 1, x[j]) : 0};
+      const double corrected = std::max(p - above(xs, ps) - above(ys, pys), 0.0);
+      square[j] = corrected * corrected;
+    }
+    best.square = top(x, square, &best.x);
+    return best;
+  };
+  PressurePeak peak;
+  for (int part = 0; part < l.parts; ++part) {
+    int highest = -1;
+    double most = 0;
+    for (int k = 0; k < l.rows_each; ++k) {
+      const double square = crest(part * l.rows_each + k).square;
+      if (square > most) most = square, highest = k;
+    }
+    if (highest < 0) continue;
+    double y[3], square[3], x[3];
+    for (int j = 0; j < 3; ++j) {
+      const int k = highest - 1 + j;
+      y[j] = g[l.centre_of(part)] + g[l.width_of(part)] * l.across[k + 1];
+      const Crest c = k < 0 || k >= l.rows_each ? Crest{} : crest(part * l.rows_each + k);
+      square[j] = c.square;
+      x[j] = c.x;
+    }
+    double best_y = 0;
+    const double p = std::sqrt(std::max(top(y, square, &best_y), 0.0));
+    if (p > peak.pressure) peak = {p, {x[1], best_y}};
+  }
+  return peak;
+}
+
+StripTrust trust(const StripState& state) {
+  const StripLayout& l = state.layout;
+  const double* g = state.geometry.data();
+  StripTrust t;
+  std::vector<double> line, rows(l.rows_each);
+  const auto valley = [&](std::span<const double> f) {
+    for (std::size_t i = 1; i + 1 < f.size(); ++i) {
+      const double left = *std::max_element(f.begin(), f.begin() + i), right = *std::max_element(f.begin() + i + 1, f.end());
+      if (std::min(left, right) > 0) t.joined = std::min(t.joined, f[i] / std::min(left, right));
+    }
+  };
+  for (int part = 0; part < l.parts; ++part) {
+    for (int k = 0; k < l.rows_each; ++k) {
+      const int row = part * l.rows_each + k;
+      line.assign(state.pressure.begin() + row * l.nodes_each, state.pressure.begin() + (row + 1) * l.nodes_each);
+      for (int i = 0; i < l.nodes_each; ++i) line[i] /= std::sqrt(1 - l.along[i + 1] * l.along[i + 1]);
+      valley(line);
+      rows[k] = *std::max_element(line.begin(), line.end()) / std::sqrt(1 - l.across[k + 1] * l.across[k + 1]);
+    }
+    valley(rows);
+  }
+  for (int a = 0; a < l.rows; ++a)
+    for (int b = (l.part_of(a) + 1) * l.rows_each; b < l.rows; ++b) {
+      const double dy = g[l.centre_of(l.part_of(a))] + g[l.width_of(l.part_of(a))] * l.across[a % l.rows_each + 1] -
+                        g[l.centre_of(l.part_of(b))] - g[l.width_of(l.part_of(b))] * l.across[b % l.rows_each + 1];
+      const double dx = std::max(std::abs(g[a] - g[b]) - g[l.half_of(a)] - g[l.half_of(b)], 0.0);
+      t.apart = std::min(t.apart, std::hypot(dx, dy) / std::min(g[l.width_of(l.part_of(a))], g[l.width_of(l.part_of(b))]));
+    }
+  return t;
+}
+
+}  // namespace rollcon::strips

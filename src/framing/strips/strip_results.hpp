@@ -1,0 +1,29 @@
+#pragma once
+/// What is read off a solution on strips.
+
+#include "framing/strips/strip_contact.hpp"
+
+namespace rollcon::strips {
+
+struct PressurePeak {
+  double pressure = 0;
+  Vec2 at{};
+};
+
+/// The largest pressure, as the top of a curve between the nodes. Displacements fix the mean of a pressure beside a
+/// node, so that nodes of a curve that bends are above it: by the mean of what its chords cut off, which is taken away.
+/// The square of the pressure is taken for a parabola along each row, and across rows: exact for an ellipse.
+PressurePeak largest_pressure(const StripState& state);
+
+/// How far a solution is from contacts that strips do not fit, both continuous. Mix with another frame below a few
+/// hundredths of `joined` and below one of `apart`.
+struct StripTrust {
+  /// Least pressure between two peaks of a row or of rows over the lower peak (both over those of an ellipse): 1 without
+  /// a valley, 0 where a part is about to split.
+  double joined = 1;
+  /// Least distance of two parts over the smaller half width; a large number for one part.
+  double apart = 1e9;
+};
+StripTrust trust(const StripState& state);
+
+}  // namespace rollcon::strips
