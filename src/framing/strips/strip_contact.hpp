@@ -120,11 +120,13 @@ class StripSolver {
   /// Slopes of a total (forces and moment, load, integrals of pressure times x and y) by pressures and geometry, and by
   /// tractions along x (u) and y (v).
   static void total_slopes(const StripState& state, int which, double* slope, double* u, double* v);
-  void linearise(const StripScene& scene, StripState& state);
-  bool prepare(const StripScene& scene, const StripState& state, bool rates);
+  void linearise(const StripScene& scene, const StripState& state);
+  void prepare(const StripScene& scene, const StripState& state, bool rates);
   bool factor_all();
   void solve_all(double* right) const;
   void set_fields(const StripState& state);
+  void explicit_rates(const StripScene& scene, const StripState& state, const StripParameter& p, double* right);
+  StripTotals total_rates(const StripScene& scene, const StripState& state, const StripParameter& p, double* dz);
   StripReport couple(const StripScene& scene, StripState& state, StripReport report);
   int slide(const StripScene& scene, StripState& state, StripStart start, StripReport& report);
 
@@ -137,11 +139,12 @@ class StripSolver {
 
   StripIntegrals integrals_;
   Lu<double> lu_, lu_friction_;
-  Samples gap_, friction_, slip_[2];
+  Samples gap_, friction_, slip_[2], creep_rates_[2];
   std::vector<double> residual_, step_;
   std::vector<double> compliance_[5];  ///< slip by tractions: 11, 12, 22; by pressures: 1n, 2n
   std::vector<double> slip_rates_;     ///< slip by geometry
-  std::vector<double> rigid_, bound_, scale_, slip_now_, form_, total_slope_, matrix_, all_right_, coupled_step_;
+  std::vector<double> rigid_, bound_, scale_, slip_now_, form_, total_slope_, matrix_, all_right_;
+  std::vector<double> bound_rates_, traction_rates_, all_slopes_;
   std::vector<Law> laws_;
   int normal_size_ = 0, friction_size_ = 0;  ///< of the system of all equations
   std::array<double, 3> load_error_{};

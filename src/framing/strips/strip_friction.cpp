@@ -1,7 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 
 #include "framing/strips/strip_contact.hpp"
@@ -281,7 +279,6 @@ int StripSolver::slide(const StripScene& scene, StripState& state, StripStart st
   while (report.friction_rounds++ < most_rounds) {
     const double residual = judge(scene, state);
     if (!std::isfinite(residual)) return 0;
-    if (getenv("STRIPV")) printf("   friction %d residual %.2e\n", report.friction_rounds, residual);
     if (residual < converged) {
       report.status = StripStatus::solved;
       return 1;

@@ -1,7 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
 
 #include "framing/strips/strip_contact.hpp"
@@ -162,7 +160,6 @@ StripReport StripSolver::press(const StripScene& scene, StripState& state, Strip
     residual_.resize(static_cast<std::size_t>(n));
     normal_rows(scene, state, Rows::all, lu_.prepare(n), n, n, residual_.data());
     const double now = norm2(residual_.data(), n);
-    if (getenv("STRIPV")) printf("   normal %d residual %.2e share %.3f\n", report.normal_rounds, now, share);
     if (!(now < before) && share > least_share) {
       // The step before was too long.
       share /= 2;

@@ -1,7 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 #include "framing/strips/strip_contact.hpp"
 #include "linalg/dense.hpp"
@@ -52,14 +50,16 @@ void StripSolver::total_slopes(const StripState& state, int which, double* slope
 }
 
 // All equations linearised at the state: normal rows, then those of friction; columns as friction_rows has them.
-void StripSolver::linearise(const StripScene& scene, StripState& state) {
+void StripSolver::linearise(const StripScene& scene, const StripState& state) {
   const StripLayout& l = state.layout;
   const int loads = scene.force_given[0] + scene.force_given[1] + scene.force_given[2];
   normal_size_ = l.nodes + l.geometry + 1;
   friction_size_ = reduced_size() + loads;
   const int size = normal_size_ + friction_size_;
-  matrix_.resize(static_cast<std::size_t>(size) * size);
-  all_right_.resize(static_cast<std::size_t>(size));
+  // Room for any states of the nodes.
+  const auto most = static_cast<std::size_t>(normal_size_ + 2 * l.nodes + 3);
+  matrix_.resize(most * most);
+  all_right_.resize(most);
   normal_rows(scene, state, Rows::all, matrix_.data(), normal_size_, size, all_right_.data());
   load_errors(scene, state);
   friction_rows(scene, state, true, matrix_.data() + static_cast<std::ptrdiff_t>(normal_size_) * size, size,
@@ -69,7 +69,7 @@ void StripSolver::linearise(const StripScene& scene, StripState& state) {
 bool StripSolver::factor_all() {
   const int n = normal_size_, m = friction_size_, size = n + m;
   const auto block = [&](Lu<double>& lu, int from, int count) {
-    double* to = lu.prepare(count);
+    double* to = lu.prepare(count, static_cast<int>(all_right_.size()) - size);
     for (int i = 0; i < count; ++i)
       std::copy_n(matrix_.data() + static_cast<std::ptrdiff_t>(from + i) * size + from, count,
                   to + static_cast<std::ptrdiff_t>(i) * count);
@@ -88,14 +88,13 @@ void StripSolver::solve_all(double* right) const {
   lu_friction_.solve(right + n);
 }
 
-bool StripSolver::prepare(const StripScene& scene, const StripState& state, bool rates) {
+void StripSolver::prepare(const StripScene& scene, const StripState& state, bool rates) {
   const StripLayout& l = state.layout;
   integrals_.lay(l, scene.bodies, state.geometry.data());
   set_fields(state);
   slip_rows(scene, state, rates);
   bounds(scene, state);
   slip(state);
-  return true;
 }
 
 // Pressures and tractions of unlike bodies: Newton's steps for all unknowns at once.
@@ -107,7 +106,6 @@ StripReport StripSolver::couple(const StripScene& scene, StripState& state, Stri
   for (int round = 0; round < most_rounds; ++round) {
     prepare(scene, state, true);
     const double residual = judge(scene, state);
-    if (getenv("STRIPV")) printf("   coupled %d residual %.2e change %.2e\n", round, residual, change);
     if (!std::isfinite(residual)) return report;
     if (change < last_step && residual < 1e-9) {
       report.status = StripStatus::solved;
@@ -139,108 +137,110 @@ StripReport StripSolver::solve(const StripScene& scene, StripState& state, Strip
   return scene.bodies.ck == 0 ? report : couple(scene, state, report);
 }
 
-bool StripSolver::rates(const StripScene& scene, const StripState& solution, std::span<const StripParameter> parameter,
+// Rates of all residuals by a parameter, with the unknowns held: bound_rates_ has those of the friction bounds, and
+// traction_rates_ the tractions that nodes on their bounds follow them with.
+void StripSolver::explicit_rates(const StripScene& scene, const StripState& state, const StripParameter& p,
+                                 double* right) {
+  const StripLayout& l = state.layout;
+  const double* g = state.geometry.data();
+  const int n = l.nodes, edges = n + l.geometry;
+  sample(p.gap, l.observers, l, g, gap_);
+  std::copy_n(gap_.value.data(), edges, right);
+  right[edges] = scene.by_load ? -scene.bodies.cn * p.value / g[l.width_of(0)] : -p.value;
+  sample(p.friction, l.node, l, g, creep_rates_[0]);
+  double *t1 = traction_rates_.data(), *t2 = t1 + n;
+  for (int i = 0; i < n; ++i) {
+    bound_rates_[i] =
+        state.pressure[i] * (p.mu * (scene.friction ? friction_.value[i] : 1) + scene.mu * creep_rates_[0].value[i]);
+    t1[i] = laws_[i].slides ? bound_rates_[i] * laws_[i].along[0] : 0;
+    t2[i] = laws_[i].slides ? bound_rates_[i] * laws_[i].along[1] : 0;
+  }
+  if (integrals_.coupled() && (p.mu != 0 || p.friction)) {
+    integrals_.set_field(1, t1);
+    integrals_.set_field(2, t2);
+    for (int i = 0; i < edges; ++i) {
+      const Observation o = integrals_.observe(Displacement::normal, false, l.observers[i], 0);
+      right[i] += integrals_.displacement(o, 1, 1) + integrals_.displacement(o, 2, 2);
+    }
+  }
+  for (int d = 0; d < 2; ++d) sample(p.slip[d], l.slip_place, l, g, creep_rates_[d]);
+  std::array<double, 3> motion{};
+  for (int k = 0; k < 3; ++k) motion[k] = scene.force_given[k] ? 0 : p.motion[k];
+  double* to = right + normal_size_;
+  for (int i = 0; i < n; ++i) {
+    const Law& law = laws_[i];
+    const Vec2 place = slip_[0].point[i];
+    const auto row = static_cast<std::ptrdiff_t>(i) * n;
+    const double *a = compliance_[0].data() + row, *b = compliance_[1].data() + row, *c = compliance_[2].data() + row;
+    const double s1 = creep_rates_[0].value[i] + motion[0] - motion[2] * place[1] + dot(a, t1, n) + dot(b, t2, n),
+                 s2 = creep_rates_[1].value[i] + motion[1] + motion[2] * place[0] + dot(b, t1, n) + dot(c, t2, n);
+    if (law.slides) {
+      *to++ = law.share * scale_[i] * (s2 * law.along[0] - s1 * law.along[1]);
+    } else {
+      *to++ = scale_[i] * s1;
+      *to++ = scale_[i] * s2;
+    }
+  }
+  for (int k = 0; k < 3; ++k)
+    if (scene.force_given[k]) {
+      const double* slope = all_slopes_.data() + static_cast<std::ptrdiff_t>(k) * (edges + 2 * n) + edges;
+      *to++ = dot(slope, t1, n) + dot(slope + n, t2, n) - p.motion[k];
+    }
+}
+
+// Rates of the totals from those of the unknowns.
+StripTotals StripSolver::total_rates(const StripScene& scene, const StripState& state, const StripParameter& p,
+                                     double* dz) {
+  const StripLayout& l = state.layout;
+  const int n = l.nodes, edges = n + l.geometry;
+  double *t1 = traction_rates_.data(), *t2 = t1 + n;
+  for (int i = 0; i < n; ++i) dz[i] /= scene.bodies.cn;
+  const double *reduced = dz + normal_size_, *dg = dz + n;
+  for (int i = 0; i < n; ++i) {
+    const Law& law = laws_[i];
+    if (!law.slides) {
+      t1[i] = *reduced++;
+      t2[i] = *reduced++;
+      continue;
+    }
+    double bound = bound_rates_[i] + scene.mu * (scene.friction ? friction_.value[i] : 1) * dz[i];
+    if (scene.friction)
+      bound += scene.mu * state.pressure[i] *
+               (friction_.slope[i][0] * l.x(l.node[i], dg) + friction_.slope[i][1] * l.y(l.node[i], dg));
+    t1[i] = bound * law.along[0] - *reduced * law.along[1];
+    t2[i] = bound * law.along[1] + *reduced++ * law.along[0];
+  }
+  double total[6];
+  for (int k = 0; k < 6; ++k) {
+    const double* slope = all_slopes_.data() + static_cast<std::ptrdiff_t>(k) * (edges + 2 * n);
+    total[k] = dot(slope, dz, edges) + dot(slope + edges, t1, n) + dot(slope + edges + n, t2, n);
+  }
+  StripTotals rate{total[3], dz[edges], {total[0], total[1], total[2]}, {}, {total[4], total[5]}};
+  for (int k = 0; k < 3; ++k) rate.motion[k] = scene.force_given[k] ? *reduced++ : p.motion[k];
+  return rate;
+}
+
+bool StripSolver::rates(const StripScene& scene, const StripState& state, std::span<const StripParameter> parameter,
                         std::span<StripTotals> rate) {
-  StripState state = solution;
   const StripLayout& l = state.layout;
   const int n = l.nodes, edges = n + l.geometry;
   prepare(scene, state, true);
   judge(scene, state);
   linearise(scene, state);
   if (!factor_all()) return false;
-  double *u = form_.data(), *v = u + n;
-  std::vector<double> right(all_right_.size()), bound(n), slopes(6 * static_cast<std::size_t>(edges + 2 * n));
+  bound_rates_.resize(static_cast<std::size_t>(n));
+  traction_rates_.resize(2 * static_cast<std::size_t>(n));
+  all_slopes_.assign(6 * static_cast<std::size_t>(edges + 2 * n), 0);
   for (int k = 0; k < 6; ++k) {
-    double* slope = slopes.data() + static_cast<std::ptrdiff_t>(k) * (edges + 2 * n);
+    double* slope = all_slopes_.data() + static_cast<std::ptrdiff_t>(k) * (edges + 2 * n);
     total_slopes(state, k, slope, slope + edges, slope + edges + n);
   }
-  for (std::size_t which = 0; which < parameter.size(); ++which) {
-    const StripParameter& p = parameter[which];
-    StripTotals& result = rate[which];
-    std::fill(right.begin(), right.end(), 0.0);
-    // Rates of the residuals with all unknowns held.
-    Samples& s = gap_;
-    sample(p.gap, l.observers, l, state.geometry.data(), s);
-    for (int i = 0; i < edges; ++i) right[i] = s.value[i];
-    right[edges] = scene.by_load ? -scene.bodies.cn * p.value / state.geometry[l.width_of(0)] : -p.value;
-    Samples explicit_mu;
-    sample(p.friction, l.node, l, state.geometry.data(), explicit_mu);
-    for (int i = 0; i < n; ++i)
-      bound[i] = state.pressure[i] *
-                 (p.mu * (scene.friction ? friction_.value[i] : 1) + scene.mu * explicit_mu.value[i]);
-    Samples creep[2];
-    for (int d = 0; d < 2; ++d) sample(p.slip[d], l.slip_place, l, state.geometry.data(), creep[d]);
-    // Slip with the unknowns held, but with the bounds' own rates.
-    std::vector<double> t1(n), t2(n);
-    for (int i = 0; i < n; ++i)
-      if (laws_[i].slides) t1[i] = bound[i] * laws_[i].along[0], t2[i] = bound[i] * laws_[i].along[1];
-    if (integrals_.coupled() && (p.mu != 0 || p.friction)) {
-      integrals_.set_field(1, t1.data());
-      integrals_.set_field(2, t2.data());
-      for (int i = 0; i < edges; ++i) {
-        const Observation o = integrals_.observe(Displacement::normal, false, l.observers[i], 0);
-        right[i] += integrals_.displacement(o, 1, 1) + integrals_.displacement(o, 2, 2);
-      }
-    }
-    int at = normal_size_;
-    for (int i = 0; i < n; ++i) {
-      const Law& law = laws_[i];
-      const Vec2 place = slip_[0].point[i];
-      const auto row = static_cast<std::ptrdiff_t>(i) * n;
-      std::array<double, 3> motion{};
-      for (int k = 0; k < 3; ++k) motion[k] = scene.force_given[k] ? 0 : p.motion[k];
-      const double *a = compliance_[0].data() + row, *b = compliance_[1].data() + row, *c = compliance_[2].data() + row;
-      const double s1 = creep[0].value[i] + motion[0] - motion[2] * place[1] + dot(a, t1.data(), n) + dot(b, t2.data(), n),
-                   s2 = creep[1].value[i] + motion[1] + motion[2] * place[0] + dot(b, t1.data(), n) + dot(c, t2.data(), n);
-      if (law.slides) {
-        right[at++] = law.share * scale_[i] * (s2 * law.along[0] - s1 * law.along[1]);
-      } else {
-        right[at++] = scale_[i] * s1;
-        right[at++] = scale_[i] * s2;
-      }
-    }
-    for (int k = 0; k < 3; ++k)
-      if (scene.force_given[k]) {
-        const double* slope = slopes.data() + static_cast<std::ptrdiff_t>(k) * (edges + 2 * n) + edges;
-        right[at++] = dot(slope, t1.data(), n) + dot(slope + n, t2.data(), n) - p.motion[k];
-      }
-    solve_all(right.data());
-    // Pressures from here on, not over cn; tractions.
-    double* dz = right.data();
-    for (double& d : right) d = -d;
-    for (int i = 0; i < n; ++i) dz[i] /= scene.bodies.cn;
-    const double* reduced = dz + normal_size_;
-    for (int i = 0; i < n; ++i) {
-      const Law& law = laws_[i];
-      if (law.slides) {
-        const double mu = scene.mu * (scene.friction ? friction_.value[i] : 1);
-        double by = bound[i] + mu * dz[i];
-        if (scene.friction) {
-          form_.assign(form_.size(), 0);
-          const StripPoint& q = l.node[i];
-          const double* dg = dz + n;
-          const double dx = l.x(q, dg), dy = l.y(q, dg);
-          by += scene.mu * state.pressure[i] * (friction_.slope[i][0] * dx + friction_.slope[i][1] * dy);
-        }
-        t1[i] = by * law.along[0] - *reduced * law.along[1];
-        t2[i] = by * law.along[1] + *reduced++ * law.along[0];
-      } else {
-        t1[i] = *reduced++;
-        t2[i] = *reduced++;
-      }
-    }
-    double total[6];
-    for (int k = 0; k < 6; ++k) {
-      const double* slope = slopes.data() + static_cast<std::ptrdiff_t>(k) * (edges + 2 * n);
-      total[k] = dot(slope, dz, edges) + dot(slope + edges, t1.data(), n) + dot(slope + edges + n, t2.data(), n);
-    }
-    result.force = {total[0], total[1], total[2]};
-    result.load = total[3];
-    result.pressed = {total[4], total[5]};
-    result.approach = dz[edges];
-    for (int k = 0; k < 3; ++k) result.motion[k] = scene.force_given[k] ? *reduced++ : p.motion[k];
+  for (std::size_t i = 0; i < parameter.size(); ++i) {
+    explicit_rates(scene, state, parameter[i], all_right_.data());
+    solve_all(all_right_.data());
+    for (double& d : all_right_) d = -d;
+    rate[i] = total_rates(scene, state, parameter[i], all_right_.data());
   }
-  (void)u, (void)v;
   return true;
 }
 
