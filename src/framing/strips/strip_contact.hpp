@@ -29,8 +29,8 @@ struct StripScene {
   StripBodies bodies;
   const PlaneField* gap = nullptr;  ///< of the undeformed bodies at approach 0, length
   bool by_load = true;
-  double value = 0;                     ///< normal load, force; or approach, length
-  double mu = 0;                        ///< friction coefficient
+  double value = 0;                      ///< normal load, force; or approach, length
+  double mu = 0;                         ///< friction coefficient
   const PlaneField* friction = nullptr;  ///< times this where it is given
   /// Longitudinal and lateral creepage and spin (1/length); or the force on body 1 along x, along y, and the spin
   /// moment about the origin of the axes.
@@ -64,8 +64,8 @@ struct StripReport {
 
 /// By which quantity to differentiate. The fields are those of the scene, differentiated at fixed places; null: 0.
 struct StripParameter {
-  double value = 0, mu = 0;           ///< rates of load or approach and of the friction coefficient
-  std::array<double, 3> motion{};     ///< of what is given of creepages, spin, forces and moment
+  double value = 0, mu = 0;        ///< rates of load or approach and of the friction coefficient
+  std::array<double, 3> motion{};  ///< of what is given of creepages, spin, forces and moment
   const PlaneField* gap = nullptr;
   const PlaneField* friction = nullptr;
   std::array<const PlaneField*, 2> slip{};

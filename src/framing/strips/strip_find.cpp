@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "framing/hertz.hpp"
+#include "linalg/blas_threads.hpp"
 
 namespace rollcon::strips {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 // Lattices of the probe, one after the other until strips are found from one.
 constexpr ProbeCells probes[] = {{8, 12}, {12, 20}, {16, 32}};
 constexpr StripCounts rough{6, 10};
-constexpr int most_without_rough = 100;  // intervals along times across; finer strips begin with rough ones
+constexpr int most_without_rough = 100;             // intervals along times across; finer strips begin with rough ones
 constexpr int looks_along = 12, looks_across = 24;  // where further parts are looked for
 
 // Values at `places` (ascending) of the curve through values at `from`: cubics through the four nearest.
@@ -32,8 +33,8 @@ double cubic(std::span<const double> from, const double* value, int stride, doub
 
 }  // namespace
 
-bool fit_ellipse(const StripScene& scene, const Vec2& at, double size, double depth, double load,
-                 const StripLayout& l, int part, double* geometry) {
+bool fit_ellipse(const StripScene& scene, const Vec2& at, double size, double depth, double load, const StripLayout& l,
+                 int part, double* geometry) {
   // Second derivatives from slopes on both sides.
   const Vec2 point[4] = {{at[0] - size, at[1]}, {at[0] + size, at[1]}, {at[0], at[1] - size}, {at[0], at[1] + size}};
   double value[4];
@@ -81,8 +82,8 @@ void refine(const StripState& coarse, StripState& fine) {
       const auto [least, most] = std::minmax_element(shape.begin(), shape.end());
       fine.geometry[f.half_of(row)] = std::sqrt(std::clamp(square, *least, *most) * (1 - u * u));
       // Tractions over pressures, linear between nodes and constant beyond the last ones.
-      const int below = std::clamp(static_cast<int>(std::upper_bound(from.begin(), from.end(), u) - from.begin()) - 1, 0,
-                                   std::max(0, c.rows_each - 2));
+      const int below = std::clamp(static_cast<int>(std::upper_bound(from.begin(), from.end(), u) - from.begin()) - 1,
+                                   0, std::max(0, c.rows_each - 2));
       const double t = std::clamp((u - from[below]) / (from[below + 1] - from[below]), 0.0, 1.0);
       for (int i = 0; i < f.nodes_each; ++i) {
         const double v = f.along[i + 1];
@@ -143,7 +144,8 @@ bool StripFinder::inside(const StripState& state, const Vec2& at, double reach) 
   for (int part = 0; part < l.parts; ++part) {
     const double u = (at[1] - g[l.centre_of(part)]) / g[l.width_of(part)];
     if (std::abs(u) > reach) continue;
-    const int row = static_cast<int>(std::lower_bound(l.across.begin() + 1, l.across.end() - 2, u) - l.across.begin()) - 1;
+    const int row =
+        static_cast<int>(std::lower_bound(l.across.begin() + 1, l.across.end() - 2, u) - l.across.begin()) - 1;
     const int k = part * l.rows_each + row;
     if (std::abs(at[0] - g[k]) < reach * g[l.half_of(k)] + (reach - 1) * g[l.width_of(part)]) return true;
   }
@@ -215,6 +217,7 @@ bool StripFinder::more_parts(const StripScene& scene, const Rectangle& box, Stri
 
 StripReport StripFinder::find(const StripScene& scene, const Rectangle& box, StripCounts counts, StripState& state,
                               bool warm) {
+  const BlasThreads blas(1);  // several are slower for systems of this size
   StripReport report;
   report.status = StripStatus::unfit;
   constexpr int attempts = static_cast<int>(std::size(probes));
@@ -225,8 +228,11 @@ StripReport StripFinder::find(const StripScene& scene, const Rectangle& box, Str
     }
     const bool refined = counts.along * counts.across > most_without_rough;
     report = solver_.solve(scene, state,
-                           attempt < 0 ? StripStart::solution : refined ? StripStart::shares : StripStart::geometry);
-    while (report.status == StripStatus::solved && more_parts(scene, box, state)) report = solver_.solve(scene, state, StripStart::geometry);
+                           attempt < 0 ? StripStart::solution
+                           : refined   ? StripStart::shares
+                                       : StripStart::geometry);
+    while (report.status == StripStatus::solved && more_parts(scene, box, state))
+      report = solver_.solve(scene, state, StripStart::geometry);
   }
   return report;
 }

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-
 #include "framing/strips/strip_contact.hpp"
 #include "linalg/dense.hpp"
 
@@ -190,8 +189,12 @@ void StripSolver::friction_rows(const StripScene& scene, const StripState& state
     const double *a = compliance_[0].data() + at, *b = compliance_[1].data() + at, *c = compliance_[2].data() + at;
     const double f = law.share * scale_[i];
     for (int d = 0; d < (law.slides ? 1 : 2); ++d, row += columns) {
-      const double r1 = law.slides ? -f * law.along[1] : d == 0 ? scale_[i] : 0,
-                   r2 = law.slides ? f * law.along[0] : d == 1 ? scale_[i] : 0;
+      const double r1 = law.slides ? -f * law.along[1]
+                        : d == 0   ? scale_[i]
+                                   : 0,
+                   r2 = law.slides ? f * law.along[0]
+                        : d == 1   ? scale_[i]
+                                   : 0;
       for (int j = 0; j < n; ++j) {
         u[j] = r1 * a[j] + r2 * b[j];
         v[j] = r1 * b[j] + r2 * c[j];

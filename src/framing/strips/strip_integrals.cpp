@@ -22,8 +22,7 @@ void StripIntegrals::lay(const StripLayout& layout, const StripBodies& bodies, c
     scale_[row] = 1 / (s * w);
     for (int i = 0; i < columns; ++i) place_[row * columns + i] = c + s * layout.along[i];
     for (int f = 0; f < 3; ++f)
-      for (int i = 0; i < columns; ++i)
-        foot_[f * layout.places + row * columns + i] = m + w * layout.across[line + f];
+      for (int i = 0; i < columns; ++i) foot_[f * layout.places + row * columns + i] = m + w * layout.across[line + f];
   }
 }
 

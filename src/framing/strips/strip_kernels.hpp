@@ -19,11 +19,11 @@ constexpr int kernel_width = 8;
 /// One observer before all places of sources: values[k][n] = sum over feet f of weight[f][n] F_k(x - place[n], y -
 /// foot[f][n]). Rates follow each value: the same sums of dF/dx, of dF/dy, and of dF/dy with `turn` for weight.
 struct KernelJob {
-  double x, y;                          ///< observer
-  int count;                            ///< of places
-  const double* place;                  ///< along x
+  double x, y;          ///< observer
+  int count;            ///< of places
+  const double* place;  ///< along x
   const double *foot[3], *weight[3], *turn[3];
-  double cn, cv, ck;                    ///< of the bodies, docs/theory.md, section 3
+  double cn, cv, ck;  ///< of the bodies, docs/theory.md, section 3
   double* values;
 };
 

@@ -67,8 +67,8 @@ inline void log_of_both(Pack a, Pack b, Pack* log_a, Pack* log_b) {
 inline Pack small_arc(Pack t) {
   const Pack z = t * t;
   Pack p = splat(-8.750608600031904122785e-1);
-  for (const double c : {-1.615753718733365076637e1, -7.500855792314704667340e1, -1.228866684490136173410e2,
-                         -6.485021904942025371773e1})
+  for (const double c :
+       {-1.615753718733365076637e1, -7.500855792314704667340e1, -1.228866684490136173410e2, -6.485021904942025371773e1})
     p = fma(p, z, splat(c));
   Pack q = splat(1);
   for (const double c : {2.485846490142306297962e1, 1.650270098316988542046e2, 4.328810604912902668951e2,
@@ -132,8 +132,7 @@ struct Offset {
   static Primitive along(Pack x, Pack y, Pack log_r, Pack a, Pack b) {
     const Pack half = splat(0.5), sixth = splat(1.0 / 6), x2 = x * x, y2 = y * y, xy = x * y;
     return {sixth * x * (splat(3) * y2 - x2) * log_r + half * x2 * y * a + sixth * y * y2 * b,
-            (y2 - x2) * (half * log_r + sixth) + xy * a,
-            xy * (log_r + splat(1.0 / 3)) + half * (x2 * a + y2 * b)};
+            (y2 - x2) * (half * log_r + sixth) + xy * a, xy * (log_r + splat(1.0 / 3)) + half * (x2 * a + y2 * b)};
   }
   void over_r2(Primitive* x_over_r2, Primitive* y_over_r2) const {
     Pack log_r, arc;

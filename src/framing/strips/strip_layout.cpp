@@ -61,7 +61,8 @@ StripLayout::StripLayout(StripCounts of, int number_of_parts) : counts(of), part
   observers = node;
   for (int row = 0; row < rows; ++row)
     for (const int side : {-1, 1})
-      observers.push_back({row, row, part_of(row), 1, 0, side * (1 + beyond_chord / (n * n)), node[row * nodes_each].across});
+      observers.push_back(
+          {row, row, part_of(row), 1, 0, side * (1 + beyond_chord / (n * n)), node[row * nodes_each].across});
   for (int part = 0; part < parts; ++part)
     for (const int side : {-1, 1}) {
       // The middles of the last two rows, extended.

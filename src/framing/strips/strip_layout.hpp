@@ -14,7 +14,8 @@ struct StripCounts {
   bool operator==(const StripCounts&) const = default;
 };
 
-/// A place that moves with the strips: x = middle c[row] + beyond c[beside] + half s[row], y = M[part] + across S[part].
+/// A place that moves with the strips: x = middle c[row] + beyond c[beside] + half s[row], y = M[part] + across
+/// S[part].
 struct StripPoint {
   int row = 0, beside = 0, part = 0;
   double middle = 1, beyond = 0, half = 0, across = 0;
@@ -30,10 +31,10 @@ class StripLayout {
   StripCounts counts;
   int parts = 0, rows_each = 0, rows = 0, nodes_each = 0, nodes = 0;  ///< nodes: those inside of the chords
   int geometry = 0;                                                   ///< length of a geometry
-  int places = 0;             ///< of all rows' nodes with the chords' ends, padded for the kernels
-  std::vector<double> along;  ///< places of a chord's nodes, from -1 to 1: sin(pi t/2), t uniform
-  std::vector<double> across;  ///< those of rows in the width, with its ends: t/2 + sin(pi t/2)/2
-  std::vector<double> slope;   ///< of a hat: 1 over each interval along
+  int places = 0;                      ///< of all rows' nodes with the chords' ends, padded for the kernels
+  std::vector<double> along;           ///< places of a chord's nodes, from -1 to 1: sin(pi t/2), t uniform
+  std::vector<double> across;          ///< those of rows in the width, with its ends: t/2 + sin(pi t/2)/2
+  std::vector<double> slope;           ///< of a hat: 1 over each interval along
   std::vector<double> weight, turn;    ///< of the three feet of each place, [foot][place]
   std::vector<StripPoint> node;        ///< inside, row by row
   std::vector<StripPoint> upstream;    ///< where the displacement is differenced: 0.6 of the mean spacing further on

@@ -95,8 +95,8 @@ double StripSolver::normal_size(const StripState& state, const double* step) {
   for (int row = 0; row < l.rows; ++row)
     longest = std::max(longest, (std::abs(by[row]) + std::abs(by[l.half_of(row)])) / g[l.half_of(row)]);
   for (int part = 0; part < l.parts; ++part)
-    longest = std::max(longest, (std::abs(by[l.centre_of(part)]) + std::abs(by[l.width_of(part)])) /
-                                    g[l.width_of(part)]);
+    longest =
+        std::max(longest, (std::abs(by[l.centre_of(part)]) + std::abs(by[l.width_of(part)])) / g[l.width_of(part)]);
   return longest;
 }
 

@@ -25,7 +25,8 @@ bool StripProbe::press(const StripScene& scene) {
   columns_ = cells_.along - 1;
   lines_ = cells_.across - 1;
   const int n = columns_ * lines_;
-  const double hx = (box_.x_greatest - box_.x_least) / cells_.along, hy = (box_.y_greatest - box_.y_least) / cells_.across;
+  const double hx = (box_.x_greatest - box_.x_least) / cells_.along,
+               hy = (box_.y_greatest - box_.y_least) / cells_.across;
   point_.resize(n);
   gap_.resize(n);
   pressure_.assign(n, 0);
@@ -43,10 +44,9 @@ bool StripProbe::press(const StripScene& scene) {
   influence_.resize(width * (lines_ + 1));
   for (int j = 0; j <= lines_; ++j)
     for (int i = 0; i <= columns_; ++i)
-      influence_[j * width + i] =
-          scene.bodies.cn / (hx * hy) *
-          (f(i - 1, j - 1) + f(i + 1, j - 1) + f(i - 1, j + 1) + f(i + 1, j + 1) -
-           2 * (f(i - 1, j) + f(i + 1, j) + f(i, j - 1) + f(i, j + 1)) + 4 * f(i, j));
+      influence_[j * width + i] = scene.bodies.cn / (hx * hy) *
+                                  (f(i - 1, j - 1) + f(i + 1, j - 1) + f(i - 1, j + 1) + f(i + 1, j + 1) -
+                                   2 * (f(i - 1, j) + f(i + 1, j) + f(i, j - 1) + f(i, j + 1)) + 4 * f(i, j));
   const auto between = [&](int a, int b) {
     return influence_[std::abs(a / columns_ - b / columns_) * width + std::abs(a % columns_ - b % columns_)];
   };
@@ -105,10 +105,12 @@ bool StripProbe::close_in() {
       low[d] = std::min(low[d], at);
       high[d] = std::max(high[d], at);
     }
-  const double hx = (box_.x_greatest - box_.x_least) / cells_.along, hy = (box_.y_greatest - box_.y_least) / cells_.across;
+  const double hx = (box_.x_greatest - box_.x_least) / cells_.along,
+               hy = (box_.y_greatest - box_.y_least) / cells_.across;
   const bool closer = high[0] - low[0] < columns_ - 2 || high[1] - low[1] < lines_ - 2;
   // Nodes count from one cell inside.
-  box_ = {box_.x_least + low[0] * hx, box_.x_least + (high[0] + 2) * hx, box_.y_least + low[1] * hy, box_.y_least + (high[1] + 2) * hy};
+  box_ = {box_.x_least + low[0] * hx, box_.x_least + (high[0] + 2) * hx, box_.y_least + low[1] * hy,
+          box_.y_least + (high[1] + 2) * hy};
   return closer;
 }
 
@@ -135,8 +137,8 @@ void StripProbe::find_parts() {
   }
 }
 
-// How far beyond the last row of a part it ends, over the distance of rows: where the pressure p before that row and the
-// gap g of the row beyond are those at the edge of one contact, p = A sqrt(1 + d), g = 4/3 A/E* (1 - d)^(3/2).
+// How far beyond the last row of a part it ends, over the distance of rows: where the pressure p before that row and
+// the gap g of the row beyond are those at the edge of one contact, p = A sqrt(1 + d), g = 4/3 A/E* (1 - d)^(3/2).
 double StripProbe::beyond(const StripScene& scene, int part, int outer, int to) const {
   const double hy = (box_.y_greatest - box_.y_least) / cells_.across;
   int column = 0;
@@ -149,8 +151,8 @@ double StripProbe::beyond(const StripScene& scene, int part, int outer, int to) 
   scene.gap->at({&at, 1}, &gap, nullptr);
   gap -= approach_;
   for (const int node : active_)
-    gap += pressure_[node] * influence_[std::abs(node / columns_ - outer - to) * (columns_ + 1) +
-                                        std::abs(node % columns_ - column)];
+    gap += pressure_[node] *
+           influence_[std::abs(node / columns_ - outer - to) * (columns_ + 1) + std::abs(node % columns_ - column)];
   const int inner = outer - to;
   double p = inner >= 0 && inner < lines_ ? pressure_[inner * columns_ + column] : 0;
   p = std::max(p, pressure_[outer * columns_ + column]);
@@ -166,7 +168,8 @@ double StripProbe::beyond(const StripScene& scene, int part, int outer, int to) 
 // Half chords are the roots of a row's load times a ratio, which the variance of rows with four nodes tells (an ellipse
 // of pressure has a fourth of its squared half chord), smoothed along y and constant beyond.
 void StripProbe::fit(const StripScene& scene, int part, const StripLayout& l, std::vector<double>& geometry) {
-  const double hx = (box_.x_greatest - box_.x_least) / cells_.along, hy = (box_.y_greatest - box_.y_least) / cells_.across;
+  const double hx = (box_.x_greatest - box_.x_least) / cells_.along,
+               hy = (box_.y_greatest - box_.y_least) / cells_.across;
   line_.assign(lines_, Line{});
   int first = lines_, last = -1;
   double load = 0, moment_x = 0, slant = 0, spread = 0, moment_y = 0;
@@ -174,7 +177,8 @@ void StripProbe::fit(const StripScene& scene, int part, const StripLayout& l, st
     Line& line = line_[j];
     double second = 0;
     for (int i = 0; i < columns_; ++i) {
-      const double p = part_[j * columns_ + i] == part ? pressure_[j * columns_ + i] : 0, x = box_.x_least + (i + 1) * hx;
+      const double p = part_[j * columns_ + i] == part ? pressure_[j * columns_ + i] : 0,
+                   x = box_.x_least + (i + 1) * hx;
       if (!(p > 0)) continue;
       ++line.nodes;
       line.load += p;

@@ -1,9 +1,9 @@
 #include "framing/strips/strip_results.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <vector>
-#include <cmath>
 
 namespace rollcon::strips {
 namespace {
@@ -21,8 +21,7 @@ double above(const double (&x)[3], const double (&f)[3]) {
 
 /// Top of a parabola through three points near its middle one, within them.
 double top(const double (&x)[3], const double (&f)[3], double* at) {
-  const double bend = curvature(x, f), slope = (f[2] - f[0]) / (x[2] - x[0]) -
-                                               bend / 2 * (x[2] + x[0] - 2 * x[1]);
+  const double bend = curvature(x, f), slope = (f[2] - f[0]) / (x[2] - x[0]) - bend / 2 * (x[2] + x[0] - 2 * x[1]);
   *at = bend < 0 ? std::clamp(x[1] - slope / bend, x[0], x[2]) : x[1];
   const double d = *at - x[1];
   return f[1] + slope * d + bend / 2 * d * d;
@@ -106,7 +105,8 @@ StripTrust trust(const StripState& state) {
   std::vector<double> line, rows(l.rows_each);
   const auto valley = [&](std::span<const double> f) {
     for (std::size_t i = 1; i + 1 < f.size(); ++i) {
-      const double left = *std::max_element(f.begin(), f.begin() + i), right = *std::max_element(f.begin() + i + 1, f.end());
+      const double left = *std::max_element(f.begin(), f.begin() + i),
+                   right = *std::max_element(f.begin() + i + 1, f.end());
       if (std::min(left, right) > 0) t.joined = std::min(t.joined, f[i] / std::min(left, right));
     }
   };
@@ -125,7 +125,8 @@ StripTrust trust(const StripState& state) {
       const double dy = g[l.centre_of(l.part_of(a))] + g[l.width_of(l.part_of(a))] * l.across[a % l.rows_each + 1] -
                         g[l.centre_of(l.part_of(b))] - g[l.width_of(l.part_of(b))] * l.across[b % l.rows_each + 1];
       const double dx = std::max(std::abs(g[a] - g[b]) - g[l.half_of(a)] - g[l.half_of(b)], 0.0);
-      t.apart = std::min(t.apart, std::hypot(dx, dy) / std::min(g[l.width_of(l.part_of(a))], g[l.width_of(l.part_of(b))]));
+      t.apart =
+          std::min(t.apart, std::hypot(dx, dy) / std::min(g[l.width_of(l.part_of(a))], g[l.width_of(l.part_of(b))]));
     }
   return t;
 }

@@ -18,8 +18,8 @@ PressurePeak largest_pressure(const StripState& state);
 /// How far a solution is from contacts that strips do not fit, both continuous. Mix with another frame below a few
 /// hundredths of `joined` and below one of `apart`.
 struct StripTrust {
-  /// Least pressure between two peaks of a row or of rows over the lower peak (both over those of an ellipse): 1 without
-  /// a valley, 0 where a part is about to split.
+  /// Least pressure between two peaks of a row or of rows over the lower peak (both over those of an ellipse): 1
+  /// without a valley, 0 where a part is about to split.
   double joined = 1;
   /// Least distance of two parts over the smaller half width; a large number for one part.
   double apart = 1e9;

@@ -86,9 +86,9 @@ void expect_lattice(const char* name, std::optional<closed_forms::Elastic> secon
   StripCase test(FamilyGap::ellipse, 0);
   test.gap = gap;
   const double unit = 1 / (2 * pi * steel.shear);
-  test.scene.bodies = second ? equal_bodies(steel.shear, steel.poisson)
-                             : StripBodies{(1 - steel.poisson) * unit, steel.poisson * unit,
-                                           (1 - 2 * steel.poisson) * unit / 2};
+  test.scene.bodies =
+      second ? equal_bodies(steel.shear, steel.poisson)
+             : StripBodies{(1 - steel.poisson) * unit, steel.poisson * unit, (1 - 2 * steel.poisson) * unit / 2};
   test.scene.value = load;
   test.scene.mu = mu;
   test.scene.motion = {-4e-4, 2e-4, 1e-4};

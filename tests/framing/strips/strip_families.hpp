@@ -78,8 +78,7 @@ struct FamilyGap : PlaneField {
   }
   void at(std::span<const Vec2> point, double* v, Vec2* slope) const override {
     Vec2 ignored;
-    for (std::size_t i = 0; i < point.size(); ++i)
-      v[i] = value(point[i][0], point[i][1], slope ? slope + i : &ignored);
+    for (std::size_t i = 0; i < point.size(); ++i) v[i] = value(point[i][0], point[i][1], slope ? slope + i : &ignored);
   }
 };
 
@@ -127,8 +126,12 @@ constexpr Rectangle wide{-25, 25, -32, 32};
 /// Components of the totals over their sizes: forces and moment over friction's, approach, middle of the pressure.
 inline std::array<double, 6> components(const StripTotals& t, double mu) {
   const double limit = mu * t.load, length = 8;
-  return {t.force[0] / limit,    t.force[1] / limit,        t.force[2] / limit / length, t.approach / 0.08,
-          t.pressed[0] / t.load / length, t.pressed[1] / t.load / length};
+  return {t.force[0] / limit,
+          t.force[1] / limit,
+          t.force[2] / limit / length,
+          t.approach / 0.08,
+          t.pressed[0] / t.load / length,
+          t.pressed[1] / t.load / length};
 }
 inline double largest_difference(const std::array<double, 6>& a, const std::array<double, 6>& b) {
   double worst = 0;

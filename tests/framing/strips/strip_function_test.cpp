@@ -48,7 +48,7 @@ class Follower {
 
 // Where third differences are largest the interval is halved towards the larger change.
 TEST(strips, have_no_jumps_along_paths) {
-  constexpr int steps = 40;
+  constexpr int steps = 24;
   for (const Path& path : paths) {
     Follower follow;
     std::vector<std::array<double, 6>> f;
@@ -67,7 +67,7 @@ TEST(strips, have_no_jumps_along_paths) {
     }
     double a = static_cast<double>(where) / steps, b = static_cast<double>(where + 1) / steps;
     auto fa = f[where], fb = f[where + 1];
-    for (int halving = 0; halving < 17; ++halving) {
+    for (int halving = 0; halving < 18; ++halving) {
       const double middle = (a + b) / 2;
       const auto fm = follow(path, middle);
       if (largest_difference(fa, fm) > largest_difference(fm, fb)) {
@@ -78,7 +78,7 @@ TEST(strips, have_no_jumps_along_paths) {
         fa = fm;
       }
     }
-    expect_error(std::string("jump along ") + path.name, largest_difference(fa, fb), 1e-6);
+    expect_error(std::string("jump along ") + path.name, largest_difference(fa, fb), 2e-6);
     EXPECT_EQ(parts, path.kind == FamilyGap::pair ? 2 : 1) << path.name;
   }
 }
@@ -186,9 +186,9 @@ void expect_rates(FamilyGap::Kind kind, double s, const StripBodies& bodies, boo
       moved[i] = StripSolver::totals(there);
     }
     const auto numbers = [](const StripTotals& t) {
-      return std::array<double, 10>{t.force[0] / 3e4, t.force[1] / 3e4, t.force[2] / 2e5, t.load / 1e5, t.approach / 0.05,
-                                    t.pressed[0] / 1e6, t.pressed[1] / 1e6, t.motion[0] / 1e-3, t.motion[1] / 1e-3,
-                                    t.motion[2] / 1e-3};
+      return std::array<double, 10>{t.force[0] / 3e4,   t.force[1] / 3e4,   t.force[2] / 2e5,   t.load / 1e5,
+                                    t.approach / 0.05,  t.pressed[0] / 1e6, t.pressed[1] / 1e6, t.motion[0] / 1e-3,
+                                    t.motion[1] / 1e-3, t.motion[2] / 1e-3};
     };
     const auto exact = numbers(rate[q]);
     double error = 0, largest = 0;
@@ -206,8 +206,11 @@ void expect_rates(FamilyGap::Kind kind, double s, const StripBodies& bodies, boo
 }
 
 TEST(strips, have_derivatives_that_are_their_slopes) {
-  for (const auto& [kind, s] : {std::pair{FamilyGap::ellipse, 0.2}, {FamilyGap::arcs, 0.3}, {FamilyGap::corner, 0.3},
-                                {FamilyGap::slanted_pair, 1.1}, {FamilyGap::pair, 7e-4}}) {
+  for (const auto& [kind, s] : {std::pair{FamilyGap::ellipse, 0.2},
+                                {FamilyGap::arcs, 0.3},
+                                {FamilyGap::corner, 0.3},
+                                {FamilyGap::slanted_pair, 1.1},
+                                {FamilyGap::pair, 7e-4}}) {
     expect_rates(kind, s, equal_bodies(), false, false);
     expect_rates(kind, s, on_rigid(), kind == FamilyGap::corner, kind == FamilyGap::arcs);
   }

@@ -36,7 +36,8 @@ double by_quadrature(const StripLayout& l, const double* g, const std::vector<do
         const double y0 = g[l.centre_of(0)] + g[l.width_of(0)] * l.across[row + side],
                      y1 = g[l.centre_of(0)] + g[l.width_of(0)] * l.across[row + side + 1];
         const double x0 = g[row] + g[l.half_of(row)] * l.along[j], x1 = g[row] + g[l.half_of(row)] * l.along[j + 1];
-        const double left = j > 0 ? p[row * l.nodes_each + j - 1] : 0, right = j < l.nodes_each ? p[row * l.nodes_each + j] : 0;
+        const double left = j > 0 ? p[row * l.nodes_each + j - 1] : 0,
+                     right = j < l.nodes_each ? p[row * l.nodes_each + j] : 0;
         for (int q = 0; q < parts * parts * 100; ++q) {
           const int m = q % 10, n = q / 10 % 10, a = q / 100 % parts, c = q / 100 / parts;
           const double gx = (m < 5 ? -1 : 1) * gauss_point[m % 5], gy = (n < 5 ? -1 : 1) * gauss_point[n % 5];
@@ -78,7 +79,8 @@ TEST(strip_integrals, agree_with_quadrature_and_differences) {
           all.push_back(u / largest);
           if (set == InstructionSet::baseline)
             wrong = std::max(wrong, std::abs(u - by_quadrature(l, g.data(), p, bodies, what, k, l.x(at, g.data()),
-                                                               l.y(at, g.data()))) / largest);
+                                                               l.y(at, g.data()))) /
+                                        largest);
           std::vector<double> row(l.nodes), rates(l.geometry);
           integrals.add_row(o, k, 1, row.data());
           wrong_rows = std::max(wrong_rows, std::abs(dot(row.data(), p.data(), l.nodes) - u) / largest);
@@ -128,8 +130,7 @@ TEST(strip_integrals, are_right_inside_of_strips) {
   for (int q = 0; q < 10; ++q) {
     const double phi = std::numbers::pi / 8 * (1 + (q < 5 ? -1 : 1) * gauss_point[q % 5]);
     const double c = std::cos(phi), s = std::sin(phi), R = 1 / c;
-    expected += 8 * std::numbers::pi / 8 * gauss_weight[q % 5] *
-                (R - (c + s) * R * R / 2 + c * s * R * R * R / 3);
+    expected += 8 * std::numbers::pi / 8 * gauss_weight[q % 5] * (R - (c + s) * R * R / 2 + c * s * R * R * R / 3);
   }
   expect_error("1/r and x^2/r^3 at the top of a tent", integrals.displacement(o, 0, 0) / (1.2 * expected) - 1, 1e-12);
   expect_error("xy/r^3 there", integrals.displacement(o, 1, 0), 1e-13);
