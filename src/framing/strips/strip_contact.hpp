@@ -82,9 +82,10 @@ class StripSolver {
   /// The normal problem alone, under tangential tractions 0.
   StripReport press(const StripScene& scene, StripState& state, StripStart start);
   static StripTotals totals(const StripState& state);
-  /// Total derivatives of the totals at a solution, the strips moving with it: one for each parameter.
+  /// Total derivatives of the totals at a solution, the strips moving with it, one for each parameter; and those of
+  /// StripTrust::share if wanted.
   bool rates(const StripScene& scene, const StripState& state, std::span<const StripParameter> parameter,
-             std::span<StripTotals> rate);
+             std::span<StripTotals> rate, std::span<double> share_rate = {});
 
  private:
   struct Samples {
@@ -146,6 +147,7 @@ class StripSolver {
   std::vector<double> rigid_, bound_, scale_, slip_now_, form_, total_slope_, matrix_, all_right_;
   std::vector<double> bound_rates_, traction_rates_, all_slopes_;
   std::vector<Law> laws_;
+  StripState beside_;
   int normal_size_ = 0, friction_size_ = 0;  ///< of the system of all equations
   std::array<double, 3> load_error_{};
 };

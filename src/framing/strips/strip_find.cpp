@@ -16,6 +16,18 @@ constexpr StripCounts rough{6, 10};
 constexpr int most_without_rough = 100;             // intervals along times across; finer strips begin with rough ones
 constexpr int looks_along = 12, looks_across = 24;  // where further parts are looked for
 
+/// A gap at an approach, with what loads elsewhere give way.
+struct GapBeside : PlaneField {
+  const PlaneField* gap = nullptr;
+  double cn = 0;
+  std::vector<std::array<double, 3>> load;
+  void at(std::span<const Vec2> point, double* value, Vec2* slope) const override {
+    gap->at(point, value, slope);
+    for (std::size_t i = 0; i < point.size(); ++i)
+      for (const auto& [x, y, f] : load) value[i] += cn * f / std::hypot(point[i][0] - x, point[i][1] - y);
+  }
+};
+
 // Values at `places` (ascending) of the curve through values at `from`: cubics through the four nearest.
 double cubic(std::span<const double> from, const double* value, int stride, double at) {
   const int n = static_cast<int>(from.size());
@@ -105,11 +117,35 @@ void refine(const StripState& coarse, StripState& fine) {
   }
 }
 
+// Each of several parts gets a lattice of its own, under the loads of the others.
+void StripFinder::look_closer(const StripScene& scene, StripCounts counts, StripState& state) {
+  GapBeside gap;
+  gap.gap = scene.gap;
+  gap.cn = scene.bodies.cn;
+  StripScene alone = scene;
+  alone.gap = &gap;
+  alone.by_load = false;
+  alone.value = state.approach;
+  const StripLayout& l = state.layout;
+  for (int part = 0; part < l.parts; ++part) {
+    const Rectangle box = probe_.loads_beside(part, gap.load);
+    if (part_probe_.start(alone, box, counts, part_) != StripStatus::solved || part_.layout.parts != 1) continue;
+    const StripLayout& o = part_.layout;
+    for (int k = 0; k < o.rows; ++k) {
+      state.geometry[part * l.rows_each + k] = part_.geometry[k];
+      state.geometry[l.half_of(part * l.rows_each + k)] = part_.geometry[o.half_of(k)];
+    }
+    state.geometry[l.centre_of(part)] = part_.geometry[o.centre_of(0)];
+    state.geometry[l.width_of(part)] = part_.geometry[o.width_of(0)];
+  }
+}
+
 bool StripFinder::start(const StripScene& scene, const Rectangle& box, StripCounts counts, int cells,
                         StripState& state) {
   const bool finer = counts.along * counts.across > most_without_rough;
   StripState& first = finer ? coarse_ : state;
   status_ = probe_.start(scene, box, finer ? rough : counts, first, probes[cells]);
+  if (status_ == StripStatus::solved && first.layout.parts > 1) look_closer(scene, first.layout.counts, first);
   if (status_ != StripStatus::solved || !finer) return status_ == StripStatus::solved;
   if (solver_.solve(scene, coarse_, StripStart::geometry).status != StripStatus::solved) return false;
   if (!(state.layout.counts == counts) || state.layout.parts != coarse_.layout.parts)

@@ -13,8 +13,10 @@ class StripFinder {
   /// unfit: strips do not fit this contact (rows with two intervals, or parts about to merge).
   StripReport find(const StripScene& scene, const Rectangle& box, StripCounts counts, StripState& state, bool warm);
   StripSolver& solver() { return solver_; }
+  const StripProbe& probe() const { return probe_; }
 
  private:
+  void look_closer(const StripScene& scene, StripCounts counts, StripState& state);
   bool start(const StripScene& scene, const Rectangle& box, StripCounts counts, int cells, StripState& state);
   bool more_parts(const StripScene& scene, const Rectangle& box, StripState& state);
   double deformed_gap(const StripScene& scene, const StripState& state, const Vec2& at, bool near);
@@ -22,8 +24,8 @@ class StripFinder {
 
   StripStatus status_ = StripStatus::solved;
   StripSolver solver_;
-  StripProbe probe_;
-  StripState coarse_;
+  StripProbe probe_, part_probe_;
+  StripState coarse_, part_;
   StripIntegrals integrals_;
   std::vector<Vec2> point_;
   std::vector<double> gap_, deformed_;

@@ -240,6 +240,48 @@ void StripProbe::fit(const StripScene& scene, int part, const StripLayout& l, st
   }
 }
 
+bool StripProbe::halves(Vec2& first, Vec2& second) const {
+  std::vector<double> load(static_cast<std::size_t>(lines_));
+  for (int i = 0; i < columns_ * lines_; ++i) load[i / columns_] += std::max(pressure_[i], 0.0);
+  int cut = -1;
+  double least = 1;
+  for (int j = 1; j + 1 < lines_; ++j) {
+    const double left = *std::max_element(load.begin(), load.begin() + j),
+                 right = *std::max_element(load.begin() + j + 1, load.end());
+    if (left > 0 && right > 0 && load[j] < least * std::min(left, right))
+      least = load[j] / std::min(left, right), cut = j;
+  }
+  if (cut < 0) return false;
+  for (Vec2* half : {&first, &second}) {
+    double sum = 0;
+    *half = {};
+    for (int i = 0; i < columns_ * lines_; ++i) {
+      if ((i / columns_ < cut) != (half == &first) || i / columns_ == cut) continue;
+      *half = *half + std::max(pressure_[i], 0.0) * point_[i];
+      sum += std::max(pressure_[i], 0.0);
+    }
+    *half = (1 / sum) * *half;
+  }
+  return true;
+}
+
+Rectangle StripProbe::loads_beside(int part, std::vector<std::array<double, 3>>& loads) const {
+  const double hx = (box_.x_greatest - box_.x_least) / cells_.along,
+               hy = (box_.y_greatest - box_.y_least) / cells_.across;
+  Rectangle box{box_.x_greatest, box_.x_least, box_.y_greatest, box_.y_least};
+  loads.clear();
+  for (const int i : active_) {
+    const Vec2 at = point_[i];
+    if (part_[i] != part) {
+      loads.push_back({at[0], at[1], pressure_[i] * hx * hy});
+      continue;
+    }
+    box = {std::min(box.x_least, at[0] - hx), std::max(box.x_greatest, at[0] + hx), std::min(box.y_least, at[1] - hy),
+           std::max(box.y_greatest, at[1] + hy)};
+  }
+  return box;
+}
+
 StripStatus StripProbe::start(const StripScene& scene, const Rectangle& box, StripCounts counts, StripState& state,
                               ProbeCells cells) {
   box_ = box;

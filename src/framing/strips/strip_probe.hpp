@@ -18,6 +18,10 @@ class StripProbe {
   /// do not touch at the approach that is given.
   StripStatus start(const StripScene& scene, const Rectangle& box, StripCounts counts, StripState& state,
                     ProbeCells cells = {});
+  /// Middles of both halves of the last lattice's pressures, on both sides of its least row between two peaks.
+  bool halves(Vec2& first, Vec2& second) const;
+  /// Loads at the last lattice's nodes that belong to other parts than this one, and the part's box, one cell wider.
+  Rectangle loads_beside(int part, std::vector<std::array<double, 3>>& loads) const;
 
  private:
   /// One row of a part: its load per length, middle and variance of its pressures.

@@ -119,6 +119,17 @@ StripTrust trust(const StripState& state) {
       rows[k] = *std::max_element(line.begin(), line.end()) / std::sqrt(1 - l.across[k + 1] * l.across[k + 1]);
     }
     valley(rows);
+    // How far a row ends within the straight line between its neighbours' ends.
+    const double* half = g + l.half_of(part * l.rows_each);
+    const double* middle = g + part * l.rows_each;
+    const double longest = *std::max_element(half, half + l.rows_each);
+    for (int k = 1; k + 1 < l.rows_each; ++k)
+      for (const int side : {-1, 1}) {
+        const auto end = [&](int i) { return side * middle[i] + half[i]; };
+        const double below = l.across[k + 1] - l.across[k], above = l.across[k + 2] - l.across[k + 1];
+        const double line_there = (end(k - 1) * above + end(k + 1) * below) / (below + above);
+        t.hollow = std::max(t.hollow, (line_there - end(k)) / longest);
+      }
   }
   for (int a = 0; a < l.rows; ++a)
     for (int b = (l.part_of(a) + 1) * l.rows_each; b < l.rows; ++b) {
@@ -129,6 +140,15 @@ StripTrust trust(const StripState& state) {
           std::min(t.apart, std::hypot(dx, dy) / std::min(g[l.width_of(l.part_of(a))], g[l.width_of(l.part_of(b))]));
     }
   return t;
+}
+
+double StripTrust::share() const {
+  // Neighbours with a neck of a fifth of the wall between both deepest places more and less have left these zones.
+  const auto rise = [](double x, double low, double high) {
+    const double s = std::clamp((x - low) / (high - low), 0.0, 1.0);
+    return s * s * (3 - 2 * s);
+  };
+  return rise(joined, 0.006, 0.018) * rise(apart, 0.5, 1);
 }
 
 }  // namespace rollcon::strips

@@ -15,14 +15,18 @@ struct PressurePeak {
 /// The square of the pressure is taken for a parabola along each row, and across rows: exact for an ellipse.
 PressurePeak largest_pressure(const StripState& state);
 
-/// How far a solution is from contacts that strips do not fit, both continuous. Mix with another frame below a few
-/// hundredths of `joined` and below one of `apart`.
+/// How far a solution is from contacts that strips do not fit; continuous.
 struct StripTrust {
   /// Least pressure between two peaks of a row or of rows over the lower peak (both over those of an ellipse): 1
   /// without a valley, 0 where a part is about to split.
   double joined = 1;
   /// Least distance of two parts over the smaller half width; a large number for one part.
   double apart = 1e9;
+  /// How far the outline is hollow, over the longest half chord. Above 0.15 rows may be about to have two intervals,
+  /// which strips do not fit.
+  double hollow = 0;
+  /// Weight of the strips beside their neighbours (strip_bridge.hpp): 1 where no neck is near, 0 before strips fail.
+  double share() const;
 };
 StripTrust trust(const StripState& state);
 

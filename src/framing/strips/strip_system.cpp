@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "framing/strips/strip_contact.hpp"
+#include "framing/strips/strip_results.hpp"
 #include "linalg/dense.hpp"
 
 namespace rollcon::strips {
@@ -221,7 +222,7 @@ StripTotals StripSolver::total_rates(const StripScene& scene, const StripState& 
 }
 
 bool StripSolver::rates(const StripScene& scene, const StripState& state, std::span<const StripParameter> parameter,
-                        std::span<StripTotals> rate) {
+                        std::span<StripTotals> rate, std::span<double> share_rate) {
   const StripLayout& l = state.layout;
   const int n = l.nodes, edges = n + l.geometry;
   prepare(scene, state, true);
@@ -240,6 +241,19 @@ bool StripSolver::rates(const StripScene& scene, const StripState& state, std::s
     solve_all(all_right_.data());
     for (double& d : all_right_) d = -d;
     rate[i] = total_rates(scene, state, parameter[i], all_right_.data());
+    if (share_rate.empty()) continue;
+    // By differences along the change of pressures and geometry.
+    double size = 0, value[2];
+    for (int k = 0; k < l.geometry; ++k) size = std::max(size, std::abs(all_right_[n + k]));
+    const double step = size > 0 ? 1e-5 * state.geometry[l.width_of(0)] / size : 0;
+    for (const int side : {0, 1}) {
+      beside_ = state;
+      const double by = side == 0 ? -step : step;
+      for (int k = 0; k < n; ++k) beside_.pressure[k] += by * all_right_[k];
+      for (int k = 0; k < l.geometry; ++k) beside_.geometry[k] += by * all_right_[n + k];
+      value[side] = trust(beside_).share();
+    }
+    share_rate[i] = step > 0 ? (value[1] - value[0]) / (2 * step) : 0;
   }
   return true;
 }

@@ -1,0 +1,205 @@
+#include "framing/strips/strip_bridge.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "framing/strips/strip_results.hpp"
+
+namespace rollcon::strips {
+namespace {
+
+// Heights of the neighbours' bumps over the wall, and the weights of a cubic through them at no bump.
+constexpr double unit_height = 0.22;
+constexpr double heights[] = {-2, -1, 1, 2}, weights[] = {-1.0 / 6, 4.0 / 6, 4.0 / 6, -1.0 / 6};
+constexpr int samples = 120;
+
+void add(StripTotals& to, double w, const StripTotals& t) {
+  to.load += w * t.load;
+  to.approach += w * t.approach;
+  for (int k = 0; k < 3; ++k) {
+    to.force[k] += w * t.force[k];
+    to.motion[k] += w * t.motion[k];
+  }
+  to.pressed = to.pressed + w * t.pressed;
+}
+
+/// To where the gap is stationary, along x and y in turn (or along a line alone), by secants of its slope.
+Vec2 stationary(const PlaneField& gap, Vec2 at, double size, int directions, const Vec2 (&direction)[2]) {
+  for (int round = 0; round < 12; ++round)
+    for (int d = 0; d < directions; ++d) {
+      const double step = 1e-4 * size;
+      const Vec2 e = direction[d], beside[2] = {at - step * e, at + step * e};
+      double value[2];
+      Vec2 slope[2];
+      gap.at(beside, value, slope);
+      const double a = dot(slope[0], e), b = dot(slope[1], e);
+      if (a == b) continue;
+      const double by = -(a + b) / 2 / ((b - a) / (2 * step));
+      at = at + std::clamp(by, -0.1 * size, 0.1 * size) * e;
+    }
+  return at;
+}
+
+/// The neck between two places: the largest gap on the line between the least gaps near both.
+Neck neck_between(const PlaneField& gap, Vec2 first, Vec2 second) {
+  const double distance = length(second - first), size = distance / 4;
+  const Vec2 axes[2] = {{1, 0}, {0, 1}};
+  const Vec2 a = stationary(gap, first, size, 2, axes), b = stationary(gap, second, size, 2, axes);
+  Neck neck;
+  if (length(a - first) > distance / 2 || length(b - second) > distance / 2) return neck;
+  std::vector<Vec2> line;
+  for (int i = 0; i <= samples; ++i) line.push_back(a + (static_cast<double>(i) / samples) * (b - a));
+  std::vector<double> value(line.size());
+  gap.at(line, value.data(), nullptr);
+  const auto top = static_cast<std::size_t>(std::max_element(value.begin(), value.end()) - value.begin());
+  if (top == 0 || top + 1 == value.size()) return neck;
+  const Vec2 along[2] = {(1 / length(b - a)) * (b - a), {}};
+  neck.place = stationary(gap, line[top], length(b - a) / samples * 4, 1, along);
+  neck.radius = 0.63 * length(b - a);
+  double there = 0;
+  gap.at({&neck.place, 1}, &there, nullptr);
+  neck.wall = std::max(there - std::max(value.front(), value.back()), 0.0);
+  return neck;
+}
+
+/// Places where the undeformed gap is least, of the contact's two halves across a valley or of two parts.
+bool halves(const StripState& state, Vec2& first, Vec2& second) {
+  const StripLayout& l = state.layout;
+  const double* g = state.geometry.data();
+  const auto row_load = [&](int row) {
+    double sum = 0;
+    for (int i = 0; i < l.nodes_each; ++i)
+      sum += l.unit_weight[row * l.nodes_each + i] * state.pressure[row * l.nodes_each + i];
+    return sum * g[l.half_of(row)] * g[l.width_of(l.part_of(row))];
+  };
+  const auto mean = [&](int from, int to) {
+    double load = 0;
+    Vec2 at{};
+    for (int row = from; row < to; ++row) {
+      const double q = row_load(row);
+      load += q;
+      at = at + q * Vec2{g[row], l.y(l.node[row * l.nodes_each], g)};
+    }
+    return (1 / load) * at;
+  };
+  if (l.parts > 2) return false;
+  int cut = l.rows_each;
+  if (l.parts == 1) {
+    double least = 1;
+    for (int row = 1; row + 1 < l.rows; ++row) {
+      double left = 0, right = 0;
+      for (int other = 0; other < l.rows; ++other)
+        (other < row ? left : right) = std::max(other < row ? left : right, row_load(other) / g[l.half_of(other)]);
+      const double valley = row_load(row) / g[l.half_of(row)] / std::min(left, right);
+      if (valley < least) least = valley, cut = row;
+    }
+    if (cut == l.rows_each) return false;
+  }
+  first = mean(0, cut);
+  second = mean(l.parts == 1 ? cut + 1 : cut, l.rows);
+  return true;
+}
+
+}  // namespace
+
+void BridgedGap::at(std::span<const Vec2> point, double* value, Vec2* slope) const {
+  gap->at(point, value, slope);
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    const Vec2 d = (1 / neck.radius) * (point[i] - neck.place);
+    const double inside = 1 - dot(d, d);
+    if (!(inside > 0)) continue;
+    value[i] += height * inside * inside * inside;
+    if (slope) slope[i] = slope[i] - (6 * height * inside * inside / neck.radius) * d;
+  }
+}
+
+bool StripContact::bridge(const StripScene& scene, const Rectangle& box, StripCounts counts, StripSolution& solution) {
+  BridgedGap gap;
+  gap.gap = scene.gap;
+  gap.neck = solution.neck;
+  StripScene other = scene;
+  other.gap = &gap;
+  const double unit = unit_height * solution.neck.wall;
+  for (const int i : {1, 2, 0, 3}) {
+    gap.height = heights[i] * unit;
+    if (finder_.find(other, box, counts, solution.neighbour[i], false).status == StripStatus::solved) continue;
+    if (i == 1 || i == 2) return false;
+    // In steps from the inner one.
+    const int inner = i == 0 ? 1 : 2;
+    constexpr int steps = 5;
+    solution.neighbour[i] = solution.neighbour[inner];
+    for (int step = 1; step <= steps; ++step) {
+      gap.height = (heights[inner] + (heights[i] - heights[inner]) * step / steps) * unit;
+      if (finder_.solver().solve(other, solution.neighbour[i], StripStart::solution).status != StripStatus::solved)
+        return false;
+    }
+  }
+  return true;
+}
+
+StripReport StripContact::solve(const StripScene& scene, const Rectangle& box, StripCounts counts,
+                                StripSolution& solution, bool warm) {
+  StripReport report = finder_.find(scene, box, counts, solution.strips, warm);
+  if (report.status == StripStatus::no_contact) return report;
+  const bool solved = report.status == StripStatus::solved;
+  solution.share = solved ? trust(solution.strips).share() : 0;
+  if (solution.share == 1) return report;
+  // Halves of the contact: of the strips, or of the probe.
+  Vec2 first, second;
+  const bool found = solved ? halves(solution.strips, first, second) : finder_.probe().halves(first, second);
+  solution.neck = found ? neck_between(*scene.gap, first, second) : Neck{};
+  if (solution.neck.wall > 0 && bridge(scene, box, counts, solution)) {
+    // Strips that were not found from the probe may be from the neighbours.
+    for (const int i : {1, 2}) {
+      if (solution.share > 0) break;
+      solution.strips = solution.neighbour[i];
+      if (finder_.solver().solve(scene, solution.strips, StripStart::solution).status == StripStatus::solved)
+        solution.share = trust(solution.strips).share();
+    }
+    report.status = StripStatus::solved;
+    return report;
+  }
+  solution.share = 1;
+  return report;
+}
+
+StripTotals StripContact::totals(const StripSolution& solution) {
+  StripTotals total;
+  if (solution.share > 0) add(total, solution.share, StripSolver::totals(solution.strips));
+  if (solution.share < 1)
+    for (std::size_t i = 0; i < solution.neighbour.size(); ++i)
+      add(total, (1 - solution.share) * weights[i], StripSolver::totals(solution.neighbour[i]));
+  return total;
+}
+
+bool StripContact::rates(const StripScene& scene, const StripSolution& solution,
+                         std::span<const StripParameter> parameter, std::span<StripTotals> rate) {
+  StripSolver& solver = finder_.solver();
+  if (solution.share == 1) return solver.rates(scene, solution.strips, parameter, rate);
+  std::fill(rate.begin(), rate.end(), StripTotals{});
+  part_rates_.resize(parameter.size());
+  BridgedGap gap;
+  gap.gap = scene.gap;
+  gap.neck = solution.neck;
+  StripScene other = scene;
+  other.gap = &gap;
+  StripTotals bridged;
+  for (std::size_t i = 0; i < solution.neighbour.size(); ++i) {
+    gap.height = heights[i] * unit_height * solution.neck.wall;
+    if (!solver.rates(other, solution.neighbour[i], parameter, part_rates_)) return false;
+    for (std::size_t k = 0; k < parameter.size(); ++k) add(rate[k], (1 - solution.share) * weights[i], part_rates_[k]);
+    add(bridged, weights[i], StripSolver::totals(solution.neighbour[i]));
+  }
+  if (!(solution.share > 0)) return true;
+  share_rates_.resize(parameter.size());
+  if (!solver.rates(scene, solution.strips, parameter, part_rates_, share_rates_)) return false;
+  const StripTotals strips = StripSolver::totals(solution.strips);
+  for (std::size_t k = 0; k < parameter.size(); ++k) {
+    add(rate[k], solution.share, part_rates_[k]);
+    add(rate[k], share_rates_[k], strips);
+    add(rate[k], -share_rates_[k], bridged);
+  }
+  return true;
+}
+
+}  // namespace rollcon::strips
