@@ -120,16 +120,20 @@ bool StripContact::bridge(const StripScene& scene, const Rectangle& box, StripCo
   StripScene other = scene;
   other.gap = &gap;
   const double unit = unit_height * solution.neck.wall;
-  for (const int i : {1, 2, 0, 3}) {
+  bool solved[4];
+  for (int i = 0; i < 4; ++i) {
     gap.height = heights[i] * unit;
-    if (finder_.find(other, box, counts, solution.neighbour[i], false).status == StripStatus::solved) continue;
-    if (i == 1 || i == 2) return false;
-    // In steps from the inner one.
-    const int inner = i == 0 ? 1 : 2;
-    constexpr int steps = 5;
-    solution.neighbour[i] = solution.neighbour[inner];
+    solved[i] = finder_.find(other, box, counts, solution.neighbour[i], false).status == StripStatus::solved;
+  }
+  // One that was not found is reached in steps from the other one of the same sign.
+  constexpr int steps = 5;
+  for (int i = 0; i < 4; ++i) {
+    const int from = i ^ 1;
+    if (solved[i]) continue;
+    if (!solved[from]) return false;
+    solution.neighbour[i] = solution.neighbour[from];
     for (int step = 1; step <= steps; ++step) {
-      gap.height = (heights[inner] + (heights[i] - heights[inner]) * step / steps) * unit;
+      gap.height = (heights[from] + (heights[i] - heights[from]) * step / steps) * unit;
       if (finder_.solver().solve(other, solution.neighbour[i], StripStart::solution).status != StripStatus::solved)
         return false;
     }
