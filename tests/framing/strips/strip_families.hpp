@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "framing/strips/strip_find.hpp"
+#include "framing/strips/strip_bridge.hpp"
 #include "framing/strips/strip_results.hpp"
 #include "support/testing.hpp"
 
@@ -15,7 +15,7 @@ namespace rollcon::strips {
 
 /// A gap, or its derivative by the parameter at fixed places.
 struct FamilyGap : PlaneField {
-  enum Kind { ellipse, arcs, corner, slanted_pair, pair } kind = ellipse;
+  enum Kind { ellipse, arcs, corner, slanted_pair, pair, apart } kind = ellipse;
   double s = 0;
   bool by_parameter = false;
   double a = 1.0 / 920, b = 1.0 / 700, c = 0;  ///< of ellipses, whose middle is at (s, s/2)
@@ -67,6 +67,16 @@ struct FamilyGap : PlaneField {
         if (by_parameter) f = -7.2e-4 * q * s, by_u = -1.44e-3 * u * s, by_w = 0;
         *slope = {(by_u + by_w) / std::numbers::sqrt2, (by_u - by_w) / std::numbers::sqrt2};
         return f;
+      }
+      case apart: {
+        // Two bumps across whose half distance is s.
+        const double q = y * y - s * s;
+        if (by_parameter) {
+          *slope = {0, -2.4e-4 * y * s};
+          return -1.2e-4 * q * s;
+        }
+        *slope = {x / 460, 1.2e-4 * q * y + 1e-4};
+        return x * x / 920 + 3e-5 * q * q + 1e-4 * y;
       }
       default: {
         // Two bumps across, 14 mm apart, one lower than the other by the tilt s.

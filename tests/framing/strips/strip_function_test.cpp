@@ -26,7 +26,8 @@ struct Path {
 const Path paths[] = {{"arcs", FamilyGap::arcs, -1.5, 2},
                       {"arcs, light", FamilyGap::arcs, -1.5, 2, 500, 500},
                       {"corner", FamilyGap::corner, -1.5, 2},
-                      {"slanted pair", FamilyGap::slanted_pair, 0.3, 2.3},
+                      {"slanted pair that joins", FamilyGap::slanted_pair, 0.3, 2.8},
+                      {"pair that joins", FamilyGap::apart, 5.5, 6.5},
                       {"birth of a second part", FamilyGap::pair, 2.5e-3, 2e-4},
                       {"load", FamilyGap::arcs, 0.3, 0.3, 2e3, 1.6e5},
                       {"creepage", FamilyGap::arcs, 0.3, 0.3, 1e5, 1e5, -3e-3, 3e-3}};
@@ -35,15 +36,15 @@ class Follower {
  public:
   std::array<double, 6> operator()(const Path& path, double t, bool warm = false) {
     StripCase test = path.at(t);
-    const StripReport report = finder_.find(test.now(), wide, {8, 12}, state_, warm);
+    const StripReport report = contact_.solve(test.now(), wide, {8, 12}, solution_, warm);
     EXPECT_EQ(report.status, StripStatus::solved) << path.name << " " << t;
-    return components(StripSolver::totals(state_), test.scene.mu);
+    return components(StripContact::totals(solution_), test.scene.mu);
   }
-  const StripState& state() const { return state_; }
+  const StripSolution& solution() const { return solution_; }
 
  private:
-  StripFinder finder_;
-  StripState state_;
+  StripContact contact_;
+  StripSolution solution_;
 };
 
 // Where third differences are largest the interval is halved towards the larger change.
@@ -53,9 +54,11 @@ TEST(strips, have_no_jumps_along_paths) {
     Follower follow;
     std::vector<std::array<double, 6>> f;
     int parts = 1;
+    double share = 1;
     for (int i = 0; i <= steps; ++i) {
       f.push_back(follow(path, static_cast<double>(i) / steps));
-      parts = std::max(parts, follow.state().layout.parts);
+      parts = std::max(parts, follow.solution().strips.layout.parts);
+      share = std::min(share, follow.solution().share);
     }
     double most = 0;
     int where = 1;
@@ -79,7 +82,9 @@ TEST(strips, have_no_jumps_along_paths) {
       }
     }
     expect_error(std::string("jump along ") + path.name, largest_difference(fa, fb), 2e-6);
-    EXPECT_EQ(parts, path.kind == FamilyGap::pair ? 2 : 1) << path.name;
+    const bool joins = path.kind == FamilyGap::apart || path.kind == FamilyGap::slanted_pair;
+    EXPECT_EQ(parts, joins || path.kind == FamilyGap::pair ? 2 : 1) << path.name;
+    EXPECT_EQ(share < 1, joins) << path.name;
   }
 }
 
@@ -119,7 +124,7 @@ TEST(strips, have_slopes_that_do_not_depend_on_the_step) {
 
 TEST(strips, of_other_counts_agree) {
   double worst = 0;
-  for (const Path& path : {paths[0], paths[3], paths[4]})
+  for (const Path& path : {paths[0], paths[3], paths[5]})
     for (const double t : {0.1, 0.5, 0.9}) {
       std::array<double, 6> first{};
       for (const StripCounts counts : {StripCounts{12, 20}, StripCounts{6, 10}, StripCounts{8, 12}}) {
@@ -216,6 +221,34 @@ TEST(strips, have_derivatives_that_are_their_slopes) {
   }
   expect_rates(FamilyGap::arcs, -0.7, equal_bodies(), true, false);
   expect_rates(FamilyGap::pair, 7e-4, equal_bodies(), true, true);
+}
+
+// In the middle of a neck both strips and neighbours count.
+TEST(strips, have_derivatives_at_a_neck) {
+  const Path path{"pair", FamilyGap::apart, 0, 1};
+  double worst = 0;
+  for (const double s : {5.83, 5.94, 6.02}) {
+    StripContact contact;
+    StripSolution solution;
+    StripCase test(FamilyGap::apart, s);
+    ASSERT_EQ(contact.solve(test.now(), wide, {8, 12}, solution, false).status, StripStatus::solved);
+    EXPECT_LT(solution.share, 0.9) << s;
+    FamilyGap by_gap(FamilyGap::apart, s);
+    by_gap.by_parameter = true;
+    StripParameter parameter;
+    parameter.gap = &by_gap;
+    StripTotals rate;
+    ASSERT_TRUE(contact.rates(test.now(), solution, {&parameter, 1}, {&rate, 1}));
+    Follower follow;
+    constexpr double step = 1e-4;
+    const auto before = follow(path, s - step), after = follow(path, s + step);
+    const double limit = 0.3 * 1e5;
+    for (int k = 0; k < 2; ++k) {
+      const double slope = (after[k] - before[k]) / (2 * step);
+      worst = std::max(worst, std::abs(rate.force[k] / limit - slope) / std::abs((after[0] - before[0]) / (2 * step)));
+    }
+  }
+  expect_error("derivatives at a neck", worst, 2e-2);
 }
 
 }  // namespace
