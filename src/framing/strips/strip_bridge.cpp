@@ -144,7 +144,7 @@ bool StripContact::bridge(const StripScene& scene, const Rectangle& box, StripCo
 StripReport StripContact::solve(const StripScene& scene, const Rectangle& box, StripCounts counts,
                                 StripSolution& solution, bool warm) {
   StripReport report = finder_.find(scene, box, counts, solution.strips, warm);
-  if (report.status == StripStatus::no_contact) return report;
+  if (report.status == StripStatus::no_contact || report.status == StripStatus::beyond_friction) return report;
   const bool solved = report.status == StripStatus::solved;
   solution.share = solved ? trust(solution.strips).share() : 0;
   if (solution.share == 1) return report;

@@ -20,7 +20,7 @@ namespace rollcon::strips {
 class PlaneField {
  public:
   virtual ~PlaneField() = default;
-  /// Values and slopes at points. slope may be null.
+  /// Values and slopes at points, finite anywhere. slope may be null.
   virtual void at(std::span<const Vec2> point, double* value, Vec2* slope) const = 0;
 };
 
@@ -55,6 +55,7 @@ struct StripTotals {
   Vec2 pressed{};                  ///< integrals of pressure times x and times y
 };
 
+/// unfit: no strips were found from any start. beyond_friction: forces that friction cannot carry.
 enum class StripStatus { solved, no_contact, unfit, beyond_friction, not_converged };
 
 struct StripReport {
@@ -129,7 +130,7 @@ class StripSolver {
   void explicit_rates(const StripScene& scene, const StripState& state, const StripParameter& p, double* right);
   StripTotals total_rates(const StripScene& scene, const StripState& state, const StripParameter& p, double* dz);
   StripReport couple(const StripScene& scene, StripState& state, StripReport report);
-  int slide(const StripScene& scene, StripState& state, StripStart start, StripReport& report);
+  void slide(const StripScene& scene, StripState& state, StripStart start, StripReport& report);
 
   /// How a node's law is linearised: direction and share of the bound in the augmented traction.
   struct Law {
@@ -150,6 +151,7 @@ class StripSolver {
   StripState beside_;
   int normal_size_ = 0, friction_size_ = 0;  ///< of the system of all equations
   std::array<double, 3> load_error_{};
+  double friction_limit_ = 0;
 };
 
 }  // namespace rollcon::strips

@@ -257,7 +257,7 @@ StripReport StripFinder::find(const StripScene& scene, const Rectangle& box, Str
   StripReport report;
   report.status = StripStatus::unfit;
   constexpr int attempts = static_cast<int>(std::size(probes));
-  for (int attempt = warm ? -1 : 0; attempt < attempts && report.status != StripStatus::solved; ++attempt) {
+  for (int attempt = warm ? -1 : 0; attempt < attempts; ++attempt) {
     if (attempt >= 0 && !start(scene, box, counts, attempt, state)) {
       if (status_ == StripStatus::no_contact) return {status_};
       continue;
@@ -269,6 +269,7 @@ StripReport StripFinder::find(const StripScene& scene, const Rectangle& box, Str
                                        : StripStart::geometry);
     while (report.status == StripStatus::solved && more_parts(scene, box, state))
       report = solver_.solve(scene, state, StripStart::geometry);
+    if (report.status == StripStatus::solved || report.status == StripStatus::beyond_friction) break;
   }
   return report;
 }

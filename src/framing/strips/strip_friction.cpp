@@ -109,7 +109,7 @@ double StripSolver::judge(const StripScene& scene, const StripState& state) {
   const StripLayout& l = state.layout;
   laws_.resize(static_cast<std::size_t>(l.nodes));
   const double* g = state.geometry.data();
-  double worst = 0, largest = 0, limit = 0;
+  double worst = 0, largest = 0, limit = 0;  // limit: the force of all nodes sliding
   for (int i = 0; i < l.nodes; ++i) {
     const double t1 = state.traction[i], t2 = state.traction[l.nodes + i], r = scale_[i];
     const double a1 = t1 - r * slip_now_[i], a2 = t2 - r * slip_now_[l.nodes + i], length = std::hypot(a1, a2);
@@ -122,6 +122,7 @@ double StripSolver::judge(const StripScene& scene, const StripState& state) {
     limit += bound_[i] * l.unit_weight[i] * g[l.half_of(i / l.nodes_each)] * g[l.width_of(l.part_of(i / l.nodes_each))];
   }
   double residual = largest > 0 ? worst / largest : 0;
+  friction_limit_ = limit;
   load_errors(scene, state);
   for (int k = 0; k < 3; ++k) {
     const double scale = limit * (k == 2 ? state.geometry[l.width_of(0)] : 1);
@@ -266,7 +267,7 @@ bool StripSolver::friction_step(const StripScene& scene, StripState& state) {
   return true;
 }
 
-int StripSolver::slide(const StripScene& scene, StripState& state, StripStart start, StripReport& report) {
+void StripSolver::slide(const StripScene& scene, StripState& state, StripStart start, StripReport& report) {
   const bool warm = start != StripStart::geometry;
   if (!warm) std::fill(state.traction.begin(), state.traction.end(), 0.0);
   if (start == StripStart::shares) {
@@ -279,20 +280,26 @@ int StripSolver::slide(const StripScene& scene, StripState& state, StripStart st
   report.status = StripStatus::not_converged;
   const bool loads = scene.force_given[0] || scene.force_given[1] || scene.force_given[2];
   slip(state);
+  judge(scene, state);
+  const double forces =
+      std::hypot(scene.force_given[0] ? scene.motion[0] : 0, scene.force_given[1] ? scene.motion[1] : 0);
+  if (loads && !(forces < friction_limit_)) {
+    report.status = StripStatus::beyond_friction;
+    return;
+  }
   while (report.friction_rounds++ < most_rounds) {
     const double residual = judge(scene, state);
-    if (!std::isfinite(residual)) return 0;
+    if (!std::isfinite(residual)) return;
     if (residual < converged) {
       report.status = StripStatus::solved;
-      return 1;
+      return;
     }
     // Motions that are not known are found from sticking everywhere, first.
     if (loads && !warm && report.friction_rounds == 1)
       for (Law& law : laws_) law = Law{};
-    if (!friction_step(scene, state)) return 0;
+    if (!friction_step(scene, state)) return;
     slip(state);
   }
-  return 0;
 }
 
 }  // namespace rollcon::strips

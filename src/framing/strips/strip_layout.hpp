@@ -1,6 +1,6 @@
 #pragma once
 /// Strips of a contact along the rolling direction: rows of nodes whose chords' ends and whose width are unknowns. Each
-/// part of the contact (convex along rolling) has rows of its own. docs/frames.md.
+/// part of the contact (convex along rolling) has rows of its own. docs/theory.md, section 4.
 
 #include <cstddef>
 #include <span>

@@ -145,6 +145,18 @@ TEST(strips, take_loads_in_place_of_motions) {
   }
 }
 
+TEST(strips, refuse_forces_beyond_friction) {
+  for (const double share : {0.98, 1.02}) {
+    StripCase test(FamilyGap::ellipse, 0);
+    test.scene.force_given = {true, true, false};
+    test.scene.motion = {-0.6 * share * 3e4, 0.8 * share * 3e4, 0};
+    StripContact contact;
+    StripSolution solution;
+    EXPECT_EQ(contact.solve(test.now(), wide, {8, 12}, solution, false).status,
+              share < 1 ? StripStatus::solved : StripStatus::beyond_friction);
+  }
+}
+
 TEST(strips, of_bodies_that_do_not_touch) {
   StripCase test(FamilyGap::arcs, 0.3);
   test.scene.by_load = false;
