@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
-#include <vector>
 
 namespace rollcon::strips {
 namespace {
@@ -102,23 +100,28 @@ StripTrust trust(const StripState& state) {
   const StripLayout& l = state.layout;
   const double* g = state.geometry.data();
   StripTrust t;
-  std::vector<double> line, rows(l.rows_each);
-  const auto valley = [&](std::span<const double> f) {
-    for (std::size_t i = 1; i + 1 < f.size(); ++i) {
-      const double left = *std::max_element(f.begin(), f.begin() + i),
-                   right = *std::max_element(f.begin() + i + 1, f.end());
-      if (std::min(left, right) > 0) t.joined = std::min(t.joined, f[i] / std::min(left, right));
+  // Values over those of an ellipse, and their least one between two larger ones over the lesser of these.
+  const auto along_row = [&](int row, int i) {
+    return state.pressure[row * l.nodes_each + i] / std::sqrt(1 - l.along[i + 1] * l.along[i + 1]);
+  };
+  const auto of_row = [&](int row) {
+    double most = along_row(row, 0);
+    for (int i = 1; i < l.nodes_each; ++i) most = std::max(most, along_row(row, i));
+    const double u = l.across[row % l.rows_each + 1];
+    return most / std::sqrt(1 - u * u);
+  };
+  const auto valley = [&](int count, const auto& value) {
+    for (int i = 1; i + 1 < count; ++i) {
+      double left = value(0), right = value(i + 1);
+      for (int j = 1; j < i; ++j) left = std::max(left, value(j));
+      for (int j = i + 2; j < count; ++j) right = std::max(right, value(j));
+      if (std::min(left, right) > 0) t.joined = std::min(t.joined, value(i) / std::min(left, right));
     }
   };
   for (int part = 0; part < l.parts; ++part) {
-    for (int k = 0; k < l.rows_each; ++k) {
-      const int row = part * l.rows_each + k;
-      line.assign(state.pressure.begin() + row * l.nodes_each, state.pressure.begin() + (row + 1) * l.nodes_each);
-      for (int i = 0; i < l.nodes_each; ++i) line[i] /= std::sqrt(1 - l.along[i + 1] * l.along[i + 1]);
-      valley(line);
-      rows[k] = *std::max_element(line.begin(), line.end()) / std::sqrt(1 - l.across[k + 1] * l.across[k + 1]);
-    }
-    valley(rows);
+    const int first = part * l.rows_each;
+    for (int k = 0; k < l.rows_each; ++k) valley(l.nodes_each, [&](int i) { return along_row(first + k, i); });
+    valley(l.rows_each, [&](int k) { return of_row(first + k); });
     // How far a row ends within the straight line between its neighbours' ends.
     const double* half = g + l.half_of(part * l.rows_each);
     const double* middle = g + part * l.rows_each;
