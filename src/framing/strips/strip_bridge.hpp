@@ -34,7 +34,7 @@ struct StripSolution {
 /// Solves scenes with or without necks. Holds room alone.
 class StripContact {
  public:
-  /// The contact lies inside of the box (length). warm: `solution` is one nearby with these counts.
+  /// The contact lies inside of the box (length). warm: `solution` is one nearby.
   StripReport solve(const StripScene& scene, const Rectangle& box, StripCounts counts, StripSolution& solution,
                     bool warm);
   static StripTotals totals(const StripSolution& solution);

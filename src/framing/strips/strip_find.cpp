@@ -257,6 +257,7 @@ StripReport StripFinder::find(const StripScene& scene, const Rectangle& box, Str
   StripReport report;
   report.status = StripStatus::unfit;
   constexpr int attempts = static_cast<int>(std::size(probes));
+  warm = warm && state.layout.counts == counts && !state.pressure.empty();
   for (int attempt = warm ? -1 : 0; attempt < attempts; ++attempt) {
     if (attempt >= 0 && !start(scene, box, counts, attempt, state)) {
       if (status_ == StripStatus::no_contact) return {status_};

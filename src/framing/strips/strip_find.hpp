@@ -9,7 +9,8 @@ namespace rollcon::strips {
 
 class StripFinder {
  public:
-  /// The contact lies inside of the box (length). warm: `state` is a solution nearby with these counts.
+  /// The contact lies inside of the box (length). warm: `state` is a solution nearby; with other counts it is
+  /// found from nothing.
   /// unfit: strips do not fit this contact (rows with two intervals, or parts about to merge).
   StripReport find(const StripScene& scene, const Rectangle& box, StripCounts counts, StripState& state, bool warm);
   StripSolver& solver() { return solver_; }
@@ -28,7 +29,7 @@ class StripFinder {
   StripState coarse_, part_;
   StripIntegrals integrals_;
   std::vector<Vec2> point_;
-  std::vector<double> gap_, deformed_;
+  std::vector<double> gap_;
 };
 
 /// Rows and chords of an ellipse of Hertz: of the gap that its values and slopes beside a point tell, under a load or
