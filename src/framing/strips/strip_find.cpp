@@ -118,7 +118,7 @@ void refine(const StripState& coarse, StripState& fine) {
 }
 
 // Each of several parts gets a lattice of its own, under the loads of the others.
-void StripFinder::look_closer(const StripScene& scene, StripCounts counts, StripState& state) {
+void StripFinder::look_closer(const StripScene& scene, StripCounts counts, ProbeCells cells, StripState& state) {
   GapBeside gap;
   gap.gap = scene.gap;
   gap.cn = scene.bodies.cn;
@@ -129,7 +129,7 @@ void StripFinder::look_closer(const StripScene& scene, StripCounts counts, Strip
   const StripLayout& l = state.layout;
   for (int part = 0; part < l.parts; ++part) {
     const Rectangle box = probe_.loads_beside(part, gap.load);
-    if (part_probe_.start(alone, box, counts, part_) != StripStatus::solved || part_.layout.parts != 1) continue;
+    if (part_probe_.start(alone, box, counts, part_, cells) != StripStatus::solved || part_.layout.parts != 1) continue;
     const StripLayout& o = part_.layout;
     for (int k = 0; k < o.rows; ++k) {
       state.geometry[part * l.rows_each + k] = part_.geometry[k];
@@ -145,7 +145,8 @@ bool StripFinder::start(const StripScene& scene, const Rectangle& box, StripCoun
   const bool finer = counts.along * counts.across > most_without_rough;
   StripState& first = finer ? coarse_ : state;
   status_ = probe_.start(scene, box, finer ? rough : counts, first, probes[cells]);
-  if (status_ == StripStatus::solved && first.layout.parts > 1) look_closer(scene, first.layout.counts, first);
+  if (status_ == StripStatus::solved && first.layout.parts > 1)
+    look_closer(scene, first.layout.counts, probes[cells], first);
   if (status_ != StripStatus::solved || !finer) return status_ == StripStatus::solved;
   if (solver_.solve(scene, coarse_, StripStart::geometry).status != StripStatus::solved) return false;
   if (!(state.layout.counts == counts) || state.layout.parts != coarse_.layout.parts)

@@ -17,7 +17,7 @@ class StripFinder {
   const StripProbe& probe() const { return probe_; }
 
  private:
-  void look_closer(const StripScene& scene, StripCounts counts, StripState& state);
+  void look_closer(const StripScene& scene, StripCounts counts, ProbeCells cells, StripState& state);
   bool start(const StripScene& scene, const Rectangle& box, StripCounts counts, int cells, StripState& state);
   bool more_parts(const StripScene& scene, const Rectangle& box, StripState& state);
   double deformed_gap(const StripScene& scene, const StripState& state, const Vec2& at, bool near);
