@@ -49,7 +49,7 @@ TEST(strips, fit_ellipses_of_hertz) {
   expect_error("largest pressure, 12 x 12", fine_peak, 1.5e-3);
 }
 
-// Of strips 32 x 40 under Poisson's number 0.28.
+// The known values are those of strips 32 x 40 under a Poisson's ratio of 0.28.
 TEST(strips, have_kalkers_coefficients) {
   constexpr double known[3][3] = {{3.742, 3.030, 0.942}, {4.223, 3.706, 1.483}, {5.210, 4.985, 2.658}};
   constexpr double shear = 8e4;

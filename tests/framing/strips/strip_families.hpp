@@ -18,7 +18,7 @@ struct FamilyGap : PlaneField {
   enum Kind { ellipse, arcs, corner, slanted_pair, pair, apart } kind = ellipse;
   double s = 0;
   bool by_parameter = false;
-  double a = 1.0 / 920, b = 1.0 / 700, c = 0;  ///< of ellipses, whose middle is at (s, s/2)
+  double a = 1.0 / 920, b = 1.0 / 700, c = 0;  ///< curvatures of ellipses about (s, s/2)
 
   FamilyGap(Kind of, double parameter) : kind(of), s(parameter) {}
 
