@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <utility>
+
+#include "support/small_system.hpp"
 
 namespace rollcon {
 namespace {
@@ -15,27 +16,7 @@ using Coefficients = std::array<double, terms>;
 template <std::size_t sides>
 using System = std::array<std::array<double, terms + sides>, terms>;
 
-// Solves by elimination with pivoting; the solutions replace the right sides. Returns false if the points do not
-// determine a quadratic polynomial.
-template <std::size_t sides>
-bool solve(System<sides>& a) {
-  constexpr double least_pivot = 1e-10;
-  for (std::size_t i = 0; i < terms; ++i) {
-    std::size_t pivot = i;
-    for (std::size_t r = i + 1; r < terms; ++r)
-      if (std::abs(a[r][i]) > std::abs(a[pivot][i])) pivot = r;
-    std::swap(a[i], a[pivot]);
-    if (!(std::abs(a[i][i]) > least_pivot)) return false;
-    for (std::size_t r = 0; r < terms; ++r) {
-      if (r == i) continue;
-      const double factor = a[r][i] / a[i][i];
-      for (std::size_t j = i; j < terms + sides; ++j) a[r][j] -= factor * a[i][j];
-    }
-  }
-  for (std::size_t i = 0; i < terms; ++i)
-    for (std::size_t j = terms; j < terms + sides; ++j) a[i][j] /= a[i][i];
-  return true;
-}
+constexpr double least_pivot = 1e-10;  // below it, points do not determine a quadratic polynomial
 
 /// Centres at (x0, y0) and scales by the largest distances from there; none where the points are on one line along an
 /// axis.
@@ -75,7 +56,7 @@ std::optional<Quadratic> fit_quadratic(double x0, double y0, std::span<const dou
       a[i][terms] += m[i] * (value[k] - mean);
     }
   }
-  if (!solve<1>(a)) return std::nullopt;
+  if (!solve_small(terms, a, least_pivot)) return std::nullopt;
   for (std::size_t i = 0; i < terms; ++i) q->c[i] = a[i][terms];
   q->c[0] += mean;
   return q;
@@ -97,7 +78,7 @@ std::vector<std::array<double, 3>> curvature_weights(std::span<const double> x, 
       for (std::size_t j = 0; j < terms; ++j) a[i][j] += m[i] * m[j];
   }
   for (std::size_t d = 0; d < 3; ++d) a[3 + d][terms + d] = 1;
-  if (!solve<3>(a)) return weight;
+  if (!solve_small(terms, a, least_pivot)) return weight;
   const double per[3] = {2 / (q->rx * q->rx), 1 / (q->rx * q->ry), 2 / (q->ry * q->ry)};
   for (std::size_t k = 0; k < x.size(); ++k) {
     const Coefficients m = q->monomials(x[k], y[k]);

@@ -7,6 +7,7 @@
 
 #include "support/error.hpp"
 #include "support/index.hpp"
+#include "support/small_system.hpp"
 
 namespace rollcon {
 namespace {
@@ -66,26 +67,6 @@ void limit_creepages(const Results& fine, double length, MotionValues& motion) {
 using Three = std::array<double, 3>;
 constexpr std::array<Motion, 3> slips{xi1, xi2, spin};
 
-// Solves by Gauss with pivots; returns false for a singular matrix.
-bool solve3(std::array<Three, 3> a, Three& b) {
-  for (std::size_t c = 0; c < 3; ++c) {
-    std::size_t pivot = c;
-    for (std::size_t r = c + 1; r < 3; ++r)
-      if (std::abs(a[r][c]) > std::abs(a[pivot][c])) pivot = r;
-    if (!(std::abs(a[pivot][c]) > 0)) return false;
-    std::swap(a[c], a[pivot]);
-    std::swap(b[c], b[pivot]);
-    for (std::size_t r = 0; r < 3; ++r) {
-      if (r == c) continue;
-      const double part = a[r][c] / a[c][c];
-      for (std::size_t k = c; k < 3; ++k) a[r][k] -= part * a[c][k];
-      b[r] -= part * b[c];
-    }
-  }
-  for (std::size_t c = 0; c < 3; ++c) b[c] /= a[c][c];
-  return true;
-}
-
 // Returns forces and moment over `length` that change the motions found by `off`; lengths of motions count as those of
 // forces. Nothing: no forces do, or they cannot be told.
 std::optional<Three> forces_of(const Solution& fine, const std::function<const Rates&(Parameter)>& rates_by,
@@ -109,10 +90,9 @@ std::optional<Three> forces_of(const Solution& fine, const std::function<const R
       return std::nullopt;
     }
   }
-  if (!solve3(yields, forces)) return std::nullopt;
-  for (const double f : forces)
-    if (!std::isfinite(f)) return std::nullopt;
-  return forces;
+  Three needed{};
+  if (!solve_small(3, yields, forces, needed)) return std::nullopt;
+  return needed;
 }
 
 }  // namespace

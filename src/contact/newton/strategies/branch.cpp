@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "contact/newton/start.hpp"
-#include "contact/newton/strategies/few.hpp"
 #include "contact/newton/strategies/strategies.hpp"
 #include "support/index.hpp"
+#include "support/small_system.hpp"
 
 namespace rollcon {
 namespace {
@@ -110,7 +110,7 @@ bool LoadBranch::find_direction(Point& direction) {
   for (std::size_t i = 0; i < count_; ++i) rows[count_][i] = direction[i];
   rows[count_][count_] = direction[3];
   side[count_] = 1;
-  if (!solve_few(count_ + 1, rows, side, x)) return false;
+  if (!solve_small(count_ + 1, rows, side, x)) return false;
   for (std::size_t i = 0; i < count_; ++i) next[i] = x[i];
   next[3] = x[count_];
   const double length = std::sqrt(dot(next, next));
@@ -133,7 +133,7 @@ bool LoadBranch::correct(Point& point, const Point& direction) {
       rows[count_][i] = direction[i];
     }
     rows[count_][count_] = direction[3];
-    if (!solve_few(count_ + 1, rows, side, x)) return false;
+    if (!solve_small(count_ + 1, rows, side, x)) return false;
     Point next = point;
     for (std::size_t i = 0; i < count_; ++i) next[i] += x[i];
     next[3] += x[count_];

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "contact/newton/start.hpp"
-#include "contact/newton/strategies/few.hpp"
 #include "contact/newton/strategies/strategies.hpp"
+#include "support/small_system.hpp"
 
 namespace rollcon {
 namespace {
@@ -121,7 +121,7 @@ bool CreepSearch::find_slope(double reach) {
 bool CreepSearch::step(double reach) {
   Few move{}, wanted{};
   for (std::size_t i = 0; i < count_; ++i) wanted[i] = -error_[i];
-  if (!solve_few(count_, slope_, wanted, move)) return false;
+  if (!solve_small(count_, slope_, wanted, move)) return false;
   double part = std::min(1.0, longest * reach / size_of(move));
   Few next{}, after{};
   bool better = false;
