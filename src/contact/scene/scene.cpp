@@ -51,8 +51,8 @@ void Scene::set_gap(std::int64_t n, const double* gap) {
   require_frame_size(n, "the gap");
   require_pointer(gap, "gap");
   require_finite(n, 1, gap, "gap", mesh_.index_base);
-  if (!replace(gap_, n, gap) && gap_kind_ == GapKind::nodes) return;
-  gap_kind_ = GapKind::nodes;
+  if (!replace(gap_.node, n, gap) && gap_.kind == GapKind::nodes) return;
+  gap_.kind = GapKind::nodes;
   ++revision.gap;
 }
 
@@ -61,9 +61,9 @@ void Scene::set_gap_quadratic(double a, double b, double c) {
   require_finite(b, "b");
   require_finite(c, "c");
   const std::array<double, 3> form{a, b, c};
-  if (gap_kind_ == GapKind::quadratic && quadratic_ == form) return;
-  quadratic_ = form;
-  gap_kind_ = GapKind::quadratic;
+  if (gap_.kind == GapKind::quadratic && gap_.quadratic == form) return;
+  gap_.quadratic = form;
+  gap_.kind = GapKind::quadratic;
   ++revision.gap;
 }
 
@@ -79,35 +79,35 @@ void Scene::set_gap_grid(const GridPlace& place, const double* gap) {
              "+infinity where a body ends",
              static_cast<long long>(i) + mesh_.index_base, static_cast<long long>(j) + mesh_.index_base,
              mesh_.index_base, value);
-  if (gap_kind_ == GapKind::grid && gap_grid_->same_as(place, gap)) return;
-  gap_grid_ = std::make_shared<HeightGrid>(place, gap);
-  gap_kind_ = GapKind::grid;
+  if (gap_.kind == GapKind::grid && gap_.grid->same_as(place, gap)) return;
+  gap_.grid = std::make_shared<HeightGrid>(place, gap);
+  gap_.kind = GapKind::grid;
   ++revision.gap;
 }
 
 std::optional<std::array<double, 3>> Scene::quadratic_gap() const {
-  return gap_kind_ == GapKind::quadratic ? std::optional(quadratic_) : std::nullopt;
+  return gap_.kind == GapKind::quadratic ? std::optional(gap_.quadratic) : std::nullopt;
 }
 
 double Scene::gap(std::int64_t k, double x, double y) const {
-  if (gap_kind_ == GapKind::nodes) return gap_[static_cast<std::size_t>(k)];
-  if (gap_kind_ == GapKind::grid) {
-    const double gap = (*gap_grid_)(x, y);
+  if (gap_.kind == GapKind::nodes) return gap_.node[static_cast<std::size_t>(k)];
+  if (gap_.kind == GapKind::grid) {
+    const double gap = (*gap_.grid)(x, y);
     if (std::isfinite(gap)) return gap;
     fail(Status::err_argument,
          "frame node %lld (counting from %d) at (%g, %g) lies where the grid of the gap ends "
          "or is infinite",
          static_cast<long long>(k) + mesh_.index_base, mesh_.index_base, x, y);
   }
-  const auto [a, b, c] = quadratic_;
+  const auto [a, b, c] = gap_.quadratic;
   return a * x * x + b * y * y + c * x * y;
 }
 
 void Scene::set_speed(double speed) {
   require_finite(speed, "speed");
   if (!(speed > 0)) fail(Status::err_argument, "speed is %g; allowed: > 0", speed);
-  speed_given_ = true;
-  const bool another = replace(speed_, speed), travelled = std::exchange(travel_given_, false);
+  rolling_.speed_given = true;
+  const bool another = replace(rolling_.speed, speed), travelled = std::exchange(rolling_.travel_given, false);
   if (another || travelled) ++revision.kinematics;
 }
 
@@ -116,8 +116,8 @@ void Scene::set_step(std::int32_t kind, double dt) {
   require_finite(dt, "dt");
   const auto wanted = static_cast<StepKind>(kind);
   if (wanted != StepKind::steady && !(dt > 0)) fail(Status::err_argument, "dt is %g; allowed: > 0", dt);
-  const bool another = std::exchange(step_kind_, wanted) != wanted;
-  if (replace(step_time_, wanted == StepKind::steady ? 0 : dt) || another) ++revision.kinematics;
+  const bool another = std::exchange(rolling_.step, wanted) != wanted;
+  if (replace(rolling_.dt, wanted == StepKind::steady ? 0 : dt) || another) ++revision.kinematics;
 }
 
 void Scene::set_creep(double longitudinal, double lateral, double spin) {
@@ -129,9 +129,9 @@ void Scene::set_creep(double longitudinal, double lateral, double spin) {
                                          std::pair{Direction::lateral, lateral}, std::pair{Direction::spin, spin}})
     changed |= replace(load_[motion_of(direction)], {How::by_motion, value});
   if (changed) ++revision.load;
-  if (std::exchange(velocities_given_, false)) ++revision.kinematics;
-  travel_given_ = false;
-  velocity_ = {};
+  if (std::exchange(rolling_.velocities_given, false)) ++revision.kinematics;
+  rolling_.travel_given = false;
+  rolling_.velocity = {};
 }
 
 void Scene::set_creep_field(std::int64_t n, const double* slip) {
@@ -184,31 +184,35 @@ void Scene::set_friction(const char* law, std::int32_t n, const double* paramete
     require_finite(parameters[0], "mu");
   else
     require_finite(n, 1, parameters, "parameters", mesh_.index_base);
-  const bool same_law = law_name_ == &*named;
-  if (same_law && std::equal(parameters, parameters + n, law_parameters_.begin(), law_parameters_.end())) return;
+  const bool same_law = friction_.name == &*named;
+  if (same_law && std::equal(parameters, parameters + n, friction_.parameters.begin(), friction_.parameters.end()))
+    return;
   GivenFriction made = named->make({parameters, count});
-  law_parameters_.reserve(count);
-  law_parameters_.assign(parameters, parameters + n);
-  law_name_ = &*named;
-  law_ = std::move(made.law);
-  friction_ = made.mu;
+  friction_.parameters.reserve(count);
+  friction_.parameters.assign(parameters, parameters + n);
+  friction_.name = &*named;
+  friction_.law = std::move(made.law);
+  friction_.mu = made.mu;
   choose_law();
   ++revision.friction;
 }
 
 void Scene::scale_friction(const Scene& of, double factor) {
-  friction_ = factor * of.friction_;
-  law_parameters_ = of.law_parameters_;
-  for (double& p : law_parameters_) p *= factor;
-  across_mu_ = of.across_mu_;
-  for (double& mu : across_mu_) mu *= factor;
+  friction_.mu = factor * of.friction_.mu;
+  friction_.parameters = of.friction_.parameters;
+  for (double& p : friction_.parameters) p *= factor;
+  friction_.across_mu = of.friction_.across_mu;
+  for (double& mu : friction_.across_mu) mu *= factor;
   ++revision.friction;
 }
 
 // Combines the law with memory and yield; what does not fit is refused before a solve.
 void Scene::choose_law() {
-  law_in_use_ = memory_.length > 0 && law_ && law_->falls() ? with_memory(law_, memory_) : law_;
-  if (yield_.stress > 0 && (!law_in_use_ || law_in_use_->of_field())) law_in_use_ = with_yield(law_in_use_, yield_);
+  friction_.law_in_use = friction_.memory.length > 0 && friction_.law && friction_.law->falls()
+                             ? with_memory(friction_.law, friction_.memory)
+                             : friction_.law;
+  if (friction_.yield.stress > 0 && (!friction_.law_in_use || friction_.law_in_use->of_field()))
+    friction_.law_in_use = with_yield(friction_.law_in_use, friction_.yield);
 }
 
 void Scene::set_friction_memory(double length, double least_speed) {
@@ -217,8 +221,8 @@ void Scene::set_friction_memory(double length, double least_speed) {
   if (length < 0) fail(Status::err_argument, "length is %g; allowed: 0 (none) or more", length);
   if (least_speed < 0) fail(Status::err_argument, "least_speed is %g; allowed: 0 or more", least_speed);
   const FrictionMemory memory{length, length > 0 ? least_speed : 0};
-  if (memory_ == memory) return;
-  memory_ = memory;
+  if (friction_.memory == memory) return;
+  friction_.memory = memory;
   choose_law();
   ++revision.friction;
 }
@@ -226,7 +230,7 @@ void Scene::set_friction_memory(double length, double least_speed) {
 void Scene::set_layer(double flexibility) {
   require_finite(flexibility, "flexibility");
   if (flexibility < 0) fail(Status::err_argument, "flexibility is %g; allowed: 0 (none) or more", flexibility);
-  if (replace(layer_, flexibility)) ++revision.friction;
+  if (replace(friction_.layer, flexibility)) ++revision.friction;
 }
 
 void Scene::set_layer_yield(double stress, double hardening) {
@@ -234,23 +238,23 @@ void Scene::set_layer_yield(double stress, double hardening) {
   require_finite(hardening, "hardening");
   if (stress < 0) fail(Status::err_argument, "stress is %g; allowed: 0 (never) or more", stress);
   const LayerYield yield{stress, stress > 0 ? hardening : 0};
-  if (yield_ == yield) return;
-  yield_ = yield;
+  if (friction_.yield == yield) return;
+  friction_.yield = yield;
   choose_law();
   ++revision.friction;
 }
 
 void Scene::set_friction_across(std::int64_t n, const double* points) {
   if (n == 0) {
-    if (!across_y_.empty()) ++revision.friction;
-    across_y_.clear();
-    across_mu_.clear();
+    if (!friction_.across_y.empty()) ++revision.friction;
+    friction_.across_y.clear();
+    friction_.across_mu.clear();
     return;
   }
   require_count(n, "n");
   require_pointer(points, "points");
   require_finite(n, 2, points, "points", mesh_.index_base);
-  bool same = static_cast<std::size_t>(n) == across_y_.size();
+  bool same = static_cast<std::size_t>(n) == friction_.across_y.size();
   for (std::int64_t i = 0; i < n; ++i) {
     const double y = points[2 * i], mu = points[2 * i + 1];
     const long long entry = static_cast<long long>(i) + mesh_.index_base;
@@ -260,12 +264,14 @@ void Scene::set_friction_across(std::int64_t n, const double* points) {
     if (i > 0 && !(y > points[2 * i - 2]))
       fail(Status::err_argument, "y of point %lld (counting from %d) is %g; allowed: above that before, %g", entry,
            mesh_.index_base, y, points[2 * i - 2]);
-    same = same && across_y_[static_cast<std::size_t>(i)] == y && across_mu_[static_cast<std::size_t>(i)] == mu;
+    same = same && friction_.across_y[static_cast<std::size_t>(i)] == y &&
+           friction_.across_mu[static_cast<std::size_t>(i)] == mu;
   }
   if (same) return;
-  across_y_.resize(static_cast<std::size_t>(n));
-  across_mu_.resize(static_cast<std::size_t>(n));
-  for (std::size_t i = 0; i < across_y_.size(); ++i) across_y_[i] = points[2 * i], across_mu_[i] = points[2 * i + 1];
+  friction_.across_y.resize(static_cast<std::size_t>(n));
+  friction_.across_mu.resize(static_cast<std::size_t>(n));
+  for (std::size_t i = 0; i < friction_.across_y.size(); ++i)
+    friction_.across_y[i] = points[2 * i], friction_.across_mu[i] = points[2 * i + 1];
   ++revision.friction;
 }
 
@@ -277,7 +283,7 @@ void Scene::set_heat(std::int32_t which, double conductivity, double capacity, d
   if (conductivity < 0) fail(Status::err_argument, "conductivity is %g; allowed: 0 or more", conductivity);
   if (capacity < 0) fail(Status::err_argument, "heat_capacity is %g; allowed: 0 or more", capacity);
   const Heat heat{conductivity, capacity, temperature, true};
-  Heat& held = heat_[static_cast<std::size_t>(which) - 1];
+  Heat& held = friction_.heat[static_cast<std::size_t>(which) - 1];
   if (held == heat) return;
   held = heat;
   ++revision.friction;
@@ -310,21 +316,22 @@ void Scene::require_complete(bool has_surface) const {
     fail(Status::err_state,
          "no gap was given and no body has a mesh or a profile to compute it from: rollcon_contact_set_gap, "
          "rollcon_contact_set_gap_quadratic or rollcon_contact_set_gap_grid");
-  if (law_name_ == nullptr && friction_field_.empty() && across_y_.empty())
+  if (friction_.name == nullptr && friction_field_.empty() && friction_.across_y.empty())
     fail(Status::err_state, "no friction was given: rollcon_contact_set_friction");
-  if (memory_.length > 0 && !(law_ && law_->falls()))
+  if (friction_.memory.length > 0 && !(friction_.law && friction_.law->falls()))
     fail(Status::err_state,
          "a length of slip was given (rollcon_contact_set_friction_memory), but this law does not fall with the slip "
          "speed; allowed: 'linear', 'rational', 'exponential', or a length of 0");
-  if (yield_.stress > 0 && law_ && !law_->of_field() && !(law_->falls() && memory_.length > 0))
+  if (friction_.yield.stress > 0 && friction_.law && !friction_.law->of_field() &&
+      !(friction_.law->falls() && friction_.memory.length > 0))
     fail(Status::err_unsupported,
          "a layer that flows (rollcon_contact_set_layer_yield) is not there for this law; allowed: 'coulomb', "
          "'temperature', or a law that falls with a memory (rollcon_contact_set_friction_memory)");
-  if (step_kind_ != StepKind::steady && law() && law()->of_field())
+  if (rolling_.step != StepKind::steady && law() && law()->of_field())
     fail(Status::err_unsupported,
          "friction of temperature, with a memory or of a layer that flows is that of steady rolling; allowed in a step "
          "in time: other laws");
-  if (velocities_given_ && !travel_given_ && !speed_given_)
+  if (rolling_.velocities_given && !rolling_.travel_given && !rolling_.speed_given)
     fail(
         Status::err_state,
         "velocities of bodies were given, but neither that of the contact (rollcon_contact_set_velocity) nor the speed "

@@ -131,32 +131,32 @@ class Scene {
   const Axes& axes() const { return axes_; }
   /// Returns the speed at a point of the axes: what was set, or the speed of the contact over both bodies.
   double speed(const Vec3& point) const;
-  StepKind step_kind() const { return step_kind_; }
-  double step_time() const { return step_time_; }
-  bool velocities_given() const { return velocities_given_; }
+  StepKind step_kind() const { return rolling_.step; }
+  double step_time() const { return rolling_.dt; }
+  bool velocities_given() const { return rolling_.velocities_given; }
   /// Returns the velocity of body 1 relative to body 2, in the directions of the axes; its point is their origin.
   Velocity relative_velocity() const;
   const Load& load(Direction d) const { return load_[motion_of(d)]; }
   /// Says whether body 1 turns about t1 or t2, by a motion or a moment that is given.
   bool tilts() const;
   const std::vector<double>& creep_field() const { return creep_field_; }
-  bool has_gap() const { return gap_kind_ != GapKind::none; }
+  bool has_gap() const { return gap_.kind != GapKind::none; }
   /// Returns a, b, c of set_gap_quadratic, where that is what was given last.
   std::optional<std::array<double, 3>> quadratic_gap() const;
   /// Returns the gap of set_gap_grid where that was given last; else null.
-  const HeightGrid* gap_grid() const { return gap_kind_ == GapKind::grid ? gap_grid_.get() : nullptr; }
+  const HeightGrid* gap_grid() const { return gap_.kind == GapKind::grid ? gap_.grid.get() : nullptr; }
   /// Returns the gap of node k at (x, y) in the axes; needs has_gap(). err_argument: a grid has no gap there.
   double gap(std::int64_t k, double x, double y) const;
   /// Returns the friction coefficient of node k, which lies at y.
   double friction(std::int64_t k, double y) const {
     if (!friction_field_.empty()) return friction_field_[static_cast<std::size_t>(k)];
-    return across_y_.empty() ? friction_ : linear_between(across_y_, across_mu_, y);
+    return friction_.across_y.empty() ? friction_.mu : linear_between(friction_.across_y, friction_.across_mu, y);
   }
   /// Returns null for Coulomb's law.
-  const std::shared_ptr<const FrictionLaw>& law() const { return law_in_use_; }
-  bool friction_varies_across() const { return friction_field_.empty() && !across_y_.empty(); }
-  double layer() const { return layer_; }  ///< flexibility
-  const BothHeats& heat() const { return heat_; }
+  const std::shared_ptr<const FrictionLaw>& law() const { return friction_.law_in_use; }
+  bool friction_varies_across() const { return friction_field_.empty() && !friction_.across_y.empty(); }
+  double layer() const { return friction_.layer; }  ///< flexibility
+  const BothHeats& heat() const { return friction_.heat; }
   /// Throws err_state naming what is missing: nodes, elements, gap (unless a body has a surface), friction, speed
   /// (where there are velocities). Arrays always fit the frame: their length is checked when they are set, and new
   /// nodes forget them.
@@ -179,27 +179,36 @@ class Scene {
   bool in_steps_ = false;
   std::array<Pose, 2> pose_{};
   Axes axes_;
-  enum class GapKind { none, nodes, quadratic, grid } gap_kind_ = GapKind::none;
-  std::vector<double> gap_;
-  std::array<double, 3> quadratic_{0, 0, 0};
-  std::shared_ptr<const HeightGrid> gap_grid_;  ///< owned together with the scenes that follow this one
-  StepKind step_kind_ = StepKind::steady;
-  double step_time_ = 0;
-  double speed_ = 1;
-  bool speed_given_ = false, velocities_given_ = false, travel_given_ = false;
-  std::array<Velocity, 3> velocity_{};  ///< velocities of the contact and both bodies
+  // What is set together, as values.
+  enum class GapKind { none, nodes, quadratic, grid };
+  struct GapGiven {
+    GapKind kind = GapKind::none;
+    std::vector<double> node;
+    std::array<double, 3> quadratic{0, 0, 0};
+    std::shared_ptr<const HeightGrid> grid;  ///< owned together with the scenes that took it over
+  };
+  struct Rolling {
+    StepKind step = StepKind::steady;
+    double dt = 0, speed = 1;
+    bool speed_given = false, velocities_given = false, travel_given = false;
+    std::array<Velocity, 3> velocity{};  ///< velocities of the contact and both bodies
+  };
+  struct FrictionGiven {
+    double mu = 0;
+    std::shared_ptr<const FrictionLaw> law, law_in_use;  ///< law as named, and with what else was set
+    FrictionMemory memory;
+    LayerYield yield;
+    std::vector<double> across_y, across_mu;
+    double layer = 0;
+    BothHeats heat{};
+    const LawName* name = nullptr;  ///< null: no law was given yet
+    std::vector<double> parameters;
+  };
+  GapGiven gap_;
+  Rolling rolling_;
   std::array<Load, motion_count> load_{};
-  std::vector<double> creep_field_;
-  double friction_ = 0;
-  std::shared_ptr<const FrictionLaw> law_, law_in_use_;  ///< law as named, and with what else was set
-  FrictionMemory memory_;
-  LayerYield yield_;
-  std::vector<double> across_y_, across_mu_;
-  double layer_ = 0;
-  BothHeats heat_{};
-  const LawName* law_name_ = nullptr;  ///< null: no law was given yet
-  std::vector<double> law_parameters_;
-  std::vector<double> friction_field_;
+  FrictionGiven friction_;
+  std::vector<double> creep_field_, friction_field_;
 };
 
 }  // namespace rollcon

@@ -68,11 +68,11 @@ void Scene::set_velocity(std::int32_t which, const double* velocity, const doubl
   require_finite_vector(point, "point");
   const auto vector = [](const double* v) { return Vec3{v[0], v[1], v[2]}; };
   const Velocity now{vector(velocity), vector(angular_velocity), vector(point)};
-  Velocity& held = velocity_[static_cast<std::size_t>(which)];
-  bool changed = !(held == now) || !velocities_given_;
+  Velocity& held = rolling_.velocity[static_cast<std::size_t>(which)];
+  bool changed = !(held == now) || !rolling_.velocities_given;
   held = now;
-  velocities_given_ = true;
-  if (which == 0) changed |= !std::exchange(travel_given_, true);
+  rolling_.velocities_given = true;
+  if (which == 0) changed |= !std::exchange(rolling_.travel_given, true);
   if (changed) ++revision.kinematics;
   changed = false;
   for (const Direction d : {Direction::longitudinal, Direction::lateral, Direction::spin}) {
@@ -84,16 +84,17 @@ void Scene::set_velocity(std::int32_t which, const double* velocity, const doubl
 }
 
 Velocity Scene::relative_velocity() const {
-  const Vec3 linear = velocity_[1].at(axes_.origin) - velocity_[2].at(axes_.origin);
-  const Vec3 angular = velocity_[1].angular - velocity_[2].angular;
+  const Vec3 linear = rolling_.velocity[1].at(axes_.origin) - rolling_.velocity[2].at(axes_.origin);
+  const Vec3 angular = rolling_.velocity[1].angular - rolling_.velocity[2].angular;
   const auto in_axes = [this](const Vec3& v) { return Vec3{dot(v, axes_.t1), dot(v, axes_.t2), dot(v, axes_.n)}; };
   return {in_axes(linear), in_axes(angular), {0, 0, 0}};
 }
 
 double Scene::speed(const Vec3& point) const {
-  if (!travel_given_) return speed_;
+  if (!rolling_.travel_given) return rolling_.speed;
   const Vec3 x = axes_.origin + point[0] * axes_.t1 + point[1] * axes_.t2 + point[2] * axes_.n;
-  const double speed = dot(velocity_[0].at(x) - 0.5 * (velocity_[1].at(x) + velocity_[2].at(x)), axes_.t1);
+  const double speed =
+      dot(rolling_.velocity[0].at(x) - 0.5 * (rolling_.velocity[1].at(x) + rolling_.velocity[2].at(x)), axes_.t1);
   if (!(speed > 0) || !std::isfinite(speed))
     fail(
         Status::err_argument,

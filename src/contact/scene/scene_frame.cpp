@@ -84,28 +84,11 @@ void Scene::take_over(const Scene& other) {
   revision.place = place;
   pose_ = other.pose_;
   axes_ = other.axes_;
-  gap_kind_ = other.gap_kind_ == GapKind::nodes ? GapKind::none : other.gap_kind_;
-  quadratic_ = other.quadratic_;
-  gap_grid_ = other.gap_grid_;
-  step_kind_ = other.step_kind_;
-  step_time_ = other.step_time_;
-  speed_ = other.speed_;
-  speed_given_ = other.speed_given_;
-  velocities_given_ = other.velocities_given_;
-  travel_given_ = other.travel_given_;
-  velocity_ = other.velocity_;
+  gap_ = other.gap_;
+  if (gap_.kind == GapKind::nodes) gap_ = {};
+  rolling_ = other.rolling_;
   load_ = other.load_;
-  law_name_ = other.law_name_;
-  law_parameters_ = other.law_parameters_;
   friction_ = other.friction_;
-  law_ = other.law_;
-  law_in_use_ = other.law_in_use_;
-  memory_ = other.memory_;
-  yield_ = other.yield_;
-  across_y_ = other.across_y_;
-  across_mu_ = other.across_mu_;
-  layer_ = other.layer_;
-  heat_ = other.heat_;
 }
 
 void Scene::replace_frame(SurfaceMesh mesh, FrameSource source) {
@@ -117,13 +100,13 @@ void Scene::replace_frame(SurfaceMesh mesh, FrameSource source) {
   std::swap(mesh_, mesh);
   std::swap(frame_source_, source);
   ++revision.mesh;
-  if (gap_kind_ == GapKind::nodes) {
+  if (gap_.kind == GapKind::nodes) {
     ++revision.gap;
-    gap_kind_ = GapKind::none;
+    gap_.kind = GapKind::none;
   }
   if (!creep_field_.empty()) ++revision.kinematics;
   if (!friction_field_.empty()) ++revision.friction;
-  gap_.clear();
+  gap_.node.clear();
   creep_field_.clear();
   friction_field_.clear();
 }
