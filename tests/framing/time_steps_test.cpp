@@ -86,6 +86,25 @@ TEST(time_steps_on_made_frames, first_step_without_contact) {
   }
 }
 
+// Without a load a search closes in on a point: the frame has a size still, which a step may roll by.
+TEST(time_steps_on_made_frames, first_step_without_load_over_a_grid) {
+  constexpr std::int64_t n = 41;
+  constexpr double half = 4;
+  std::vector<double> gap;
+  for (std::int64_t j = 0; j < n; ++j)
+    for (std::int64_t i = 0; i < n; ++i) {
+      const double x = half * (2.0 * static_cast<double>(i) / (n - 1) - 1);
+      const double y = half * (2.0 * static_cast<double>(j) / (n - 1) - 1);
+      gap.push_back(0.01 * (x * x + y * y));
+    }
+  RollingPair pair(soft, soft);
+  ASSERT_EQ(rollcon_contact_set_friction(pair.handle(), "coulomb", 1, &mu), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_set_gap_grid(pair.handle(), n, -half, half, -half, half, n * n, gap.data()), ROLLCON_OK);
+  pair.load(0);
+  ASSERT_EQ(rollcon_contact_set_step(pair.handle(), ROLLCON_ROLLING_STEP, 1), ROLLCON_OK);
+  EXPECT_EQ(pair.solve(), ROLLCON_NO_CONTACT);
+}
+
 // The caller's frames end at the contact's edge.
 TEST(time_steps_on_made_frames, frame_of_an_ellipse) {
   RollingPair pair(soft, soft);
