@@ -5,6 +5,7 @@
 
 #include "capi/guard.hpp"
 #include "contact/contact.hpp"
+#include "contact/solver.hpp"
 #include "framing/makers.hpp"
 #include "io/mesh_file.hpp"
 #include "mesh/mesh_inputs.hpp"

@@ -7,6 +7,7 @@
 #include "contact/cases/solve_many.hpp"
 #include "contact/contact_cases.hpp"
 #include "contact/results/doubts.hpp"
+#include "contact/solver.hpp"
 #include "linalg/blas_threads.hpp"
 #include "mesh/corner_elements.hpp"
 #include "support/index.hpp"
@@ -40,6 +41,14 @@ Contact::Contact(std::shared_ptr<Context> context, std::shared_ptr<Body> body1, 
 }
 
 Contact::~Contact() = default;
+
+void Contact::request_cancel() noexcept {
+  solver->host.cancel->store(true);
+}
+
+void Contact::forget_cancel() {
+  solver->host.cancel->store(false);
+}
 
 void Contact::set_progress(ProgressFunction function, void* user) {
   solver->host.progress = function;

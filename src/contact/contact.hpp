@@ -12,15 +12,15 @@
 #include "bodies/body.hpp"
 #include "contact/results/equivalent_ellipse.hpp"
 #include "contact/scene/enumerators.hpp"
+#include "contact/scene/procedure.hpp"
 #include "contact/scene/scene.hpp"
-#include "contact/solver.hpp"
-#include "contact/statistics.hpp"
 #include "support/error.hpp"
 
 namespace rollcon {
 
 struct CaseList;     // contact/cases/solve_many.hpp
 struct CaseResults;  // contact/cases/solve_many.hpp
+class Solver;        // contact/solver.hpp
 class WearLaw;       // contact/laws/wear_law.hpp
 
 /// Solves contacts whose frame nobody gave, on frames that it makes (src/framing/).
@@ -53,9 +53,9 @@ class Contact {
 
   void set_progress(ProgressFunction function, void* user);
   /// Stops the solve that is running, if one is. Any thread may call it.
-  void request_cancel() noexcept { solver->host.cancel->store(true); }
+  void request_cancel() noexcept;
   /// Forgets requests from before a solve; solve() does this itself.
-  void forget_cancel() { solver->host.cancel->store(false); }
+  void forget_cancel();
 
   /// Solves the scene, warm from the last solution. Returns ok or a status > 0; throws Error for the rest.
   Status solve();
@@ -114,12 +114,12 @@ class Contact {
   double fatigue_index(double shear_yield) const;
   /// Returns the Hertzian contact that stands for this one.
   EquivalentEllipse equivalent_ellipse() const;
-  double stat(const char* name) const { return find_statistic(*solver, name); }  ///< err_option: unknown name
+  double stat(const char* name) const;  ///< err_option: unknown name
   /// Returns the iteration log in rows of 8: phase, iteration, normal residual, tangential residual, step length, nodes
   /// in contact, nodes in slip, seconds.
-  std::span<const double> history() const { return solver->effort().history; }
+  std::span<const double> history() const;
   /// Returns the error function Psi of each row of history().
-  std::span<const double> error_function() const { return solver->effort().merit; }
+  std::span<const double> error_function() const;
   std::string plan() const;            ///< text of describe_plan()
   void write(const char* path) const;  ///< VTU; err_io
 

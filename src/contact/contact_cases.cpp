@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "contact/solver.hpp"
+
 namespace rollcon {
 
 OwnFramesSolver::OwnFramesSolver(const Contact& asked, std::span<const Parameter> parameter) : asked_(asked) {

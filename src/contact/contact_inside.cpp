@@ -6,6 +6,7 @@
 #include "contact/contact.hpp"
 #include "contact/prepare/lattice_scene.hpp"
 #include "contact/results/stresses.hpp"
+#include "contact/solver.hpp"
 #include "support/input_checks.hpp"
 
 namespace rollcon {

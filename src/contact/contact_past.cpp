@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/contact.hpp"
+#include "contact/solver.hpp"
 #include "support/checksum.hpp"
 #include "support/error.hpp"
 #include "support/index.hpp"

@@ -7,6 +7,8 @@
 #include "contact/plan.hpp"
 #include "contact/results/wear.hpp"
 #include "contact/settle/settle_friction.hpp"
+#include "contact/solver.hpp"
+#include "contact/statistics.hpp"
 #include "io/vtu.hpp"
 
 namespace rollcon {
@@ -216,6 +218,18 @@ double Contact::fatigue_index(double shear_yield) const {
 EquivalentEllipse Contact::equivalent_ellipse() const {
   solver->require_solution();
   return rollcon::equivalent_ellipse(solver->solution(), stat("contact_area"));
+}
+
+double Contact::stat(const char* name) const {
+  return find_statistic(*solver, name);
+}
+
+std::span<const double> Contact::history() const {
+  return solver->effort().history;
+}
+
+std::span<const double> Contact::error_function() const {
+  return solver->effort().merit;
 }
 
 std::string Contact::plan() const {

@@ -14,6 +14,7 @@
 #include "contact/results/extrapolation.hpp"
 #include "contact/results/outcome_text.hpp"
 #include "contact/scene/known_gap.hpp"
+#include "contact/solver.hpp"
 #include "contact/statistics.hpp"
 #include "framing/hertz.hpp"
 #include "framing/hertz_friction.hpp"

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "contact/contact.hpp"
+#include "contact/solver.hpp"
 #include "framing/contact_edge.hpp"
 
 namespace rollcon {

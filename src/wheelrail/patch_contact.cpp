@@ -7,10 +7,12 @@
 #include <utility>
 
 #include "bodies/pair.hpp"
+#include "contact/solver.hpp"
 #include "framing/hertz.hpp"
 #include "framing/makers.hpp"
 #include "support/index.hpp"
 #include "wheelrail/hertzian_patch.hpp"
+#include "wheelrail/patch_snapshot.hpp"
 
 namespace rollcon {
 namespace {
@@ -51,6 +53,9 @@ PatchContact::PatchContact(std::shared_ptr<Context> context, std::shared_ptr<Bod
     : wheel_(std::move(wheel)),
       rail_(std::move(rail)),
       contact_(std::make_shared<Contact>(std::move(context), wheel_, rail_)) {}
+
+PatchContact::PatchContact(PatchContact&& other) noexcept = default;
+PatchContact::~PatchContact() = default;
 
 Status PatchContact::solve(const OverlapPatch& patch, const WheelMotion& motion, const PatchFriction& friction,
                            const LatticeSize& size, double give_way) {

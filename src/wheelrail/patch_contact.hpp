@@ -13,6 +13,8 @@
 
 namespace rollcon {
 
+struct NodeGivens;  // contact/derived.hpp
+
 /// Holds intervals of the lattice along and across the rolling direction.
 struct LatticeSize {
   std::int64_t along = 0, across = 0;
@@ -44,6 +46,8 @@ class PatchContact {
  public:
   /// Takes the wheel and the rail as bodies with their profiles in place.
   PatchContact(std::shared_ptr<Context> context, std::shared_ptr<Body> wheel, std::shared_ptr<Body> rail);
+  PatchContact(PatchContact&& other) noexcept;
+  ~PatchContact();
 
   /// Solves with the overlap as approach, less what the surfaces give way under other patches. Starts warm where the
   /// patch was solved before. What a table does not have is solved in full.
@@ -154,11 +158,6 @@ class PatchContact {
   std::int64_t solves_ = 0;  ///< solves so far, resets included
   std::vector<double> gap_;
   std::unique_ptr<Kept> here_;  ///< storage of rate()
-};
-
-struct PatchContact::Kept {
-  State state;
-  Solution solution;
 };
 
 }  // namespace rollcon

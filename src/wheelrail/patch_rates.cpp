@@ -1,7 +1,8 @@
 /// Finds derivatives of a patch's forces.
 
+#include "contact/solver.hpp"
 #include "support/error.hpp"
-#include "wheelrail/patch_contact.hpp"
+#include "wheelrail/patch_snapshot.hpp"
 
 namespace rollcon {
 namespace {

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "contact/solver.hpp"
 #include "framing/hertz.hpp"
 #include "support/error.hpp"
 #include "support/linear_between.hpp"

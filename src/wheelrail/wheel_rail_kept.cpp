@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "support/error.hpp"
+#include "wheelrail/patch_snapshot.hpp"
 #include "wheelrail/wheel_rail.hpp"
 
 namespace rollcon {

@@ -2,6 +2,7 @@
 /// log.
 
 #include "contact/cases/solve_many.hpp"
+#include "contact/solver.hpp"
 #include "contact/time_step_case.hpp"
 
 namespace rollcon::contact_test {
