@@ -1,5 +1,5 @@
 #pragma once
-/// What a body is made of and what preparing it made of that. Bodies of equal content share one.
+/// Holds what a body is made of and what preparing it made of that. Bodies of equal content share one model.
 
 #include <cstdint>
 #include <map>
@@ -22,27 +22,27 @@ class SectionWriter;
 struct BodyModel {
   BodyKind kind = BodyKind::rigid;
   const BodyTraits& traits() const { return traits_of(kind); }
-  std::map<std::int32_t, Elastic> material;  ///< by tag; of one material: tag 0
+  std::map<std::int32_t, Elastic> material;  ///< materials by tag; one for the whole body has tag 0
   BodyMesh mesh;
   BodyProfile profile;
-  BodyOptions options;  ///< those it was prepared with
+  BodyOptions options;  ///< options that it was prepared with
 
-  // Made by preparing it; frozen from then on.
-  Elastic contact_material;  ///< of most of the contact faces; before: as given last
+  // Preparing the body makes what follows, frozen from then on.
+  Elastic contact_material;  ///< material of most contact faces; until prepared: the one given last
   TractionNodes traction_nodes, smooth_fans;
   std::unique_ptr<SurfaceSearch> search;
   std::unique_ptr<Surface> surface;
   Thinness thin;
-  /// Shared with bodies that differ in their loads alone; safe for several threads.
+  /// Response that bodies which differ in their loads alone share; safe for several threads.
   std::shared_ptr<Condensed> response;
-  OwnLoads own;  ///< what the body's own loads do
+  OwnLoads own;  ///< effect of the body's own loads
 };
 
-/// Young's modulus and Poisson's ratio that every model takes; err_argument, err_nonfinite.
+/// Checks that every model takes this Young's modulus and Poisson's ratio; err_argument, err_nonfinite.
 void require_elastic_constants(double young, double poisson);
 
-/// The source of a model's equations: they are assembled and factorised as far as known to be needed, unless a file
-/// has them, or a prepared body that differs in its loads alone.
+/// Names the source of a model's equations: they are assembled and factorised as far as known to be needed, unless a
+/// file has them, or a prepared body that differs in its loads alone.
 struct EquationSource {
   SectionReader* saved = nullptr;
   std::shared_ptr<BodyModel> unlike_loads;
@@ -58,8 +58,8 @@ ContentDigest digest_of(const BodyModel& model);
 /// Digests all but loads and given displacements.
 ContentDigest digest_without_loads(const BodyModel& model);
 
-/// Bring all that was given to and from section "body" of a file. Reading throws err_io for what cannot be: nothing of
-/// it is then used. (Shapes of elements are checked by preparing, as always.)
+/// Write all that was given to section "body" of a file, and read it. Reading throws err_io for what cannot be, and
+/// then uses nothing of it. (Shapes of elements are checked by preparing, as always.)
 void write_content(const BodyModel& model, SectionWriter& file);
 void read_content(SectionReader& file, BodyModel& model);
 

@@ -1,6 +1,5 @@
 #pragma once
-/// The surface that carries the contact: whose normals the frame's local axes follow, and where a point of the frame's
-/// plane lies on a body.
+/// Tells which normals the frame's local axes follow, and where a point of the frame's plane is in space.
 
 #include "bodies/body.hpp"
 #include "geometry/pose.hpp"
@@ -11,18 +10,18 @@ namespace rollcon {
 struct PairOfBodies {
   std::array<const Body*, 2> body{};  ///< prepared
   std::array<Pose, 2> pose{};
-  double layer = 0;          ///< between them: tangential displacement per traction
-  bool meshed() const;       ///< one of them at least
-  bool half_spaces() const;  ///< as they respond; one may be rigid
+  double layer = 0;          ///< layer between them: tangential displacement per traction
+  bool meshed() const;       ///< true if at least one body has a mesh
+  bool half_spaces() const;  ///< true if they respond as half-spaces; one may be rigid
 };
 
-/// Local normals (outward from body 1) over the plane of the axes: those of body 1 if it has a mesh,
-/// else minus those of body 2. They follow the profile across the rolling direction, but along it all have the
-/// inclination found at the origin: the bodies flatten each other there, so that pressure acts along one direction and
-/// radial displacements are no slip (docs/theory.md, section 11).
+/// Gives local normals (outward from body 1) over the plane of the axes: normals of body 1 if it has a mesh, else minus
+/// those of body 2. They follow the profile across the rolling direction, but along it all have the inclination found
+/// at the origin: the bodies flatten each other there, so that pressure acts along one direction and radial
+/// displacements are no slip (docs/theory.md, section 11).
 class NormalField {
  public:
-  /// One body at least must have a mesh.
+  /// Requires a mesh of at least one body.
   NormalField(const Axes& axes, const PairOfBodies& pair);
   Vec3 at(double x, double y) const;
   /// Gives a normal, in space, the inclination along the rolling direction that all have.
@@ -35,10 +34,10 @@ class NormalField {
   const Surface* surface_ = nullptr;
   Pose pose_;
   double sign_ = 1;
-  double sine_ = 0, cosine_ = 1;  ///< of that inclination
+  double sine_ = 0, cosine_ = 1;  ///< sine and cosine of the inclination along the rolling direction
 };
 
-/// Point of the axes' plane at (x, y), in space.
+/// Returns the point of the axes' plane at (x, y), in space.
 Vec3 plane_point(const Axes& axes, double x, double y);
 
 }  // namespace rollcon

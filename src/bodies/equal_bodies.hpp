@@ -1,7 +1,7 @@
 #pragma once
-/// The prepared bodies of a context by their content: of several equal ones, one is assembled, factorised and kept.
-/// (Poses do not count: they are the contacts'.) Bodies that differ in their loads alone have the equations of the
-/// first. A body that nobody holds any more is forgotten.
+/// Finds the prepared bodies of a context by their content: only one of several equal ones is assembled, factorised and
+/// kept. (Poses do not count: they belong to contacts.) Bodies that differ in their loads alone have the equations of
+/// the first. A body that nobody holds any more is forgotten.
 
 #include <functional>
 #include <map>
@@ -14,14 +14,14 @@ namespace rollcon {
 
 class EqualBodies {
  public:
-  /// The model of an equal body, if there is one that `serves` accepts; else the given one, after make() has prepared
-  /// it. Threads that bring equal models wait for each other. What make() throws is passed on, and the next one tries
-  /// by itself.
+  /// Returns the model of an equal body, if there is one that `serves` accepts; else the given one, after make() has
+  /// prepared it. Threads that bring equal models wait for each other. What make() throws is passed on, and the next
+  /// thread tries by itself.
   std::shared_ptr<BodyModel> share(
       std::shared_ptr<BodyModel> model, const std::function<void(BodyModel&)>& make,
       const std::function<bool(const BodyModel&)>& serves = [](const BodyModel&) { return true; });
-  /// Calls make with a prepared body that differs in its loads at most, or with null, after which this one is such a
-  /// body to others. Threads wait as above.
+  /// Calls make with a prepared body that differs in its loads at most, or with null, after which this one serves
+  /// others. Threads that bring models with such equations wait for each other.
   void share_equations(const std::shared_ptr<BodyModel>& model,
                        const std::function<void(BodyModel&, std::shared_ptr<BodyModel>)>& make);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// How a contact frame lies on the surface of a body: its elements are faces of the body, or a mesh of their own.
+/// Lays a contact frame on the surface of a body: its elements are faces of the body, or a mesh of their own.
 
 #include <cstdint>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
-/// See meshed_compliance.hpp; condensed in meshed_compliance.cpp, written out in meshed_expansion.cpp, between nodes in
-/// meshed_between.cpp.
+/// Declares the classes behind meshed_compliance.hpp: meshed_compliance.cpp condenses, meshed_expansion.cpp writes
+/// unknowns out, meshed_between.cpp gives displacements between nodes.
 
 #include <array>
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace rollcon {
 
-/// Displacements between the body's nodes by the shape functions of its faces.
+/// Interpolates displacements between the body's nodes by the shape functions of its faces.
 class ByShapeFunctions : public Compliance {
  public:
   ByShapeFunctions(MeshedZone zone, int threads) : zone_(std::move(zone)), threads_(threads) {}
@@ -34,19 +34,19 @@ class ByShapeFunctions : public Compliance {
   std::size_t bytes() const override { return response_.bytes() + (loads_ ? loads_->load.bytes() : 0); }
 
  protected:
-  enum Place { at_nodes, inside, beyond };  ///< of the zone
-  /// Points of one place, and those among all that were asked for.
+  enum Place { at_nodes, inside, beyond };  ///< where a point is in the zone
+  /// Holds the points of one place, and their numbers among all that were asked for.
   struct Group {
     Place place = at_nodes;
     std::vector<double> x, y;
     std::vector<std::size_t> point;
     std::vector<Interpolation> where;
   };
-  /// Moves points besides what is interpolated; null: nothing does.
+  /// Returns what moves points besides what is interpolated; null: nothing does.
   virtual const Compliance* local(Place /*place*/) const { return nullptr; }
-  /// The rows of the zone that are interpolated at points of a place.
+  /// Returns the rows of the zone that are interpolated at points of a place.
   virtual const RowMatrix<double>& smooth(Place /*place*/) const { return response_; }
-  /// Nodes of the body that are nodes of the frame move as the response says.
+  /// Tells whether nodes of the body that are nodes of the frame move as the response says.
   virtual bool nodes_move_alone() const { return true; }
   /// Adds what local() does at points, less what smooth() leaves out of the response, to their rows.
   virtual void add_local(const Group& /*group*/, std::size_t /*points*/, ExpandedCompliance& /*out*/) const {}
@@ -55,11 +55,11 @@ class ByShapeFunctions : public Compliance {
 
   MeshedZone zone_;
   int threads_;
-  mutable RowMatrix<double> response_;  ///< (3 rows) x (3 frame nodes), local components; made when first asked for
+  mutable RowMatrix<double> response_;  ///< (3 rows) x (3 frame nodes), local components; made on first use
 
  private:
   std::vector<Group> groups(Points points) const;
-  /// What block and apply need of the body; it factorises and condenses for it.
+  /// Makes what block and apply need of the body, which factorises and condenses for it.
   void require_response() const;
   const SurfaceLoads* require_loads() const;
   SparseMatrix local_loads() const;
@@ -67,13 +67,13 @@ class ByShapeFunctions : public Compliance {
   /// Adds tractions in the body's axes, by column of the loads, to a state of boundary elements.
   void add_tractions(const std::vector<Vec3>& on_body, SurfaceState& state) const;
 
-  mutable std::unique_ptr<const SurfaceOutline> outline_;  ///< made with the response
-  mutable std::shared_ptr<const SurfaceLoads> loads_;      ///< made when written out
+  mutable std::unique_ptr<const SurfaceOutline> outline_;  ///< null until the response is made
+  mutable std::shared_ptr<const SurfaceLoads> loads_;      ///< null until unknowns are written out
 };
 
-/// Displacements between the body's nodes and beyond the zone as those of a half-space with the body's constants, and
-/// the interpolated difference, which is smooth. Under the load of a single node finite elements move by what the mesh
-/// does not resolve: their difference is not smooth, and within the zone the half-space takes the remainder of the
+/// Gives displacements between the body's nodes and beyond the zone as those of a half-space with the body's constants,
+/// plus the interpolated difference, which is smooth. Under the load of a single node finite elements move by what the
+/// mesh does not resolve: their difference is not smooth, and within the zone the half-space takes the remainder of the
 /// tractions instead.
 class BetweenNodes final : public ByShapeFunctions {
  public:
@@ -98,10 +98,10 @@ class BetweenNodes final : public ByShapeFunctions {
   void require_halfspace_on_zone() const;
 
   double accuracy_;
-  // Made when first asked for at points between nodes.
+  // These members are made when points between nodes are first asked for.
   mutable std::unique_ptr<Compliance> halfspace_, remainder_;
-  mutable RowMatrix<double> correction_;         ///< response less the half-space's
-  mutable RowMatrix<double> halfspace_on_zone_;  ///< that part alone
+  mutable RowMatrix<double> correction_;         ///< response less the half-space's rows
+  mutable RowMatrix<double> halfspace_on_zone_;  ///< half-space's rows alone
 };
 
 }  // namespace rollcon

@@ -1,5 +1,5 @@
 #pragma once
-/// Lines from a frame's nodes to the contact faces of a body, and what is said of those that meet none.
+/// Follows lines from a frame's nodes to the contact faces of a body, and reports nodes whose line meets none.
 
 #include <cmath>
 #include <cstdint>
@@ -16,17 +16,17 @@
 
 namespace rollcon {
 
-/// Over the size of an element: nodes so far apart across the line are one, and a line that misses an edge by so much
-/// meets it.
+/// Distance over the size of an element at which nodes so far apart across the line are one, and a line that misses an
+/// edge by so much meets it.
 inline constexpr double coincidence = 1e-6;
 
-/// The size of the elements around a frame node: at a corner of a quadratic one its own cell is far smaller.
+/// Returns the size of the elements around a frame node; at a corner of a quadratic one its own cell is far smaller.
 inline double element_size(const Frame& frame, std::size_t k) {
   return 4 * std::sqrt(frame.cell_area[k]);
 }
 
-/// look(point) for a point in the body's axes and, if that gives nothing, for points a little aside of the line with
-/// that direction: a frame that ends where the body does must not miss it by what its coordinates were rounded to.
+/// Calls look(point) for a point in the body's axes and, if that gives nothing, for points a little aside of the line
+/// with that direction: a frame that ends where the body does must not miss it by rounding of its coordinates.
 template <class F>
 auto look_aside(const Vec3& from, const Vec3& direction, double size, F look) {
   auto found = look(from);
@@ -41,11 +41,11 @@ auto look_aside(const Vec3& from, const Vec3& direction, double size, F look) {
 }
 
 /// Finds where the line from frame node k along n, out of body 1, meets the contact faces of body `which` (0 or 1) that
-/// look towards the other body. In the body's axes.
+/// look towards the other body. The point is in the body's axes.
 std::optional<SurfacePoint> meet_contact_faces(const Frame& frame, std::size_t k, const Vec3& n, const Body& body,
                                                const Pose& pose, int which);
 
-/// Frame nodes whose lines lead to no contact face of a body.
+/// Collects frame nodes whose lines lead to no contact face of a body.
 class MissedNodes {
  public:
   MissedNodes(const Frame& frame, const Body& body, const Pose& pose, int which)

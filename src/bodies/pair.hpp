@@ -9,16 +9,16 @@
 
 namespace rollcon {
 
-/// u1 - u2 under tractions on body 1 (-traction on body 2), a layer between them included. frame must outlive it.
-/// accuracy: of half-space integrals.
+/// Makes u1 - u2 under tractions on body 1 (-traction on body 2), a layer between them included. frame must outlive it.
+/// accuracy: relative error of half-space integrals.
 std::unique_ptr<Compliance> make_pair_compliance(const Frame& frame, const PairOfBodies& pair, double accuracy,
                                                  int threads);
-/// The part of body `which` (0 or 1) in that difference; null for a rigid body.
+/// Makes the part of body `which` (0 or 1) in u1 - u2; null for a rigid body.
 std::unique_ptr<Compliance> make_body_compliance(const Frame& frame, const PairOfBodies& pair, int which,
                                                  double accuracy, int threads);
-/// E* of the pair as if both were half-spaces: scale of stiffness for first guesses.
+/// Returns E* of the pair as if both were half-spaces, as a scale of stiffness for first guesses.
 double contact_modulus(const PairOfBodies& pair);
-/// Dundurs' beta of the pair likewise: 0 for equal bodies, at most 1/2.
+/// Returns Dundurs' beta of the pair as if both were half-spaces: 0 for equal bodies, at most 1/2.
 double dundurs_beta(const PairOfBodies& pair);
 
 }  // namespace rollcon

@@ -8,7 +8,7 @@
 
 namespace rollcon {
 
-/// parts: at least one.
+/// Requires at least one part.
 std::unique_ptr<Compliance> make_sum(std::vector<std::unique_ptr<Compliance>> parts);
 
 }  // namespace rollcon

@@ -1,5 +1,5 @@
 #pragma once
-/// Bodies that are thin beside their own elements: their bending is not shown by the mesh.
+/// Finds bodies that are thin beside their own elements: the mesh does not show their bending.
 
 #include <cstdint>
 #include <span>
@@ -10,16 +10,16 @@
 namespace rollcon {
 
 struct Thinness {
-  double part = 0;   ///< of the free surface, by area: elements too long for the thickness there
-  double ratio = 0;  ///< their mean length over the thickness, by area
+  double part = 0;   ///< part of the free surface, by area, whose elements are too long for the thickness there
+  double ratio = 0;  ///< mean length of these elements over the thickness, by area
 };
 
-/// Thickness: along the inward normal at an element's middle, to the opposite side of the body. Elements that are held,
-/// or opposite to held ones, do not count: glued layers do not bend. linear, quadratic: largest length (diagonal over
-/// sqrt 2) over the thickness, by kind of element.
+/// Measures thickness along the inward normal at an element's middle, to the opposite side of the body. Elements that
+/// are held, or opposite to held ones, do not count: glued layers do not bend. linear, quadratic: largest length
+/// (diagonal over sqrt 2) over the thickness, by kind of element.
 Thinness thinness(BodyMesh& mesh, double linear, double quadratic);
 
-/// What lies under some elements.
+/// Measures the body under some elements.
 MeshOnFrame look_under(const BodyMesh& mesh, std::span<const std::int64_t> element);
 
 }  // namespace rollcon
