@@ -1,6 +1,6 @@
 #pragma once
-/// One description of what a thing consists of (a function `content(archive, thing)`) serves to digest it, to write it
-/// and to read it. Numbers are written as they are in memory.
+/// Digests, writes and reads a thing by one description of what it consists of, a function `content(archive, thing)`.
+/// Numbers are written as they are in memory.
 
 #include <array>
 #include <cstdint>
@@ -15,13 +15,13 @@
 
 namespace rollcon {
 
-/// Copied byte by byte: no padding, no pointers.
+/// Tells which types are copied byte by byte: they have no padding and no pointers.
 template <class T>
 struct IsPlain : std::bool_constant<std::is_arithmetic_v<T> || std::is_enum_v<T>> {};
 template <class T, std::size_t n>
 struct IsPlain<std::array<T, n>> : IsPlain<T> {};
 
-/// Sink: write(const void*, std::size_t).
+/// Writes to any Sink that has write(const void*, std::size_t).
 template <class Sink>
 class OutArchive {
  public:
@@ -44,7 +44,7 @@ class OutArchive {
     (*this)(matrix.columns());
     sink_.write(matrix.data(), static_cast<std::size_t>(matrix.rows() * matrix.columns()) * sizeof(double));
   }
-  /// each(archive, entry) for the entries of a vector.
+  /// Calls each(archive, entry) for the entries of a vector.
   template <class T, class Each>
   void list(const std::vector<T>& values, std::size_t /*least_bytes*/, Each each) {
     count(values.size());
@@ -103,7 +103,7 @@ class InArchive {
   SectionReader& file_;
 };
 
-/// Two checksums of different seeds: 128 bits, so that equal ones mean equal content.
+/// Computes two checksums of different seeds: 128 bits, so that equal ones mean equal content.
 class Digest {
  public:
   void write(const void* data, std::size_t bytes) {

@@ -1,5 +1,5 @@
 #pragma once
-/// What the file of a body's mesh calls by one name.
+/// Holds what the file of a body's mesh calls by one name.
 
 #include <cstdint>
 #include <string>
@@ -11,9 +11,9 @@ namespace rollcon {
 
 struct BodyGroup {
   std::string name;
-  std::vector<std::int32_t> node;     ///< all nodes of what it has, ascending
-  std::vector<std::int32_t> element;  ///< of the volume, or, of a body without, of the surface
-  std::vector<FaceNaming> naming;     ///< faces of a volume
+  std::vector<std::int32_t> node;     ///< nodes of all that the group has, ascending
+  std::vector<std::int32_t> element;  ///< elements of the volume, or of the surface where there is none
+  std::vector<FaceNaming> naming;     ///< named faces of a volume
 };
 
 }  // namespace rollcon

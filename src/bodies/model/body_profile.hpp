@@ -1,5 +1,5 @@
 #pragma once
-/// A profile that a body carries as its surface, and how it lies in the body's axes.
+/// Holds a profile that a body carries as its surface, and how it lies in the body's axes.
 
 #include <cstdint>
 #include <memory>
@@ -15,15 +15,15 @@ struct BodyProfile {
   std::shared_ptr<const ProfileCurve> curve;  ///< null: the body has no profile
   ProfilePlace place = ProfilePlace::none;
   Vec3 origin{0, 0, 0};
-  Vec3 axis{1, 0, 0};  ///< unit; along which it is extruded, or about which it is revolved
-  Vec3 z{0, 0, 1};     ///< unit, at a right angle; of extruded ones
-  double radius = 0;   ///< of z = 0, of revolved ones
+  Vec3 axis{1, 0, 0};  ///< unit vector along which it is extruded, or about which it is revolved
+  Vec3 z{0, 0, 1};     ///< unit vector of an extruded profile's z, at a right angle to the axis
+  double radius = 0;   ///< radius at z = 0 of a revolved profile
 };
 
-/// The profile has a place.
+/// Makes the surface of a profile that has a place.
 std::unique_ptr<Surface> surface_of(const BodyProfile& profile);
 
-/// err_argument where a profile revolved with that radius crosses its axis.
+/// Throws err_argument where a profile revolved with that radius crosses its axis.
 void require_one_side(const ProfileCurve& curve, double radius);
 
 }  // namespace rollcon

@@ -1,6 +1,6 @@
 #pragma once
-/// The one seam between bodies and contact: from nodal tractions on the contact frame to surface displacements of a
-/// body (or of a pair of bodies).
+/// Defines the one seam between bodies and contact: from nodal tractions on the contact frame to surface displacements
+/// of a body (or of a pair of bodies).
 
 #include <array>
 #include <cmath>
@@ -19,22 +19,22 @@ namespace rollcon {
 class Condensed;
 class TranslationKernel;
 
-/// Points of the contact surface, by their coordinates in the plane of the frame's axes (t1, t2): on a curved frame,
-/// the points of the surface above them. x.size() == y.size().
+/// Names points of the contact surface by their coordinates in the plane of the frame's axes (t1, t2): on a curved
+/// frame, the points of the surface above them. x.size() == y.size().
 struct Points {
   std::span<const double> x, y;
   std::size_t size() const { return x.size(); }
 };
 
-/// Destination of dense rows. a[i][j] (null: not wanted) holds the displacement component i at point p per unit
-/// traction component j of node k, at a[i][j][p * stride + k]. Components are
-/// 0 = t1, 1 = t2, 2 = n: of the frame's axes, or on a curved frame of the local ones at point and node.
+/// Points to where dense rows go. a[i][j] (null: not wanted) holds the displacement component i at point p per unit
+/// traction component j of node k, at a[i][j][p * stride + k]. Components are 0 = t1, 1 = t2, 2 = n in the frame's
+/// axes, or on a curved frame in the local ones at point and node.
 struct ComplianceBlock {
   double* a[3][3] = {};
   std::ptrdiff_t stride = 0;
 };
 
-/// Memory for the blocks that `wanted` asks for, with `columns` nodes; zero.
+/// Holds memory, zero at first, for the blocks that `wanted` asks for, with `columns` nodes.
 class BlockBuffer {
  public:
   BlockBuffer(const ComplianceBlock& wanted, std::size_t points, std::int64_t columns) {
@@ -56,52 +56,53 @@ class BlockBuffer {
   ComplianceBlock block_;
 };
 
-/// What a frame finds of the mesh of a body.
+/// Describes the mesh of a body under a frame.
 struct MeshOnFrame {
   const Condensed* response = nullptr;  ///< null: the body has no mesh
   double under_faces = 0;   ///< thickness over length of faces (square root of the area), mean by area; at most 10
   double glued = INFINITY;  ///< least thickness where the other side is held
   /// Least depth of volume elements, half of it if quadratic, where the body has fewer than four layers of them.
   double element = INFINITY;
-  bool between_nodes = false;  ///< displacements between nodes are those of a half-space
+  bool between_nodes = false;  ///< true: displacements between nodes are a half-space's
 };
 
 class Compliance {
  public:
   virtual ~Compliance() = default;
 
-  /// Nodes that carry tractions (all nodes of the frame).
+  /// Returns how many nodes carry tractions (all nodes of the frame).
   virtual std::int64_t nodes() const = 0;
-  /// False when normal tractions cause no tangential displacement and the reverse: blocks [n][t] and [t][n] are zero
-  /// and need not be asked for.
+  /// Returns false where normal tractions cause no tangential displacement, nor the reverse: blocks [n][t] and [t][n]
+  /// are zero and need not be asked for.
   virtual bool couples() const = 0;
-  /// Dense rows of A at any points of the surface. Writes every wanted entry.
+  /// Writes every wanted entry of the dense rows of A at any points of the surface.
   virtual void block(Points points, const ComplianceBlock& out) const = 0;
-  /// u = A t at any points, without forming A: traction[3*k+j], displacement[3*p+i].
+  /// Computes u = A t at any points without forming A: traction[3*k+j], displacement[3*p+i].
   virtual void apply(Points points, const double* traction, double* displacement) const = 0;
-  /// Displacement without any traction on the frame, u[3*p+i]: from loads and given displacements of the bodies
-  /// elsewhere. False: zero everywhere, u not written.
+  /// Returns the displacement u[3*p+i] without any traction on the frame, which loads and given displacements of the
+  /// bodies elsewhere cause. False: it is zero everywhere, and u is not written.
   virtual bool offset(Points /*points*/, double* /*u*/) const { return false; }
-  /// What a body with a mesh does under tractions on its surface of the frame, in its axes, without loads of its own.
-  /// False: it is none, nothing is written.
+  /// Returns what a body with a mesh does, in its axes, under tractions of the frame on its surface, without loads of
+  /// its own. False: the body has no mesh, and nothing is written.
   virtual bool everywhere(const double* /*traction*/, SurfaceState& /*state*/) const { return false; }
-  /// False when the frame has more nodes than the displacements of this body can tell apart: alone it makes singular
-  /// equations.
+  /// Returns false when the frame has more nodes than the displacements of this body can tell apart: alone it makes
+  /// singular equations.
   virtual bool resolves_frame() const { return true; }
   /// Gives the same displacements with the unknowns of the bodies written out (adds to `out`, whose matrices belong to
   /// the same points). Condenses and factorises nothing. False: has no such form.
   virtual bool expand(Points /*points*/, ExpandedCompliance& /*out*/) const { return false; }
-  /// What displacements by offset come from, under the frame's own shape functions; null: they depend on the place.
+  /// Returns the kernel of displacements that depend on the offset alone, under the frame's own shape functions; null:
+  /// they depend on the place.
   virtual std::shared_ptr<const TranslationKernel> translation() const { return nullptr; }
-  /// The frame's nodes have moved, in its plane. False: has to be made again.
+  /// Follows nodes of the frame that have moved in its plane. False: the compliance has to be made again.
   virtual bool follow_frame() { return false; }
   /// Fills the entries of bodies that have a mesh.
   virtual void find_meshes(std::array<MeshOnFrame, 2>& /*found*/) const {}
-  /// One line for the plan: model, how the frame lies on it.
+  /// Returns one line for the plan: the model, and how the frame lies on it.
   virtual std::string description() const { return {}; }
-  /// Threads that block and apply may use.
+  /// Sets how many threads block and apply may use.
   virtual void set_threads(int threads) = 0;
-  /// Kernel evaluations (point times quadrature point) since construction; for statistics.
+  /// Counts kernel evaluations (point times quadrature point) since construction, for statistics.
   virtual std::int64_t kernel_evaluations() const = 0;
   virtual std::size_t bytes() const = 0;
 };

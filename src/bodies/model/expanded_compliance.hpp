@@ -1,6 +1,6 @@
 #pragma once
-/// A compliance with the bodies' own unknowns written out instead of eliminated: the parts of the monolithic systems
-/// (48), (58), (62).
+/// Holds a compliance with the bodies' own unknowns written out instead of eliminated: the parts of the monolithic
+/// systems (48), (58), (62).
 ///
 ///   u(points) = sum over bodies of P d  +  N t,     K d = B t
 ///
@@ -19,12 +19,12 @@
 
 namespace rollcon {
 
-/// K of a body: sparse (finite elements) or dense (boundary elements). Without loads and given displacements of its
-/// own, which Compliance::offset() adds.
+/// Holds K of a body: sparse (finite elements) or dense (boundary elements). Compliance::offset() adds what its own
+/// loads and given displacements do.
 struct BodyEquations {
   std::int64_t unknowns = 0;
-  bool symmetric = false;     ///< positive definite
-  SparseMatrix matrix;        ///< whole, both triangles; empty when dense
+  bool symmetric = false;     ///< true: positive definite
+  SparseMatrix matrix;        ///< both triangles; empty when dense
   std::vector<double> dense;  ///< unknowns squared, column-major; empty when sparse
 
   std::size_t bytes() const { return matrix.bytes() + dense.capacity() * sizeof(double); }
@@ -37,16 +37,16 @@ struct ExpandedBody {
 };
 
 struct ExpandedCompliance {
-  std::vector<ExpandedBody> body;  ///< those with unknowns of their own
+  std::vector<ExpandedBody> body;  ///< bodies with unknowns of their own
   RowMatrix<double> direct;        ///< N: (3 points) x (3 nodes); empty: zero
 };
 
 class Compliance;
 struct Points;
 
-/// Makes N, zero, where there is none yet.
+/// Makes N with zeros where there is none yet.
 void require_direct(std::int64_t points, std::int64_t nodes, ExpandedCompliance& out);
-/// Adds the block of a compliance at points to the rows of others: of point p to those of target[p].
+/// Adds the block of a compliance at points to the rows of other points: the rows of point p to those of target[p].
 void add_block(const Compliance& local, Points points, std::span<const std::size_t> target, RowMatrix<double>& direct);
 /// Adds the block of a compliance without unknowns of its own to N.
 void add_direct(const Compliance& local, Points points, ExpandedCompliance& out);

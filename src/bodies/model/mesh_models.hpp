@@ -1,6 +1,6 @@
 #pragma once
-/// Models of elastic bodies with a mesh. Each is a component of the build: where one is left out, fem_absent.cpp,
-/// bem_absent.cpp and meshed_absent.cpp stand for it.
+/// Declares the models of elastic bodies with a mesh. Each is a component of the build: where one is left out,
+/// fem_absent.cpp, bem_absent.cpp and meshed_absent.cpp stand for it.
 
 #include <map>
 #include <memory>
@@ -13,14 +13,14 @@ namespace rollcon {
 
 class SectionReader;
 
-// saved: what the response wrote to a file (Condensed::save); null: from nothing.
+// Models take `saved`, what the response wrote to a file (Saved::save); null: they start from nothing.
 
 namespace fem {
 /// Throws err_unsupported, naming component and option, in a build without finite elements.
 void require_support();
-/// Largest Poisson's ratio for which the element is accurate; beyond it bodies refuse it.
+/// Returns the largest Poisson's ratio for which the element is accurate; beyond it bodies refuse it.
 double largest_poisson(VolumeType type);
-/// See fem::System.
+/// Makes the response of a finite-element body, see fem::System.
 std::unique_ptr<Condensed> make_response(const BodyMesh& mesh, const TractionNodes& fans,
                                          const std::map<std::int32_t, Elastic>& material, const BodyOptions& options,
                                          int threads, SectionReader* saved);
@@ -29,7 +29,7 @@ std::unique_ptr<Condensed> make_response(const BodyMesh& mesh, const TractionNod
 namespace bem {
 /// Throws err_unsupported, naming component and option, in a build without boundary elements.
 void require_support();
-/// See bem::System.
+/// Makes the response of a boundary-element body, see bem::System.
 std::unique_ptr<Condensed> make_response(const BodyMesh& mesh, const TractionNodes& fans, double young, double poisson,
                                          const BodyOptions& options, int threads, SectionReader* saved);
 }  // namespace bem

@@ -1,5 +1,5 @@
 #pragma once
-/// Do the supports of a body hold it, and does its material allow them?
+/// Checks that the supports of a body hold it, and that its material allows them.
 
 #include "bodies/model/body_mesh.hpp"
 
@@ -9,10 +9,10 @@ namespace rollcon {
 /// body free to move as a rigid one.
 void require_supports(const BodyMesh& mesh);
 
-/// Boundary elements lose sight of the volume of a cavity as nu -> 1/2: the single layer of a normal traction on a
-/// closed surface vanishes. Throws err_unsupported, naming the cavity's first element and the remedy, for nu beyond
-/// 0.49 and a cavity no face of which is held. The mesh must have passed check_surface. Likewise for nu = 1/2 and a
-/// body held all over, whose pressure is then undetermined.
+/// Throws err_unsupported, naming the first element and the remedy, for nu beyond 0.49 and a cavity no face of which is
+/// held: boundary elements lose sight of its volume as nu -> 1/2, where the single layer of a normal traction on a
+/// closed surface vanishes. Throws it also for nu = 1/2 and a body held all over, whose pressure is then undetermined.
+/// The mesh must have passed check_surface.
 void refuse_incompressible_cavities(const BodyMesh& mesh, double poisson);
 
 }  // namespace rollcon

@@ -1,54 +1,54 @@
 #pragma once
-/// Surfaces that respond alike wherever, and in whatever direction, they are loaded: a displacement depends on its
-/// offset from the load alone. On lattices that serves instead of integrals, and instead of matrices.
+/// Describes surfaces that respond alike wherever they are loaded: a displacement depends on its offset from the load
+/// alone. On lattices this saves integrals and matrices.
 
 #include <cstdint>
 #include <memory>
 
 namespace rollcon {
 
-/// A linear hat along one axis, 1 at 0 and 0 at distance h, or the half of it beside 0.
+/// Names a linear hat along one axis, 1 at 0 and 0 at distance h, or the half of it beside 0.
 enum class Hat {
   before,  ///< [-h, 0]
   whole,   ///< [-h, h]
   after,   ///< [0, h]
 };
 
-/// The shape function of one node of a lattice: product of two hats of half-widths dx, dy. Nodes on the rim of a frame
-/// have halves.
+/// Describes the shape function of one node of a lattice: the product of two hats of half-widths dx, dy. Nodes on the
+/// rim of a frame have halves.
 struct LatticeHat {
   double dx = 0, dy = 0;
   Hat x = Hat::whole, y = Hat::whole;
 };
 
-/// Largest offsets, in cells, that are asked for.
+/// Holds the largest offsets, in cells, that are asked for.
 struct OffsetReach {
   std::int64_t x, y;
 };
 
-/// Displacements on a lattice by a source at its origin.
+/// Gives displacements on a lattice by a source at its origin.
 class LatticeRows {
  public:
   virtual ~LatticeRows() = default;
-  /// u[r][c][m], m < count, null: not wanted: component r at offset (shift_x + (first + m) dx, shift_y + j dy) by unit
-  /// tractions c, along the lattice's axes and the normal. May be called by several threads at once.
+  /// Fills u[r][c][m], m < count (null: not wanted), with component r at offset (shift_x + (first + m) dx,
+  /// shift_y + j dy) by unit tractions c, along the lattice's axes and the normal. Safe for several threads.
   virtual void row(std::int64_t j, std::int64_t first, std::int64_t count, double* const (&u)[3][3]) const = 0;
 };
 
 class TranslationKernel {
  public:
   virtual ~TranslationKernel() = default;
-  /// False: normal tractions cause no tangential displacement, nor the reverse.
+  /// Returns false where normal tractions cause no tangential displacement, nor the reverse.
   virtual bool couples() const = 0;
-  /// False: tractions along t1 cause no displacement along t2, nor the reverse.
+  /// Returns false where tractions along t1 cause no displacement along t2, nor the reverse.
   virtual bool shears() const = 0;
-  /// Stretched with what is loaded, tractions held, displacements grow in the same ratio.
+  /// Tells whether displacements grow in the same ratio when all lengths are stretched and tractions held.
   virtual bool scales() const { return false; }
-  /// May not outlive the kernel.
+  /// Returns the rows of a source, which the kernel must outlive.
   virtual std::unique_ptr<LatticeRows> on_lattice(const LatticeHat& source, double shift_x, double shift_y,
                                                   OffsetReach reach) const = 0;
-  /// Displacements under unit tractions that are waves of wave number k > 0: normal ones, and tangential ones along
-  /// the direction of the wave and across it.
+  /// Holds displacements under unit tractions that are waves of wave number k > 0: normal ones, and tangential ones
+  /// along the direction of the wave and across it.
   struct Softness {
     double normal, along, across;
   };
