@@ -27,8 +27,8 @@ constexpr int kernel_count(int terms) {
   return 9 * (terms & 1) + 3 * (terms & 2);
 }
 
-/// Entries of T (nine, if wanted) and then of U (six, if wanted) at r = y - x, for n and w with the weight in them;
-/// `share` scales all of them.
+/// Computes entries of T (nine, if wanted) and then of U (six, if wanted) at r = y - x, for n and w with the weight in
+/// them; `share` scales all of them.
 template <int terms>
 inline void kelvin(const Pack* r, const Pack* n, Pack w, Pack share, const KelvinConstants& c, Pack* f) {
   const Pack r2 = fma(r[0], r[0], fma(r[1], r[1], r[2] * r[2]));
@@ -42,7 +42,7 @@ inline void kelvin(const Pack* r, const Pack* n, Pack w, Pack share, const Kelvi
     const Pack skew = splat(c.skew), b = splat(c.triple) * dn, iso = skew * dn;
     const Pack be[3] = {b * e[0], b * e[1], b * e[2]};
     const Pack s[3] = {skew * e[0], skew * e[1], skew * e[2]};
-    // Entry 3 c + i is T_ic.
+    // Entry 3 c + i holds T_ic.
     for (int i = 0; i < 3; ++i) f[4 * i] = fma(be[i], e[i], iso);
     constexpr int pair[3][2] = {{0, 1}, {0, 2}, {1, 2}};
     for (const auto& p : pair) {
@@ -65,7 +65,7 @@ inline void kelvin(const Pack* r, const Pack* n, Pack w, Pack share, const Kelvi
   }
 }
 
-/// Position, and tangents' cross product times weight, from shape functions and nodes.
+/// Computes position, and tangents' cross product times weight, from shape functions and nodes.
 template <int nodes, class Node>
 inline void surface(const Pack* value, const Pack* d_xi, const Pack* d_eta, Pack w, Node node, Pack* y, Pack* n,
                     Pack* area) {
@@ -114,23 +114,23 @@ void place(const RuleTable& rule, int nodes, const double (*node)[max_element_no
   for_nodes(nodes, [&]<int n>() { place_points<n>(rule, node, points); });
 }
 
-/// Kernel values of a block of quadrature points, staged between the kernel and the product with the shape functions:
-/// all of it together would not fit the registers.
+/// Sets how many quadrature points have kernel values staged between the kernel and the product with the shape
+/// functions: all of it together would not fit the registers.
 constexpr int block = 16;
 
-/// Places an entry of U goes to: two, but one on the diagonal.
+/// Lists the places that an entry of U goes to: two, but one on the diagonal.
 constexpr int u_entry[6][2] = {{0, 0}, {1, 3}, {2, 6}, {4, 4}, {5, 7}, {8, 8}};
 
-/// How products with the shape functions are cut so that their sums stay in registers.
+/// Cuts products with the shape functions so that their sums stay in registers.
 template <int nodes>
 struct Tile {
   static constexpr int entries = 3;
   static constexpr int height = lanes == 8 || nodes <= 4 ? nodes : nodes == 8 ? 4 : 3;
 };
 
-/// block[k][entry] += sum over q of f[q][entry] value[k][q] for a tile of nodes from k0 on and of entries from i0 on,
-/// of T or of U. All but q is known to the compiler: rules have few points, and addresses worked out at run time would
-/// cost as much as the sums.
+/// Adds the sum over q of f[q][entry] value[k][q] to block[k][entry] for a tile of nodes from k0 on and of entries of T
+/// or U from i0 on. All but q is known to the compiler: rules have few points, and addresses worked out at run time
+/// would cost as much as the sums.
 template <int nodes, int terms, bool of_u, int k0, int i0>
 inline void add_tile(const Pack (*f)[15], int n, const double* value, int padded, double* const* target) {
   constexpr int height = Tile<nodes>::height, entries = Tile<nodes>::entries;
@@ -210,7 +210,7 @@ void far(const FarPoints& points, const RuleTable& rule, int nodes, const PointP
   });
 }
 
-/// rows x nodes dot products over packs of quadrature points, three rows at once.
+/// Computes rows x nodes dot products over packs of quadrature points, three rows at once.
 template <int nodes>
 inline void products(const Pack (*f)[near_capacity / lanes], int rows, const Pack (*value)[near_capacity / lanes],
                      int packs, double (*sums)[max_element_nodes]) {

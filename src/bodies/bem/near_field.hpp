@@ -1,5 +1,5 @@
 #pragma once
-/// Kelvin's integrals over one element for a point on it or near it.
+/// Computes Kelvin's integrals over one element for a point on it or near it.
 
 #include "bodies/bem/kelvin.hpp"
 #include "quadrature/near_field.hpp"
@@ -9,7 +9,7 @@ namespace rollcon::bem {
 
 using namespace quadrature;
 
-/// Overwritten; see quadrature::near_field.
+/// Overwrites the integrals; see quadrature::near_field.
 void near_integrals(const ElementGeometry& element, const Vec3& point, const OnElement& on, Tolerance tolerance,
                     int terms, const KelvinConstants& constants, const Kernels& kernels, NearWorkspace& workspace,
                     NearIntegrals& integrals);

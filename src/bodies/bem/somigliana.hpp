@@ -1,6 +1,6 @@
 #pragma once
-/// Displacements and stresses inside a boundary-element body by Somigliana's identities (docs/theory.md, inside of
-/// boundary elements):
+/// Computes displacements and stresses inside a boundary-element body by Somigliana's identities (docs/theory.md,
+/// inside of boundary elements):
 ///
 ///   u(x) = integral U t - integral T u,   stress(x) = integral D t - integral S u
 ///
@@ -19,11 +19,11 @@
 
 namespace rollcon::bem {
 
-/// A surface and the rules of its elements, in units of the mesh's size. The mesh must outlive it.
+/// Holds a surface and the rules of its elements, in units of the mesh's size. The mesh must outlive it.
 class SomiglianaSurface {
  public:
   SomiglianaSurface(const SurfaceMesh& mesh, double size, double accuracy);
-  /// Loaded faces with u over size, tractions over G.
+  /// Returns loaded faces with u over size and tractions over G.
   std::vector<LoadedFace> faces(const double* u, const double* traction) const;
 
   struct Workspace {
@@ -42,7 +42,7 @@ class SomiglianaSurface {
   FarField::PackFactors factors_{1};
 };
 
-/// The surface of a body with what does not depend on its loads.
+/// Holds the surface of a body with what does not depend on its loads.
 struct SomiglianaBody {
   SomiglianaBody(const LiftedSurface& surface, double shear, double poisson, double accuracy, double edge_angle);
   const LiftedSurface& lifted;
@@ -50,12 +50,12 @@ struct SomiglianaBody {
   double size;
   SurfaceSearch search;
   SomiglianaSurface surface;
-  std::vector<double> bulge;  ///< of linear elements: how far the lifted sides leave the straight ones
+  std::vector<double> bulge;  ///< distance of lifted from straight sides of linear elements
 };
 
 class Somigliana final : public BodyFields {
  public:
-  /// surface: the mesh whose connectivity state.traction belongs to.
+  /// Takes a state, whose tractions belong to the connectivity of mesh `surface`.
   Somigliana(std::shared_ptr<const SomiglianaBody> body, const SurfaceMesh& surface, const SurfaceState& state);
 
   void at_points(std::int64_t n, const double* xyz, double* displacement, double* stress, int threads) const override;

@@ -1,5 +1,5 @@
 // The kernels are written once and compiled for each instruction set (cmake/RollconKernels.cmake). Linkage is internal
-// throughout; only the table of functions leaves the file. Formulas and names: somigliana_kernels.hpp.
+// throughout; only the table of functions leaves the file. somigliana_kernels.hpp has the formulas and names.
 #pragma once
 
 #include <numbers>
@@ -20,7 +20,7 @@ inline Pack inner(const Pack* a, const Pack* b) {
   return fma(a[0], b[0], fma(a[1], b[1], a[2] * b[2]));
 }
 
-/// Entry (i, j) of a symmetric tensor 11, 22, 33, 12, 13, 23.
+/// Gives the place of entry (i, j) of a symmetric tensor 11, 22, 33, 12, 13, 23.
 constexpr int entry_of[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
 constexpr int row_of[6] = {0, 1, 2, 0, 0, 1}, column_of[6] = {0, 1, 2, 1, 2, 2};
 
@@ -68,7 +68,7 @@ template <ElementType type>
 void face_rule(const LoadedFace& face, const NearPoints& points, const double* x, double poisson,
                const LinearField& linear, double* sum) {
   constexpr int nodes = rollcon::node_count(type);
-  Pack node[3][nodes];  // relative to the observer, so that what is close to it loses no digits
+  Pack node[3][nodes];  // nodes relative to the observer, so that what is close to it loses no digits
   for (int j = 0; j < 3; ++j)
     for (int k = 0; k < nodes; ++k) node[j][k] = splat(face.node[j][k] - x[j]);
   SomiglianaSums sums(poisson);

@@ -1,6 +1,6 @@
 #pragma once
-/// Inner loops of Somigliana's identities for displacement and stress inside a body, one set of functions per
-/// instruction set, chosen at run time. One observer x at a time, packs of quadrature points y.
+/// Declares the inner loops of Somigliana's identities for displacement and stress inside a body, one set of functions
+/// per instruction set, chosen at run time. They take one observer x at a time and packs of quadrature points y.
 ///
 /// With r = |y - x|, e = (y - x)/r, the area vector m (outward), force f = t dA and displacement v of y, G = 1,
 /// c = 1/(8 pi (1 - nu)), k = 1 - 2 nu, and a = e.f, b = e.v, d = e.m, w = m.v:
@@ -19,23 +19,23 @@ namespace rollcon::bem {
 
 using quadrature::NearPoints;
 
-/// 11, 22, 33, 12, 13, 23 of the stress, three of the displacement, and the solid angle, integral d/r^2.
+/// Counts the sums: stresses 11, 22, 33, 12, 13, 23, three displacements, and the solid angle, integral d/r^2.
 inline constexpr int somigliana_count = 10;
 
-/// Tractions over G; lengths in one unit.
+/// Describes a face under load; tractions are over G, and all lengths have one unit.
 struct LoadedFace {
   ElementType type = ElementType::tri3;
   double node[3][max_element_nodes], u[3][max_element_nodes], traction[3][max_element_nodes];
 };
 
-/// u at the observer, its gradient [i][j] = du_i/dx_j, and the stress over G.
+/// Holds u at the observer, its gradient [i][j] = du_i/dx_j, and the stress over G.
 struct LinearField {
   double u[3] = {}, gradient[3][3] = {}, stress[6] = {};
 };
 
 struct SomiglianaKernels {
   const char* name;
-  /// sum[somigliana_count] is added to; points is padded in place.
+  /// Adds a face to sum[somigliana_count]; points is padded in place.
   void (*face)(const LoadedFace& face, NearPoints& points, const double* x, double poisson, const LinearField& linear,
                double* sum);
 };

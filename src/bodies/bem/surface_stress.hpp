@@ -1,5 +1,5 @@
 #pragma once
-/// Gradient of displacement and stress on a surface, from the displacements along it and the tractions (Hooke's law).
+/// Computes the gradient of displacement and the stress on a surface from the displacements along it and the tractions.
 
 #include <cstdint>
 #include <vector>
@@ -9,26 +9,26 @@
 
 namespace rollcon::bem {
 
-/// Fields on a surface mesh; tractions and stresses over G.
+/// Holds fields on a surface mesh; tractions and stresses are over G.
 struct SurfaceValues {
   const SurfaceMesh& mesh;
-  std::vector<double> u;         ///< [3 * node + c]
-  std::vector<double> traction;  ///< by entry of the connectivity, [3 * k + c]
+  std::vector<double> u;         ///< displacements [3 * node + c]
+  std::vector<double> traction;  ///< tractions by entry of the connectivity, [3 * k + c]
   double poisson = 0;
 
-  /// Takes the element's own fields at a place of it. more: traction besides that of the values.
+  /// Returns the element's own fields at a place on it; `more` is added to the traction of the values.
   LinearField field(std::int64_t element, double xi, double eta, const Vec3& more) const;
   Vec3 traction_at(std::int64_t element, double xi, double eta) const;
 };
 
-/// more: as above.
+/// Holds tractions, by entry of the connectivity, that are added to those of the values.
 using TractionBesides = std::vector<Vec3>;
 
-/// Stresses at the nodes of each element, [6 * entry + c] of the connectivity: averages by area over the elements with
-/// the same tag around the node whose normals there are within edge_angle (degrees). more: by entry.
+/// Returns stresses at the nodes of each element, [6 * entry + c] of the connectivity: averages by area over the
+/// elements with the same tag around the node whose normals there are within edge_angle (degrees).
 std::vector<double> smoothed_stresses(const SurfaceValues& values, const TractionBesides& more, double edge_angle);
 
-/// Averages at each node over all its elements, by area.
+/// Averages the stresses at each node over all its elements, by area.
 std::vector<double> stresses_at_nodes(const SurfaceMesh& mesh, const std::vector<double>& smoothed);
 
 /// Interpolates one element's nodal stresses.

@@ -1,6 +1,6 @@
 #pragma once
-/// The algebraic system of a boundary-element body, H u = G t (58): assembled for its supports, factorised once,
-/// condensed to the surface nodes that contact needs. docs/theory.md, section 9.
+/// Solves the algebraic system of a boundary-element body, H u = G t (58): it is assembled for its supports, factorised
+/// once and condensed to the surface nodes that contact needs (docs/theory.md, section 9).
 
 #include "bodies/bem/boundary_integrals.hpp"
 #include "bodies/bem/lifted_surface.hpp"
@@ -40,19 +40,19 @@ class System final : public ResponseCache {
   std::vector<std::int32_t> needed_fans(const std::vector<double>& given, std::int32_t& columns) const;
   void place(const double* h, const double* g, const std::vector<std::int32_t>& column_of_fan,
              const std::vector<double>& given, const std::vector<Vec3>& held_value, const PackTarget& to) const;
-  /// matrix: unknowns squared, column-major, not cleared.
+  /// Assembles the matrix: unknowns squared, column-major, not cleared.
   void assemble(const BodyMesh& loaded, int threads, double* matrix, std::vector<double>& own_load);
   OwnLoads solve_own_load(const BodyMesh& loaded, std::vector<double>& b) const;
-  /// Adds what a solution has of tractions, by traction node and component.
+  /// Adds the tractions that a solution has, by traction node and component.
   void add_reactions(const double* b, std::vector<double>& traction) const;
   /// Sums tractions on the whole surface, by traction node and component.
   Resultant resultant(std::span<const double> traction) const;
-  /// How far loads and reactions are from a balance, beside a force and its moment about what is held; centre: where it
-  /// acts.
+  /// Returns how far loads and reactions are from a balance, relative to a force at `centre` and to its moment about
+  /// what is held.
   double imbalance(const Resultant& sum, const Vec3& centre, double force) const;
   /// Finds what the reactions miss of own loads.
   double missed(std::span<const double> load, std::span<const double> traction) const;
-  /// See Imbalances; force: what causes the displacements.
+  /// Returns Imbalances::bent for displacements that a force causes.
   double bent(const std::vector<double>& displacement, double force) const;
   /// Checks uniform tractions on the surface that b was made for, right sides after elimination; err_mesh where a
   /// pressure gets no answer that can be trusted. (No load may act along the faces.)
@@ -60,9 +60,9 @@ class System final : public ResponseCache {
   std::vector<double> given_tractions(const BodyMesh& loaded) const;
   Resultant support_reaction(const std::vector<double>& traction, const std::vector<double>& given) const;
   LiftedColumns columns_of_faces(std::span<const std::int64_t> face, const SurfaceOutline& outline) const;
-  /// Right sides of unit tractions: unknowns x (3 columns).
+  /// Returns right sides for unit tractions: unknowns x (3 columns).
   std::vector<double> right_sides(const LoadedSurface& surface, const SurfaceOutline& outline, int threads);
-  /// Solves for them, and keeps some rows.
+  /// Solves for right sides b, and keeps some rows.
   void condense(std::vector<double> b, const LoadedSurface& surface, SurfaceRows& rows, int threads);
   void write_loads(const std::vector<double>& b, SurfaceLoads& loads) const;
 
@@ -71,16 +71,16 @@ class System final : public ResponseCache {
   double shear_ = 1, poisson_ = 0;
   BodyOptions options_;
   LiftedSurface lifted_;
-  BoundaryIntegrals integrals_;  ///< over lifted_
+  BoundaryIntegrals integrals_;  ///< integrals over lifted_
   Unknowns unknowns_;
-  std::vector<double> fan_size_;  ///< local element size: scales unknown tractions
+  std::vector<double> fan_size_;  ///< local element size, which scales unknown tractions
   double reach_ = 0;              ///< half the diagonal of the body's box
   Vec3 held_at_{0, 0, 0};         ///< mean place of the held nodes
   FactoredMatrix matrix_;
-  std::shared_ptr<const BodyEquations> kept_equations_;  ///< until factorised
-  std::shared_ptr<const SomiglianaBody> inside_;         ///< made when fields inside are asked for
+  std::shared_ptr<const BodyEquations> kept_equations_;  ///< equations until they are factorised
+  std::shared_ptr<const SomiglianaBody> inside_;         ///< null until fields inside are asked for
   bool own_solved_ = false;
-  Imbalances imbalances_;  ///< mutex_ guards it, and matrix_ after construction
+  Imbalances imbalances_;  ///< worst of all frames; mutex_ guards it, and matrix_ once constructed
 };
 
 }  // namespace rollcon::bem

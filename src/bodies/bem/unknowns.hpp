@@ -1,5 +1,6 @@
 #pragma once
-/// Which displacements and tractions of a boundary-element body are unknown, and where its equations are written.
+/// Numbers the unknown displacements and tractions of a boundary-element body, and says where its equations are
+/// written.
 ///
 /// A free displacement component is unknown, and so is the traction component of every fan of a held face (all nodes of
 /// one of the fan's elements held in that component). A held component with one such fan takes the equation of its
@@ -17,22 +18,22 @@
 
 namespace rollcon::bem {
 
-/// A node held alone, without a held face: its reaction is spread over its first fan like a linear shape function.
-/// (That of a quadratic element's corner has no mean, or a negative one.)
+/// Describes a node held alone, without a held face: its reaction is spread over its first fan like a linear shape
+/// function. (The shape function of a quadratic element's corner has no mean, or a negative one.)
 struct SpreadReaction {
-  std::int32_t fan = 0;  ///< the node's own; the unknown is its traction's
+  std::int32_t fan = 0;  ///< first fan of the node, whose traction is the unknown
   int component = 0;
-  std::map<std::int32_t, double> others;  ///< fans of other nodes, and their part of the value
+  std::map<std::int32_t, double> others;  ///< parts of the value that fans of other nodes get
 };
 
 struct Unknowns {
-  /// Column of (node, component), -1: held. Those that contact may ask for are the last.
+  /// Column of (node, component), -1: held. Columns that contact may ask for come last.
   std::vector<std::int32_t> displacement;
   std::vector<std::int32_t> traction;  ///< column of (traction node, component), -1: known
   std::vector<SpreadReaction> spread;
   std::int64_t columns = 0;
 
-  std::vector<CollocationPoint> point;  ///< neighbours in space stand together
+  std::vector<CollocationPoint> point;  ///< points, in an order that keeps neighbours in space together
   std::vector<std::int32_t> row;        ///< row of (point, component), -1: not an equation
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-/// The sparse stiffness matrix of a finite-element body and its loads, on the free displacement components. Everything
-/// is over one reference modulus, so that entries are lengths.
+/// Assembles the sparse stiffness matrix of a finite-element body and its loads, on the free displacement components.
+/// Everything is over one reference modulus, so that entries are lengths.
 
 #include <cstdint>
 #include <map>
@@ -13,26 +13,26 @@
 namespace rollcon::fem {
 
 struct Unknowns {
-  std::vector<std::int64_t> of;  ///< of displacement component c of node k: [3 * k + c]; -1: held
+  std::vector<std::int64_t> of;  ///< unknown of displacement component c of node k: [3 * k + c]; -1: held
   std::int64_t count = 0;
 };
 Unknowns number_unknowns(const BodyMesh& mesh);
 
 struct Material {
-  double young = 0, poisson = 0;  ///< young over the reference
+  double young = 0, poisson = 0;  ///< young is over the reference
 };
 
 class Assembly {
  public:
-  /// The mesh must outlive it. material: by element.
+  /// Takes the mesh, which must outlive it, and materials by element.
   Assembly(const BodyMesh& mesh, std::vector<Material> material, Hex8 hex8);
 
   const Material& material(std::int64_t element) const { return material_[static_cast<std::size_t>(element)]; }
-  /// Sums are taken in an order that does not depend on the number of threads.
+  /// Assembles the matrix, with sums in an order that does not depend on the number of threads.
   SparseMatrix stiffness(const Unknowns& unknowns, int threads) const;
-  /// Nodal forces f[3 * k + c] of the elements that touch a held component, under displacements u.
+  /// Returns nodal forces f[3 * k + c] of the elements that touch a held component, under displacements u.
   std::vector<double> forces_at_supports(const std::vector<double>& u) const;
-  /// Consistent nodal loads of the tractions, pressures and body forces given, over the reference modulus.
+  /// Returns consistent nodal loads of the tractions, pressures and body forces given, over the reference modulus.
   std::vector<double> loads(double reference) const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// What stiffness and stresses of one element share: gradients of its functions and its dilatations.
+/// Computes what stiffness and stresses of one element both need: gradients of its functions and its dilatations.
 
 #include <span>
 
@@ -9,14 +9,14 @@ namespace rollcon::fem {
 
 constexpr int max_columns = 3 * max_functions;
 
-/// Columns of gradients: derivative to x_a of function i stands at a * functions + i.
+/// Holds columns of gradients: the derivative to x_a of function i stands at a * functions + i.
 struct Gradients {
   int columns = 0;
   double volume[max_points];  ///< weight times det J
   double at[max_points][max_columns];
 };
 
-/// Strains in units of a power of two near the element's size: lengths are over 2^exponent.
+/// Holds strains in units of a power of two near the element's size: lengths are over 2^exponent.
 struct ElementStrain {
   const ElementTable* table = nullptr;
   int exponent = 0;
@@ -29,14 +29,14 @@ struct ElementStrain {
 
 void find_strain(VolumeType type, std::span<const Vec3> x, Hex8 hex8, ElementStrain& out);
 
-/// Moduli over Young's, of a unit of length that is the element's.
+/// Holds moduli over Young's, in a unit of length that is the element's.
 struct Moduli {
   double shear = 0, bulk = 0;
-  double varying = 0;  ///< in place of bulk for what varies of the dilatation
+  double varying = 0;  ///< replaces bulk for the part of the dilatation that varies
 };
 Moduli moduli_of(const ElementStrain& strain, double poisson, double unit);
 
-/// Stiffness of nodes and incompatible modes, (3 functions) squared, nodes first; E = 1.
+/// Computes the stiffness of nodes and incompatible modes, (3 functions) squared, nodes first; E = 1.
 void extended_stiffness(const ElementStrain& strain, double poisson, double* k);
 
 /// Eliminates the unknowns from `keep` on, the last first. Row e keeps what it was when e was eliminated.

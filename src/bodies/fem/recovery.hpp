@@ -1,5 +1,5 @@
 #pragma once
-/// Nodal stresses recovered by patches: more accurate than averages of the elements' own.
+/// Recovers nodal stresses by patches: they are more accurate than averages of the elements' own.
 
 #include <vector>
 
@@ -8,9 +8,8 @@
 
 namespace rollcon::fem {
 
-/// part: stresses of each element's own function at its nodes, 6 for each entry of the volume's connectivity.
-/// stress: averages at the nodes, 6 for each; better ones come in their place. Nodes whose elements have no sound
-/// patch keep theirs.
+/// Replaces averages at the nodes, stress[6 * node + c], by better values, except where a node's elements have no sound
+/// patch. part: stresses of each element's own function at its nodes, 6 for each entry of the volume's connectivity.
 void recover_nodal_stresses(const BodyMesh& mesh, Hex8 hex8, const std::vector<double>& part, double* stress,
                             int threads);
 

@@ -1,6 +1,6 @@
 #pragma once
-/// The algebraic system of a finite-element body, K u = M t (61): assembled on the free displacements, factorised once,
-/// condensed to the surface nodes that contact needs. docs/theory.md, section 10.
+/// Solves the algebraic system of a finite-element body, K u = M t (61): it is assembled on the free displacements,
+/// factorised once and condensed to the surface nodes that contact needs (docs/theory.md, section 10).
 
 #include <map>
 #include <string>
@@ -52,7 +52,7 @@ class System final : public ResponseCache {
   std::vector<std::int64_t> unknowns_at(const std::vector<std::int32_t>& node) const;
   OwnLoads solve_own_load(const BodyMesh& loaded, const Assembly& assembly, SparseFactor& factor) const;
   void require_whole(int threads);
-  /// load: at nodes `loaded` for each column of rows.
+  /// Condenses loads that each column of rows has at nodes `loaded`.
   void condense(const std::vector<std::int32_t>& loaded, const RowMatrix<double>& load, SurfaceRows& rows, int threads);
   std::vector<std::int64_t> facing(const Vec3& normal) const;
   std::vector<std::int64_t> feeling_faces(const SurfaceCoupling& coupling, const SurfaceOutline& rows,
@@ -61,17 +61,17 @@ class System final : public ResponseCache {
 
   const BodyMesh& mesh_;
   const TractionNodes& fans_;
-  double reference_ = 1;  ///< modulus
+  double reference_ = 1;  ///< reference modulus
   BodyOptions options_;
   Assembly assembly_;
   Interior interior_;
   Unknowns unknowns_;
 
-  /// Empty until needed, once freed, and once all that contact may need is condensed.
+  /// Stiffness matrix; empty until needed, once freed, and once all that contact may need is condensed.
   SparseMatrix matrix_;
   std::unique_ptr<SparseFactor> factor_;
-  std::unique_ptr<SparseFactor> whole_;     ///< of nothing condensed, made when displacements inside are asked for
-  std::vector<std::int64_t> condensed_;     ///< unknowns, ascending
+  std::unique_ptr<SparseFactor> whole_;     ///< all unknowns; null until displacements inside are asked for
+  std::vector<std::int64_t> condensed_;     ///< unknowns condensed to, ascending
   std::vector<std::int64_t> condensed_at_;  ///< place of each unknown in condensed_, -1: none
   std::vector<std::int64_t> contact_;       ///< unknowns that contact may need
 };

@@ -1,6 +1,6 @@
 #pragma once
-/// A thin elastic layer between two bodies: at each point it gives way along the surface in proportion to the traction
-/// there, in series with the bodies.
+/// Adds a thin elastic layer between two bodies: at each point it gives way along the surface in proportion to the
+/// traction there, in series with the bodies.
 
 #include <memory>
 
@@ -9,8 +9,8 @@
 
 namespace rollcon {
 
-/// flexibility: tangential displacement per traction, thickness over shear modulus. Tractions between nodes are those
-/// of linear triangles. The frame must outlive it.
+/// Puts a layer on the compliance of bodies. flexibility: tangential displacement per traction, thickness over shear
+/// modulus. Tractions between nodes are those of linear triangles. The frame must outlive it.
 std::unique_ptr<Compliance> make_layered(const Frame& frame, std::unique_ptr<Compliance> bodies, double flexibility);
 
 }  // namespace rollcon
