@@ -70,7 +70,7 @@ template <class Archive, class Mesh>
 void mesh_content(Archive& ar, Mesh& mesh, bool volume) {
   ar(mesh.surface.index_base);
   ar(mesh.surface.node);
-  if (!volume) {  // that of a volume is made of it
+  if (!volume) {  // update_boundary() makes the surface of a volume
     ar(mesh.surface.type);
     ar(mesh.surface.tag);
     ar(mesh.surface.connectivity);

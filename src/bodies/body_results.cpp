@@ -24,15 +24,15 @@ void require_prepared_mesh(const Body& body) {
 
 struct Statistic {
   const char* name;
-  double (*value)(const Body&);  ///< of a prepared body
+  double (*value)(const Body&);  ///< takes a prepared body
 };
 
-/// 0 for bodies without equations.
+/// Returns a statistic of the equations; 0 for bodies without them.
 template <auto member>
 double of_equations(const Body& body) {
   return body.response() ? static_cast<double>(body.response()->statistics().*member) : 0;
 }
-/// Which loads make up "imbalance".
+// The statistics below tell which loads make up "imbalance".
 template <int component>
 double missed_along(const Body& body) {
   return imbalances_of(body.response()).along[component];

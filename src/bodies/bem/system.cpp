@@ -150,7 +150,7 @@ void System::condense(std::vector<double> b, const LoadedSurface& surface, Surfa
   const auto columns = static_cast<std::int64_t>(rows.column.size());
   matrix_.eliminate(b.data(), 3 * columns);
   check_balance(b, surface);
-  std::int64_t first = n;  // of the unknowns asked for
+  std::int64_t first = n;  // least unknown asked for
   for (const std::int32_t k : rows.row)
     for (std::size_t c = 0; c < 3; ++c)
       if (const std::int32_t unknown = unknowns_.displacement[3 * at(k) + c]; unknown >= 0)

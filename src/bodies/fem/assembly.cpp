@@ -143,7 +143,7 @@ void Assembly::element_matrix(std::int64_t e, std::vector<double>& k) const {
 std::vector<std::vector<std::int64_t>> Assembly::colours() const {
   const VolumeElements& volume = mesh_.volume;
   std::vector<std::vector<std::int64_t>> colour;
-  std::vector<std::uint64_t> used(mesh_.held.size(), 0);  // of each node: bits of up to 64 colours
+  std::vector<std::uint64_t> used(mesh_.held.size(), 0);  // bits of up to 64 colours, by node
   std::vector<std::int64_t> rest;
   for (std::int64_t e = 0; e < volume.elements(); ++e) {
     std::uint64_t taken = 0;

@@ -61,7 +61,7 @@ void add_smoothing(const SurfaceMesh& surface, std::span<const std::int64_t> fac
 
 /// Mean square of the spacing of the columns' nodes around each row's: their areas, weighted.
 std::vector<double> frame_spacing(const SurfaceCoupling& coupling, std::int64_t nodes) {
-  std::vector<double> area;  // of the frame's nodes
+  std::vector<double> area;  // areas of the frame's nodes
   for (std::size_t k = 0; k < coupling.row.size(); ++k) {
     if (area.size() <= at(coupling.row[k])) area.resize(at(coupling.row[k]) + 1, 0.0);
     area[at(coupling.row[k])] += coupling.value[k];

@@ -27,7 +27,7 @@ struct Patch {
   Vec3 centre{0, 0, 0};
   double size = 1;
   std::size_t terms = 0;
-  std::array<std::array<double, 6>, most_terms> factor{};  ///< of the monomials
+  std::array<std::array<double, 6>, most_terms> factor{};  ///< factors of the monomials
 
   void monomials(const Vec3& x, double* m) const {
     const Vec3 d = 1 / size * (x - centre);
@@ -53,7 +53,7 @@ void Patch::fit(const std::vector<Vec3>& x, const std::vector<std::array<double,
   if (!sound) return;
   for (const Vec3& at : x) size = std::max(size, length(at - centre));
   std::vector<double> value(n * terms);
-  std::array<std::array<double, most_terms>, most_terms> of{};  // of monomials
+  std::array<std::array<double, most_terms>, most_terms> of{};  // coefficients of monomials
   for (std::size_t q = 0; q < n; ++q) {
     double m[most_terms];
     monomials(x[q], m);

@@ -11,9 +11,9 @@
 namespace rollcon::halfspace {
 namespace {
 
-constexpr int most_line_points = 7;       ///< of the precomputed rules on quadrilaterals
-constexpr int most_triangle_degree = 12;  ///< of those on triangles
-constexpr double nearest = 2.5;           ///< in half-lengths: closer, the near field decides
+constexpr int most_line_points = 7;       ///< points a direction of precomputed rules on quadrilaterals
+constexpr int most_triangle_degree = 12;  ///< degree of precomputed rules on triangles
+constexpr double nearest = 2.5;           ///< distance in half-lengths below which the near field decides
 
 int padded(int n, int multiple) {
   return (n + multiple - 1) / multiple * multiple;

@@ -1,5 +1,5 @@
 #pragma once
-/// Elements seen from afar: plain Gauss rules whose points, weights and Jacobians are computed once.
+/// Integrates over elements seen from afar by plain Gauss rules whose points, weights and Jacobians are computed once.
 ///
 /// The rule of an element is the smallest one with
 ///   C area/R (1.9 R/a)^-m <= tolerance,   m = degree of exactness + 1 - degree of N J,
@@ -18,15 +18,15 @@ namespace rollcon::halfspace {
 
 using namespace quadrature;
 
-/// C above.
+/// Constant C of the rule above.
 inline constexpr double far_constant = 6;
-/// Share of the tolerance given to one element; the rest is for the sum at a node.
+/// Part of the tolerance that one element gets; the rest is for the sum at a node.
 inline constexpr double element_share = 0.1;
 
-/// The geometry of an element of the frame, on the plane.
+/// Returns the geometry of an element of the frame, on the plane.
 ElementGeometry plane_geometry(const Frame& frame, std::int64_t element);
 
-/// Elements of one type and one kind of map.
+/// Holds elements of one type and one kind of map.
 class FarGroup {
  public:
   FarGroup(const Frame& frame, std::vector<std::int64_t> elements, ElementType type, MapKind map);
@@ -37,20 +37,20 @@ class FarGroup {
   const ElementGeometry& shape(std::int64_t e) const { return shapes_[static_cast<std::size_t>(e)]; }
   const std::int32_t* connectivity(std::int64_t e) const { return connectivity_.data() + e * nodes(); }
 
-  /// Largest area over distance: the scale of the integrals of an observer's row.
+  /// Returns the largest area over distance, as the scale of the integrals of an observer's row.
   double scale(double px, double py) const;
-  /// level[e] = index of the rule for each element, or levels() where none will do.
+  /// Sets level[e] to the index of the rule for each element, or to levels() where none will do.
   void select(double px, double py, double tolerance, std::uint8_t* level) const;
 
   FarSources sources(int level) const;
   int points(int level) const { return levels_[static_cast<std::size_t>(level)].n; }
 
-  /// Forces at all sources of every rule from nodal tractions [3 * node + component].
+  /// Holds forces at all sources of every rule from nodal tractions [3 * node + component].
   struct Forces {
-    std::vector<std::vector<double>> component[3];  ///< per level
+    std::vector<std::vector<double>> component[3];  ///< forces by level
   };
   Forces forces(const double* traction) const;
-  /// 1 for elements with a node whose tractions are not all zero.
+  /// Returns 1 for elements with a node whose tractions are not all zero.
   std::vector<std::uint8_t> loaded(const double* traction) const;
   FarForces sources(int level, const Forces& forces) const;
 
@@ -58,10 +58,10 @@ class FarGroup {
 
  private:
   struct Level {
-    int exponent = 0;  ///< m above
+    int exponent = 0;  ///< m of the rule above
     int n = 0, padded = 0;
     std::vector<double> shape, x, y, w;
-    std::vector<double> factor;  ///< the element's factor of the squared distance
+    std::vector<double> factor;  ///< element's factor in the limit of R^2
   };
   Level make_level(const PlaneRule& rule, int degree) const;
 

@@ -119,7 +119,7 @@ void HalfspaceCompliance::require_groups() const {
   if (grouped_.load()) return;
   const std::lock_guard lock(grouping_);
   if (grouped_.load()) return;
-  groups_.clear();  // of an attempt that ran out of memory, or of another place
+  groups_.clear();  // an attempt ran out of memory, or the frame has moved
   largest_group_ = 0;
   std::map<std::pair<ElementType, MapKind>, std::vector<std::int64_t>> kinds;
   for (std::int64_t e = 0; e < frame_.elements(); ++e) {

@@ -1,7 +1,7 @@
 #pragma once
-/// Half-space compliance on a contact frame: Boussinesq and Cerruti's surface solutions, tractions interpolated by the
-/// frame's own shape functions. One or both bodies are elastic; a pair of half-spaces is one compliance with summed
-/// constants.
+/// Makes the compliance of half-spaces on a contact frame: Boussinesq and Cerruti's surface solutions, with tractions
+/// interpolated by the frame's own shape functions. One or both bodies are elastic; a pair of half-spaces is one
+/// compliance with summed constants.
 ///
 /// With d = x - y from source to observer, r = |d|, and tractions on body 1 in (t1, t2, n):
 ///   u_n = integral of  cn/r tn - ck (d . tt)/r^2
@@ -18,16 +18,16 @@
 namespace rollcon {
 
 struct HalfspaceConstants {
-  double cn = 0;  ///< 1/r terms, normal and tangential
-  double cv = 0;  ///< d d^T / r^3 term
-  double ck = 0;  ///< normal-tangential coupling, signed
+  double cn = 0;  ///< factor of 1/r, normal and tangential
+  double cv = 0;  ///< factor of d d^T / r^3
+  double ck = 0;  ///< factor of normal-tangential coupling, signed
 };
 
-/// Constants of one body. sign = +1 for body 1, -1 for body 2.
+/// Returns the constants of one body. sign = +1 for body 1, -1 for body 2.
 HalfspaceConstants halfspace_constants(double young, double poisson, int sign);
 
-/// tolerance: relative accuracy of each integral against the largest entry of its row; threads: those of block and
-/// apply. The frame must outlive the compliance.
+/// Takes a frame, which must outlive the compliance. tolerance: error of each integral relative to the largest entry of
+/// its row; threads: most threads of block and apply.
 std::unique_ptr<Compliance> make_halfspace_compliance(const Frame& frame, HalfspaceConstants c, double tolerance,
                                                       int threads);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Half-spaces as a translation kernel.
+/// Makes a translation kernel of half-spaces.
 
 #include <memory>
 

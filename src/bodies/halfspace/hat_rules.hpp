@@ -1,5 +1,5 @@
 #pragma once
-/// Gauss rules with a hat function as weight, for smooth functions of the source point.
+/// Makes Gauss rules with a hat function as weight, for smooth functions of the source point.
 
 #include "bodies/model/translation.hpp"
 #include "mesh/quadrature.hpp"
@@ -8,7 +8,7 @@ namespace rollcon::halfspace {
 
 inline constexpr int max_hat_points = 10;
 
-/// n-point rule, exact to degree 2n - 1, for h = 1; weights sum to 1 (a half: 1/2). Ascending.
+/// Returns the n-point rule, ascending, exact to degree 2n - 1, for h = 1; weights sum to 1 (half a hat: 1/2).
 LineRule hat_rule(Hat hat, int n);
 
 }  // namespace rollcon::halfspace

@@ -1,6 +1,6 @@
 #pragma once
-/// Stresses and displacements inside an elastic half-space z >= 0, from tractions on its surface that a frame's shape
-/// functions interpolate (docs/theory.md, inside of half-spaces).
+/// Computes stresses and displacements inside an elastic half-space z >= 0 from tractions on its surface that a frame's
+/// shape functions interpolate (docs/theory.md, inside of half-spaces).
 ///
 /// Elements near a point are integrated by the rules of near_field.hpp, those farther off by one Gauss rule that is
 /// enough for their distance, and boxes of them, farther still, by forces on a grid (source_tree.hpp). On the surface
@@ -22,17 +22,17 @@ class HalfspaceInterior {
     double shear, poisson;
   };
 
-  /// traction[3 * node + j]: on the half-space, along x, y, z (z into the body). accuracy: of every stress, relative to
-  /// the largest component of the tractions. Copies what it needs.
+  /// Copies what it needs. traction[3 * node + j]: on the half-space, along x, y, z (z into the body). accuracy: error
+  /// of every stress relative to the largest component of the tractions.
   HalfspaceInterior(const Frame& frame, const double* traction, Material material, double accuracy);
 
-  /// Points (x, y, z), z >= 0. stress: 6 per point, xx, yy, zz, xy, xz, yz; displacement: 3 per point; either may be
+  /// Returns stresses xx, yy, zz, xy, xz, yz and three displacements at each point (x, y, z), z >= 0; either may be
   /// null. Throws Cancelled.
   void evaluate(std::int64_t points, const double* xyz, double* stress, double* displacement, int threads) const;
 
  private:
   struct Rule {
-    double least_distance2;  ///< over the squared half-length of an element's longest side
+    double least_distance2;  ///< squared distance over that of half an element's longest side
     halfspace::NearPoints points;
   };
   struct Workspace;

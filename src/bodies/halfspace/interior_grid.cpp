@@ -17,14 +17,14 @@ using namespace halfspace;
 
 namespace {
 
-constexpr std::int64_t most_offsets = 1 << 20;  ///< of a slice: memory
-/// Offsets that convolutions take in the time of one point by itself.
+constexpr std::int64_t most_offsets = 1 << 20;  ///< limits the memory of a slice
+/// Number of offsets that convolutions take in the time of one point by itself.
 constexpr double offsets_per_point = 20;
 constexpr std::size_t least_points = 256;
 /// Error of a hat's n x n rule over rho^-2n times the hat's force over R^2.
 constexpr double hat_constant = 10;
 constexpr double hat_share = 1.0 / 15;
-constexpr double near_share = 0.2;  ///< of the hats right above a point
+constexpr double near_share = 0.2;  ///< part of the error for the hats right above a point
 
 /// Influences that have the same value: the output o of traction c. All outputs but the stresses along the surface are
 /// symmetric in all their axes, or free of kappa.
@@ -65,7 +65,7 @@ struct InteriorGrid::Table {
   std::int64_t nx, ny;
   std::int64_t low_x, low_y;  ///< the least offsets
   std::array<std::vector<double>, kinds> value;
-  std::vector<std::uint8_t> near;  ///< of each offset: too near for rules
+  std::vector<std::uint8_t> near;  ///< 1 for offsets too near for rules
 
   void set(std::int64_t at, const double (&v)[3][9]) {
     for (int c = 0; c < 3; ++c)

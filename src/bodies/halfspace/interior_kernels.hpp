@@ -1,8 +1,8 @@
 #pragma once
-/// Inner loops of stresses and displacements inside a half-space, one set of functions per instruction set, chosen at
-/// run time. Everything here works on one observer at a time.
+/// Declares the inner loops of stresses and displacements inside a half-space, one set of functions per instruction
+/// set, chosen at run time. Everything here works on one observer at a time.
 ///
-/// Out of both functions come nine sums for forces f = (fx, fy, fz) at sources on the surface, with
+/// Both functions compute nine sums for forces f = (fx, fy, fz) at sources on the surface, with
 /// d = observer - source, R = |d|, (a, b, c) = d/R, s = a fx + b fy, t = s + c fz, k = 1/(1 + c), kappa = 1 - 2 nu
 /// (Boussinesq and Cerruti; docs/theory.md, inside of half-spaces):
 ///   2 pi stress = -3 t/R^2 (aa, bb, cc, ab, ac, bc) + kappa/R^2 (h + aa w - 2 kk a fx, h + bb w - 2 kk b fy, 0,
@@ -15,33 +15,33 @@
 
 namespace rollcon::halfspace {
 
-/// xx, yy, zz, xy, xz, yz of the stress, then x, y, z of the displacement.
+/// Counts the sums: stresses xx, yy, zz, xy, xz, yz, then displacements x, y, z.
 inline constexpr int interior_count = 9;
 
-/// Forces at points of the surface; all arrays have room for a multiple of point_padding, forces there are zero.
+/// Holds forces at points of the surface; arrays are padded with zero forces to a multiple of point_padding.
 struct InteriorForces {
   int n = 0;
   const double *x = nullptr, *y = nullptr;
   const double* force[3] = {};
 };
 
-/// An element with its tractions; coordinates are absolute.
+/// Holds an element with its tractions; coordinates are absolute.
 struct InteriorElement {
   ElementType type = ElementType::tri3;
   double x[max_element_nodes], y[max_element_nodes];
   double traction[3][max_element_nodes];
 };
 
-/// z > 0: depth.
+/// Holds a point at depth z > 0.
 struct InteriorPoint {
   double x, y, z;
 };
 
 struct InteriorKernels {
   const char* name;
-  /// sum[interior_count] is added to.
+  /// Adds to sum[interior_count].
   void (*push)(const InteriorForces& forces, const InteriorPoint& at, double kappa, double* sum);
-  /// Adds one element; points: as pad_points leaves them.
+  /// Adds one element to sum[interior_count]; pad_points() has padded its points.
   void (*element)(const InteriorElement& element, const NearPoints& points, const InteriorPoint& at, double kappa,
                   double* sum);
 };

@@ -10,7 +10,7 @@ namespace {
 
 using namespace rollcon::halfspace;
 
-/// The nine sums, see interior_kernels.hpp.
+/// Computes the nine sums of interior_kernels.hpp.
 struct Sums {
   Pack total[interior_count];
   Pack kappa;
@@ -58,7 +58,7 @@ template <ElementType type>
 void element_rule(const InteriorElement& element, const NearPoints& points, const InteriorPoint& at, double kappa,
                   double* sum) {
   constexpr int nodes = rollcon::node_count(type);
-  Pack node_x[nodes], node_y[nodes];  // relative to the observer, so that what is close to it loses no digits
+  Pack node_x[nodes], node_y[nodes];  // nodes relative to the observer, so that what is close to it loses no digits
   for (int i = 0; i < nodes; ++i) node_x[i] = splat(element.x[i] - at.x), node_y[i] = splat(element.y[i] - at.y);
   const Pack oz = splat(at.z);
   Sums sums(kappa);

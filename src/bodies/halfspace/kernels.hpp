@@ -1,6 +1,6 @@
 #pragma once
-/// Inner loops of the half-space integrals, one set of functions per instruction set, chosen at run time. Everything
-/// here works on one observer at a time.
+/// Declares the inner loops of the half-space integrals, one set of functions per instruction set, chosen at run time.
+/// Everything here works on one observer at a time.
 ///
 /// The five integrals of a shape function N, with d = observer - source and r = |d|:
 ///   0: N/r   1: N dx^2/r^3   2: N dx dy/r^3   3: N dx/r^2   4: N dy/r^2
@@ -16,34 +16,34 @@ namespace rollcon::halfspace {
 using quadrature::NearPoints;
 
 inline constexpr int integral_count = 5;
-/// Arrays of quadrature points are padded to a multiple of this.
+/// Pads arrays of quadrature points to a multiple of this.
 inline constexpr int point_padding = 8;
-/// Rows of a table of shape functions are padded to a multiple of this.
+/// Pads rows of a table of shape functions to a multiple of this.
 inline constexpr int shape_padding = 8;
 inline constexpr int max_shape_stride = 16;
-/// Largest rule of the far field.
+/// Counts the points of the largest rule of the far field.
 inline constexpr int far_capacity = 64;
 
-/// Which integrals are wanted besides 0: bit 0 those of d d^T/r^3, bit 1 those of d/r^2.
+/// Says which integrals are wanted besides 0: bit 0 wants d d^T/r^3, bit 1 wants d/r^2.
 enum Terms : int { normal_only = 0, with_shear = 1, with_coupling = 2, all_terms = 3 };
 
-/// One rule on all elements of a group; element e owns entries [e * padded, e * padded + n).
+/// Points to one rule on all elements of a group; element e owns entries [e * padded, e * padded + n).
 struct FarSources {
   int n = 0, padded = 0;
   const double *x = nullptr, *y = nullptr;
   const double* w = nullptr;      ///< weight times Jacobian
   const double* shape = nullptr;  ///< n rows of the shape functions' values
-  int nodes = 0, stride = 0;      ///< of a row of shape
+  int nodes = 0, stride = 0;      ///< values and padded length of a row of shape
 };
 
-/// Tractions at the far sources: three forces per point (weights included).
+/// Points to tractions at the far sources: three forces per point (weights included).
 struct FarForces {
   int padded = 0, n = 0;
   const double *x = nullptr, *y = nullptr;
   const double* force[3] = {};
 };
 
-/// Coordinates of an element's nodes relative to the observer.
+/// Holds coordinates of an element's nodes relative to the observer.
 struct NearElement {
   ElementType type = ElementType::tri3;
   double x[max_element_nodes], y[max_element_nodes];
@@ -51,12 +51,12 @@ struct NearElement {
 
 struct Kernels {
   const char* name;
-  /// integral[k * max_shape_stride + i], overwritten; k runs over the wanted integrals only.
+  /// Overwrites integral[k * max_shape_stride + i]; k runs over the wanted integrals only.
   void (*far)(const FarSources& rule, std::int64_t element, double px, double py, int terms, double* integral);
-  /// u += displacement at the observer by the forces of one element; constants cn, cv, ck.
+  /// Adds to u the displacement at the observer by the forces of one element; constants: cn, cv, ck.
   void (*push)(const FarForces& rule, std::int64_t element, double px, double py, const double* constants, int terms,
                double* u);
-  /// integral[k * max_shape_stride + i] is added to. points is padded in place.
+  /// Adds to integral[k * max_shape_stride + i]; points is padded in place.
   void (*near)(const NearElement& element, NearPoints& points, int terms, double* integral);
 };
 

@@ -10,8 +10,8 @@ namespace {
 
 using namespace rollcon::halfspace;
 
-/// Kernel values of integrals 0 to 4 at a pack of sources, weighted; dx, dy from source to observer. They fill the
-/// first 1 + 2 (shear) + 2 (coupling) entries of f.
+/// Fills the first 1 + 2 (shear) + 2 (coupling) entries of f with weighted kernel values of integrals 0 to 4 at a pack
+/// of sources; dx, dy from source to observer.
 template <int terms>
 inline void kernel_values(Pack dx, Pack dy, Pack w, Pack* f) {
   const Pack inverse = splat(1) / root(fma(dx, dx, dy * dy));
@@ -32,8 +32,8 @@ constexpr int wanted(int terms) {
   return 1 + 2 * (terms & 1) + (terms & 2);
 }
 
-/// Integrals of the shape functions in `packs` packs: kernel values first, then their product with the table of shape
-/// functions, whose rows are the same for all elements.
+/// Computes integrals of the shape functions in `packs` packs: kernel values first, then their product with the table
+/// of shape functions, whose rows are the same for all elements.
 template <int terms, int packs>
 void far_rule(const FarSources& rule, std::int64_t element, double px, double py, double* integral) {
   constexpr int count = wanted(terms);

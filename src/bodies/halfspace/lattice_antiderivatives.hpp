@@ -1,15 +1,15 @@
 #pragma once
-/// Elementary functions F whose mixed derivative d^4 F / dx^2 dy^2 is one of the five kernels of kernels.hpp. Integrals
-/// of a kernel times bilinear functions on rectangles are sums of F and its first derivatives at corners.
+/// Defines functions F whose mixed derivative d^4 F / dx^2 dy^2 is one of the five kernels of kernels.hpp. Integrals of
+/// a kernel times bilinear functions on rectangles are sums of F and its first derivatives at corners.
 
 #include <cmath>
 
 namespace rollcon::halfspace {
 
-/// Differences of F lose digits with the fourth power of distance over cell size.
+/// Extends doubles, as differences of F lose digits with the fourth power of distance over cell size.
 using Extended = long double;
 
-/// value[k][p][q]: p-th derivative in x and q-th in y of the antiderivative of kernel k.
+/// Holds value[k][p][q], the p-th derivative in x and q-th in y of the antiderivative of kernel k.
 struct Antiderivatives {
   Extended value[5][2][2];
 };

@@ -1,5 +1,5 @@
 #pragma once
-/// Inner loop of the lattice integrals away from their source, one function per instruction set.
+/// Declares the inner loop of the lattice integrals away from their source, one function per instruction set.
 
 #include <cstdint>
 
@@ -7,18 +7,18 @@
 
 namespace rollcon::halfspace {
 
-/// Observers (x[i], y), i < count, and a product rule around the source at the origin.
+/// Describes observers (x[i], y), i < count, and a product rule around the source at the origin.
 struct LatticeFar {
   const double* x = nullptr;
   double y = 0;
   std::int64_t count = 0;
   int nx = 0, ny = 0;
   const double *px = nullptr, *wx = nullptr;  ///< nx points and weights along x
-  const double *py = nullptr, *wy = nullptr;  ///< ny along y
-  double* integral[integral_count] = {};      ///< count values each, overwritten
+  const double *py = nullptr, *wy = nullptr;  ///< ny points and weights along y
+  double* integral[integral_count] = {};      ///< arrays of count values, overwritten
 };
 
-/// terms says which integrals are wanted (kernels.hpp); the others are left alone.
+/// Computes the integrals that `terms` wants (kernels.hpp) and leaves the others alone.
 using LatticeFarFunction = void (*)(const LatticeFar& job, int terms);
 
 LatticeFarFunction lattice_far(InstructionSet set);

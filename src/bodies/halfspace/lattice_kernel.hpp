@@ -1,6 +1,6 @@
 #pragma once
-/// Half-space integrals of bilinear hats on a lattice of rectangular cells: exact to rounding, the same for every
-/// source, a function of the offset alone. Coordinates are along the lattice's axes.
+/// Computes half-space integrals of bilinear hats on a lattice of rectangular cells: exact to rounding, the same for
+/// every source, a function of the offset alone. Coordinates are along the lattice's axes.
 
 #include <cstdint>
 #include <vector>
@@ -10,16 +10,16 @@
 
 namespace rollcon::halfspace {
 
-/// The five integrals of kernels.hpp of a source at the origin for observers at
-/// (shift_x + i dx, shift_y + j dy). Errors stay near 1e-15 of the largest integral, 1e-14 for slender cells.
+/// Gives the five integrals of kernels.hpp of a source at the origin for observers at (shift_x + i dx, shift_y + j dy).
+/// Errors stay near 1e-15 of the largest integral, 1e-14 for slender cells.
 class LatticeIntegrals {
  public:
-  /// terms: which integrals are wanted. Takes time and memory in proportion to `reach` at most, however slender the
-  /// cells.
+  /// Prepares the integrals that `terms` wants, in time and memory in proportion to `reach` at most, however slender
+  /// the cells are.
   LatticeIntegrals(const LatticeHat& hat, double shift_x, double shift_y, int terms, OffsetReach reach);
 
-  /// integral[k][m], m < count: observer (first + m, j). Unwanted integrals are left alone. May be called by several
-  /// threads at once.
+  /// Fills integral[k][m], m < count, for observers (first + m, j), and leaves unwanted integrals alone. Safe for
+  /// several threads.
   void row(std::int64_t j, std::int64_t first, std::int64_t count, double* const (&integral)[integral_count]) const;
 
  private:
@@ -34,10 +34,10 @@ class LatticeIntegrals {
   double shift_x_, shift_y_;
   int terms_;
   OffsetReach reach_;
-  OffsetRange near_x_, near_y_;  ///< closed forms where both indices lie in these
+  OffsetRange near_x_, near_y_;  ///< ranges of both indices with closed forms
   std::vector<double> near_[integral_count];
-  double largest_ = 1;                 ///< integral 0 at the source
-  std::vector<Rule> rule_x_, rule_y_;  ///< [n], n = 1 to max_hat_points
+  double largest_ = 1;                 ///< value of integral 0 at the source
+  std::vector<Rule> rule_x_, rule_y_;  ///< rules by their n points, 1 to max_hat_points
 };
 
 }  // namespace rollcon::halfspace

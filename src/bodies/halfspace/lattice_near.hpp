@@ -1,6 +1,6 @@
 #pragma once
-/// Half-space integrals of a lattice's hats near their source, where no rule of a few points does: exact to rounding
-/// for cells of any shape.
+/// Computes half-space integrals of a lattice's hats near their source, where no rule of a few points does: they are
+/// exact to rounding for cells of any shape.
 ///
 /// Along the longer side of a cell the integral is a sum of second antiderivatives H of the kernel at the hat's kinks.
 /// Across, each of these is integrated as its distance asks for: by a closed form (antiderivatives in both directions
@@ -21,21 +21,21 @@ struct OffsetRange {
   bool contains(std::int64_t i) const { return first <= i && i <= last; }
 };
 
-/// Rules are used where the kernel is analytic on an ellipse of this size around the hat ...
+/// Size of the ellipse around the hat on which the kernel must be analytic for a rule to be used.
 inline constexpr double smallest_ellipse = 5.5;
-/// ... which a singularity this many half-widths off along, or beside, the axis leaves free.
+/// Distance of a singularity, in half-widths along or beside the axis, that leaves this ellipse free.
 inline constexpr double clear_along = (smallest_ellipse + 1 / smallest_ellipse) / 2;
 inline constexpr double clear_beside = (smallest_ellipse - 1 / smallest_ellipse) / 2;
 
-/// Sum of the semi-axes of the ellipse with foci -1, 1 through the point (along, beside).
+/// Returns the sum of the semi-axes of the ellipse with foci -1, 1 through the point (along, beside).
 double ellipse_size(double along, double beside);
-/// Points of a hat's rule for an error 1 / digits where the kernel is analytic on such an ellipse.
+/// Returns the points of a hat's rule for an error 1 / digits where the kernel is analytic on an ellipse of this size.
 int hat_points(double size, double digits);
-/// The rule for half-width 1; 1 <= n <= max_hat_points.
+/// Returns the rule for half-width 1; 1 <= n <= max_hat_points.
 const LineRule& stored_hat_rule(Hat hat, int n);
 
-/// value[k][(j - y.first) * x.size() + i - x.first]: integral k of kernels.hpp of a source at the origin for the
-/// observer at (shift_x + i dx, shift_y + j dy). Integrals that `terms` does not want stay empty.
+/// Fills value[k][(j - y.first) * x.size() + i - x.first] with integral k of kernels.hpp of a source at the origin for
+/// the observer at (shift_x + i dx, shift_y + j dy). Integrals that `terms` does not want stay empty.
 void near_lattice_integrals(const LatticeHat& hat, double shift_x, double shift_y, int terms, OffsetRange x,
                             OffsetRange y, std::vector<double> (&value)[integral_count]);
 

@@ -1,7 +1,7 @@
 #pragma once
-/// Half-spaces under a conformal contact: the frame is unrolled into a plane, where the compliance is that of
+/// Treats half-spaces under a conformal contact: the frame is unrolled into a plane, where the compliance is that of
 /// half-spaces, and both tractions and displacements are turned by half the angle between the tangents at their two
-/// places. docs/theory.md, section 11.
+/// places (docs/theory.md, section 11).
 
 #include <memory>
 
@@ -9,7 +9,7 @@
 
 namespace rollcon {
 
-/// frame: with a section; it need not outlive the compliance. The rest as make_halfspace_compliance.
+/// Takes a frame with a section, which need not outlive the compliance, and what make_halfspace_compliance takes.
 std::unique_ptr<Compliance> make_unrolled_compliance(const Frame& frame, HalfspaceConstants c, double tolerance,
                                                      int threads);
 
