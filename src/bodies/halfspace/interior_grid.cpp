@@ -24,7 +24,7 @@ constexpr std::size_t least_points = 256;
 /// Error of a hat's n x n rule over rho^-2n times the hat's force over R^2.
 constexpr double hat_constant = 10;
 constexpr double hat_share = 1.0 / 15;
-constexpr double near_share = 0.2;  ///< part of the error for the hats right above a point
+constexpr double near_share = 0.2;  ///< part of the accuracy for the hats right above a point
 
 /// Influences that have the same value: the output o of traction c. All outputs but the stresses along the surface are
 /// symmetric in all their axes, or free of kappa.

@@ -1,6 +1,6 @@
 #pragma once
-/// Contacts that are about to split or to join: rows of one part and rows of two parts are not the same, and neither
-/// fits a neck that vanishes. Such a contact is interpolated between contacts whose neck is filled up or dug out.
+/// Solves contacts that are about to split or to join: rows of one part and rows of two parts differ, and neither fits
+/// a neck that vanishes. Such a contact is interpolated between contacts whose neck is filled up or dug out.
 
 #include <array>
 
@@ -8,14 +8,14 @@
 
 namespace rollcon::strips {
 
-/// A neck between two places where the undeformed bodies are nearest, as the gap alone has it.
+/// Describes a neck between two places where the undeformed bodies are nearest, as the gap alone has it.
 struct Neck {
-  Vec2 place{};       ///< where the gap is largest between both
-  double radius = 0;  ///< of the bump, 0.63 of the distance of both
-  double wall = 0;    ///< how much larger the gap is there than at the shallower of both; 0: there is no neck
+  Vec2 place{};       ///< place of the largest gap between both
+  double radius = 0;  ///< radius of the bump, 0.63 of the distance of both
+  double wall = 0;    ///< gap there less the gap at the shallower of both; 0: there is no neck
 };
 
-/// A gap with a smooth bump at a neck, of a height (below 0 it fills the neck): height (1 - r^2/radius^2)^3.
+/// Adds a smooth bump, height (1 - r^2/radius^2)^3, to a gap at a neck; a height below 0 fills the neck.
 struct BridgedGap : PlaneField {
   const PlaneField* gap = nullptr;
   Neck neck;
@@ -23,23 +23,23 @@ struct BridgedGap : PlaneField {
   void at(std::span<const Vec2> point, double* value, Vec2* slope) const override;
 };
 
-/// The contact of a scene: strips, and where these do not fit a neck, a mean of theirs and of four neighbours'.
+/// Holds the contact of a scene: strips, and where these do not fit a neck, a mean of them and four neighbours.
 struct StripSolution {
   StripState strips;
-  double share = 1;  ///< of the strips
+  double share = 1;  ///< weight of the strips in the mean
   std::array<StripState, 4> neighbour;
   Neck neck;
 };
 
-/// Solves scenes with or without necks. Holds room alone.
+/// Solves scenes with or without necks. It holds only memory: results depend on what a call is given.
 class StripContact {
  public:
-  /// The contact lies inside of the box (length). warm: `solution` is one nearby.
+  /// Solves a scene whose contact lies inside of the box (length). warm: `solution` is one nearby.
   StripReport solve(const StripScene& scene, const Rectangle& box, StripCounts counts, StripSolution& solution,
                     bool warm);
   static StripTotals totals(const StripSolution& solution);
-  /// Total derivatives of the totals, one for each parameter. Changes of the weight by the parameter count, changes of
-  /// the neck's place do not: they move what is interpolated by less than its error.
+  /// Computes total derivatives of the totals, one for each parameter. Changes of the weight by the parameter count,
+  /// changes of the neck's place do not: they move what is interpolated by less than its error.
   bool rates(const StripScene& scene, const StripSolution& solution, std::span<const StripParameter> parameter,
              std::span<StripTotals> rate);
 

@@ -1,7 +1,7 @@
 #pragma once
-/// Rolling contact of half-spaces on strips that fit the contact: every row's chord and the width are found with the
-/// pressures, so that forces and what one differentiates are smooth in all that is given. Signs and equations are those
-/// of docs/theory.md, sections 1 to 3. Lengths, forces and creepages are in the caller's units.
+/// Solves rolling contact of half-spaces on strips that fit the contact: every row's chord and the width are found with
+/// the pressures, so that forces and what one differentiates are smooth in all that is given. docs/theory.md, sections
+/// 1 to 3, has the signs and equations. Lengths, forces and creepages are in the caller's units.
 
 #include <array>
 #include <memory>
@@ -16,30 +16,30 @@
 
 namespace rollcon::strips {
 
-/// A function of the place in the plane of the axes.
+/// Gives a function of the place in the plane of the axes.
 class PlaneField {
  public:
   virtual ~PlaneField() = default;
-  /// Values and slopes at points, finite anywhere. slope may be null.
+  /// Returns values and slopes at points, finite anywhere. slope may be null.
   virtual void at(std::span<const Vec2> point, double* value, Vec2* slope) const = 0;
 };
 
-/// What is given.
+/// Holds what is given for a solve.
 struct StripScene {
   StripBodies bodies;
-  const PlaneField* gap = nullptr;  ///< of the undeformed bodies at approach 0, length
+  const PlaneField* gap = nullptr;  ///< gap of the undeformed bodies at approach 0, length
   bool by_load = true;
   double value = 0;                      ///< normal load, force; or approach, length
   double mu = 0;                         ///< friction coefficient
-  const PlaneField* friction = nullptr;  ///< times this where it is given
-  /// Longitudinal and lateral creepage and spin (1/length); or the force on body 1 along x, along y, and the spin
-  /// moment about the origin of the axes.
+  const PlaneField* friction = nullptr;  ///< factor of mu; null: 1
+  /// Longitudinal and lateral creepage and spin (1/length); or, where force_given, the force on body 1 along x or y or
+  /// the spin moment about the origin of the axes.
   std::array<double, 3> motion{};
   std::array<bool, 3> force_given{};
-  std::array<const PlaneField*, 2> slip{};  ///< rigid slip over speed, beside that of the creepages
+  std::array<const PlaneField*, 2> slip{};  ///< rigid slip over speed, added to what creepages cause
 };
 
-/// A solution, and the start of a solve: tractions on body 1 at the layout's nodes, pressures positive.
+/// Holds a solution or the start of a solve: tractions on body 1 at the layout's nodes, pressures positive.
 struct StripState {
   StripLayout layout;
   std::vector<double> geometry, pressure, traction;  ///< traction: along x of all nodes, then along y
@@ -47,15 +47,16 @@ struct StripState {
   std::array<double, 3> motion{};
 };
 
-/// What one sees, all on body 1.
+/// Holds resultants and motions, all of body 1.
 struct StripTotals {
   double load = 0, approach = 0;
-  std::array<double, 3> force{};   ///< along x, along y; spin moment about the origin
+  std::array<double, 3> force{};   ///< forces along x and y, and spin moment about the origin
   std::array<double, 3> motion{};  ///< creepages and spin
   Vec2 pressed{};                  ///< integrals of pressure times x and times y
 };
 
-/// unfit: no strips were found from any start. beyond_friction: forces that friction cannot carry.
+/// Tells how a solve ended. unfit: no strips were found from any start; beyond_friction: friction cannot carry the
+/// forces.
 enum class StripStatus { solved, no_contact, unfit, beyond_friction, not_converged };
 
 struct StripReport {
@@ -63,27 +64,27 @@ struct StripReport {
   int normal_rounds = 0, friction_rounds = 0;
 };
 
-/// By which quantity to differentiate. The fields are those of the scene, differentiated at fixed places; null: 0.
+/// Names what to differentiate by: rates of what the scene holds. Its fields have rates at fixed places; null: 0.
 struct StripParameter {
   double value = 0, mu = 0;        ///< rates of load or approach and of the friction coefficient
-  std::array<double, 3> motion{};  ///< of what is given of creepages, spin, forces and moment
+  std::array<double, 3> motion{};  ///< rates of creepages, spin, forces and moment that are given
   const PlaneField* gap = nullptr;
   const PlaneField* friction = nullptr;
   std::array<const PlaneField*, 2> slip{};
 };
 
-/// What of a state a solve begins with: the geometry; tractions over pressures, too; or a solution nearby.
+/// Says what of a state a solve begins with: the geometry; tractions over pressures, too; or a solution nearby.
 enum class StripStart { geometry, shares, solution };
 
 /// Holds room for unknowns and matrices alone: results depend on what a call is given. Warm solves allocate nothing.
 class StripSolver {
  public:
-  /// From what of `state` is said to be a start to the solution.
+  /// Solves a scene from the parts of `state` that `start` names.
   StripReport solve(const StripScene& scene, StripState& state, StripStart start);
-  /// The normal problem alone, under tangential tractions 0.
+  /// Solves the normal problem alone, under tangential tractions 0.
   StripReport press(const StripScene& scene, StripState& state, StripStart start);
   static StripTotals totals(const StripState& state);
-  /// Total derivatives of the totals at a solution, the strips moving with it, one for each parameter; and those of
+  /// Computes total derivatives of the totals at a solution, the strips moving with it, one for each parameter; and of
   /// StripTrust::share if wanted.
   bool rates(const StripScene& scene, const StripState& state, std::span<const StripParameter> parameter,
              std::span<StripTotals> rate, std::span<double> share_rate = {});
@@ -95,8 +96,8 @@ class StripSolver {
   };
   void sample(const PlaneField* field, std::span<const StripPoint> points, const StripLayout& layout,
               const double* geometry, Samples& into);
-  /// Rows of the normal equations: gaps at nodes and edges, the load. Columns: pressures (over cn), geometry, approach.
-  /// By pressures at the nodes alone, by all unknowns, or residuals alone.
+  /// Selects what normal_rows() computes: residuals alone, or also columns for pressures at the nodes, or for all
+  /// unknowns: pressures (over cn), geometry, approach. Rows are gaps at nodes and edges, and the load.
   enum class Rows { none, pressures, all };
   void normal_rows(const StripScene& scene, const StripState& state, Rows rows, double* matrix, int columns, int stride,
                    double* residual);
@@ -119,8 +120,8 @@ class StripSolver {
                      double* right);
   void take(const StripScene& scene, StripState& state, const double* by, double share) const;
   bool friction_step(const StripScene& scene, StripState& state);
-  /// Slopes of a total (forces and moment, load, integrals of pressure times x and y) by pressures and geometry, and by
-  /// tractions along x (u) and y (v).
+  /// Computes slopes of a total (forces and moment, load, integrals of pressure times x and y) by pressures and
+  /// geometry, and by tractions along x (u) and y (v).
   static void total_slopes(const StripState& state, int which, double* slope, double* u, double* v);
   void linearise(const StripScene& scene, const StripState& state);
   void prepare(const StripScene& scene, const StripState& state, bool rates);
@@ -132,7 +133,7 @@ class StripSolver {
   StripReport couple(const StripScene& scene, StripState& state, StripReport report);
   void slide(const StripScene& scene, StripState& state, StripStart start, StripReport& report);
 
-  /// How a node's law is linearised: direction and share of the bound in the augmented traction.
+  /// Linearises a node's law: direction and share of the bound in the augmented traction.
   struct Law {
     bool slides = false;
     double share = 1;
@@ -143,13 +144,13 @@ class StripSolver {
   Lu<double> lu_, lu_friction_;
   Samples gap_, friction_, slip_[2], creep_rates_[2];
   std::vector<double> residual_, step_;
-  std::vector<double> compliance_[5];  ///< slip by tractions: 11, 12, 22; by pressures: 1n, 2n
-  std::vector<double> slip_rates_;     ///< slip by geometry
+  std::vector<double> compliance_[5];  ///< derivatives of slip by tractions: 11, 12, 22; by pressures: 1n, 2n
+  std::vector<double> slip_rates_;     ///< derivatives of slip by geometry
   std::vector<double> rigid_, bound_, scale_, slip_now_, form_, total_slope_, matrix_, all_right_;
   std::vector<double> bound_rates_, traction_rates_, all_slopes_;
   std::vector<Law> laws_;
   StripState beside_;
-  int normal_size_ = 0, friction_size_ = 0;  ///< of the system of all equations
+  int normal_size_ = 0, friction_size_ = 0;  ///< sizes in the system of all equations
   std::array<double, 3> load_error_{};
   double friction_limit_ = 0;
 };

@@ -1,6 +1,6 @@
 #pragma once
-/// Finds the contact of a scene on strips: all of its parts, from nothing or from a solution nearby. The result is that
-/// of the scene to the tolerance of Newton's method, wherever it began.
+/// Finds the contact of a scene on strips: all of its parts, from nothing or from a solution nearby. Wherever it began,
+/// the result is the scene's solution to the tolerance of Newton's method.
 
 #include "framing/strips/strip_contact.hpp"
 #include "framing/strips/strip_probe.hpp"
@@ -9,9 +9,8 @@ namespace rollcon::strips {
 
 class StripFinder {
  public:
-  /// The contact lies inside of the box (length). warm: `state` is a solution nearby; with other counts it is
-  /// found from nothing.
-  /// unfit: strips do not fit this contact (rows with two intervals, or parts about to merge).
+  /// Finds the contact inside of the box (length). warm: `state` is a solution nearby; with other counts it is found
+  /// from nothing. unfit: strips do not fit this contact (rows with two intervals, or parts about to merge).
   StripReport find(const StripScene& scene, const Rectangle& box, StripCounts counts, StripState& state, bool warm);
   StripSolver& solver() { return solver_; }
   const StripProbe& probe() const { return probe_; }
@@ -32,11 +31,11 @@ class StripFinder {
   std::vector<double> gap_;
 };
 
-/// Rows and chords of an ellipse of Hertz: of the gap that its values and slopes beside a point tell, under a load or
-/// at an approach. False where the gap has no ellipse there.
+/// Sets rows and chords of Hertz's ellipse for the gap that its values and slopes beside a point tell, under a load or
+/// at an approach. Returns false where the gap has no ellipse there.
 bool fit_ellipse(const StripScene& scene, const Vec2& at, double size, double depth, double load,
                  const StripLayout& layout, int part, double* geometry);
-/// A start with other counts from a solution: shapes of chords by cubics across, tractions over their bounds.
+/// Makes a start with other counts from a solution: shapes of chords by cubics across, and tractions over their bounds.
 void refine(const StripState& coarse, StripState& fine);
 
 }  // namespace rollcon::strips

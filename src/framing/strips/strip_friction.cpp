@@ -31,7 +31,7 @@ void StripSolver::slip_rows(const StripScene& scene, const StripState& state, bo
   for (int k = 0; k < kinds; ++k) compliance_[k].assign(n * n, 0);
   if (rates) slip_rates_.assign(2 * n * l.geometry, 0);
   slip_now_.resize(2 * n);
-  // Which kind belongs to which field, for slip along x and along y.
+  // Kinds of displacement for the fields 0 to 2, for slip along x and along y.
   constexpr int kind_of[2][3] = {{3, 0, 1}, {4, 1, 2}};
   rigid_slip(scene, state);
   for (int i = 0; i < l.nodes; ++i) {

@@ -1,6 +1,6 @@
 #pragma once
-/// Inner loop of the integrals over strips: fourth antiderivatives (twice along x, twice along y) of the half-space's
-/// kernels, summed over the three feet of each strip's hat. Compiled once for each instruction set.
+/// Declares the inner loop of the integrals over strips: fourth antiderivatives (twice along x, twice along y) of the
+/// half-space's kernels, summed over the three feet of each strip's hat. It is compiled for each instruction set.
 ///
 /// With d = (x, y) from source to observer, r = |d|, X = asinh(x/|y|), Y = asinh(y/|x|), L = ln r, A = atan(y/x), B =
 /// atan(x/y):
@@ -13,25 +13,25 @@
 
 namespace rollcon::strips {
 
-/// Places of sources are padded to a multiple of this.
+/// Pads places of sources to a multiple of this.
 constexpr int kernel_width = 8;
 
-/// One observer before all places of sources: values[k][n] = sum over feet f of weight[f][n] F_k(x - place[n], y -
-/// foot[f][n]). Rates follow each value: the same sums of dF/dx, of dF/dy, and of dF/dy with `turn` for weight.
+/// Takes one observer before all places of sources: values[k][n] = sum over feet f of weight[f][n] F_k(x - place[n],
+/// y - foot[f][n]). Rates follow each value: such sums of dF/dx, of dF/dy, and of dF/dy with `turn` for weight.
 struct KernelJob {
   double x, y;          ///< observer
-  int count;            ///< of places
-  const double* place;  ///< along x
+  int count;            ///< count of places
+  const double* place;  ///< places along x
   const double *foot[3], *weight[3], *turn[3];
-  double cn, cv, ck;  ///< of the bodies, docs/theory.md, section 3
+  double cn, cv, ck;  ///< compliances of the bodies (docs/theory.md, section 3)
   double* values;
 };
 
-/// Which displacements a job gives, in this order, each of `count` numbers (with rates: four times as many):
+/// Computes the displacements of a job in this order, each of `count` numbers (with rates: four times as many):
 ///   normal: gap by pressure; with coupling also by traction along x and along y
 ///   slip: K11, K12, K22 of tractions; with coupling also along x and along y by pressure
 struct StripKernels {
-  void (*normal[2][2])(const KernelJob&);  ///< [coupling][rates]
+  void (*normal[2][2])(const KernelJob&);  ///< loops by [coupling][rates]
   void (*slip[2][2])(const KernelJob&);
 };
 

@@ -28,12 +28,12 @@ inline Pack number(Bits a) {
 inline Pack magnitude(Pack a) {
   return number(bits(a) & INT64_MAX);
 }
-/// a >= 0 with the sign of b.
+/// Returns a >= 0 with the sign of b.
 inline Pack with_sign(Pack a, Pack b) {
   return number(bits(a) | (bits(b) & INT64_MIN));
 }
 
-/// a = 2^exponent (1 + rest), 1 + rest from the root of 1/2 to the root of 2.
+/// Splits a = 2^exponent (1 + rest), 1 + rest from the root of 1/2 to the root of 2.
 inline void split(Pack a, Pack* exponent, Pack* rest) {
   constexpr std::int64_t root_half = 0x3fe6a09e667f3bcd, shifter = 0x4338000000000000;
   // An arithmetic shift of 64 bits is slow before AVX-512; exponents are made positive for a logical one.
@@ -43,7 +43,7 @@ inline void split(Pack a, Pack* exponent, Pack* rest) {
   *rest = number(bits(a) - (k << 52)) - splat(1);
 }
 
-/// ln(1 + f), with s = f/(2 + f): f - f^2/2 + s (f^2/2 + R(s^2)).
+/// Returns exponent ln 2 + ln(1 + f) with s = f/(2 + f): ln(1 + f) = f - f^2/2 + s (f^2/2 + R(s^2)).
 inline Pack log_of_rest(Pack exponent, Pack f, Pack s) {
   const Pack z = s * s, half = splat(0.5) * f * f;
   Pack r = splat(1.479819860511658591e-01);
@@ -53,7 +53,7 @@ inline Pack log_of_rest(Pack exponent, Pack f, Pack s) {
   return fma(exponent, splat(0.693147180559945309417), f - (half - s * fma(r, z, half)));
 }
 
-/// Both logarithms with one division.
+/// Computes both logarithms with one division.
 inline void log_of_both(Pack a, Pack b, Pack* log_a, Pack* log_b) {
   Pack ka, fa, kb, fb;
   split(a, &ka, &fa);
@@ -63,7 +63,7 @@ inline void log_of_both(Pack a, Pack b, Pack* log_a, Pack* log_b) {
   *log_b = log_of_rest(kb, fb, fb * da * inverse);
 }
 
-/// Arc tangent of 0 <= t <= 0.4143 (Cephes).
+/// Returns the arc tangent of 0 <= t <= 0.4143 (Cephes).
 inline Pack small_arc(Pack t) {
   const Pack z = t * t;
   Pack p = splat(-8.750608600031904122785e-1);
@@ -77,7 +77,7 @@ inline Pack small_arc(Pack t) {
   return fma(t * z, p / q, t);
 }
 
-/// Antiderivative of one kernel and its rates.
+/// Holds the antiderivative of one kernel and its rates.
 struct Primitive {
   Pack value, by_x, by_y;
 };
@@ -88,12 +88,12 @@ inline Primitive operator+(const Primitive& a, const Primitive& b) {
   return {a.value + b.value, a.by_x + b.by_x, a.by_y + b.by_y};
 }
 
-/// A difference of places with what all kernels need of it.
+/// Holds a difference of places with what all kernels need of it.
 struct Offset {
   Pack x, y, ax, ay, r, lx, ly;  ///< ax, ay: magnitudes; lx, ly: X and Y of the header, with their signs
 
   Offset(Pack dx, Pack dy) : x(dx), y(dy) {
-    // Zero offsets: the terms vanish, whatever finite number the logarithm is.
+    // Terms of zero offsets vanish, whatever finite number the logarithm is.
     const Pack tiny = splat(1e-140);
     ax = magnitude(dx) + tiny;
     ay = magnitude(dy) + tiny;
@@ -119,7 +119,7 @@ struct Offset {
     return {splat(-1.0 / 6) * (splat(2) * x * y * r + x * x2 * ly + y * y2 * lx), half * (y * r + x2 * ly),
             half * (x * r + y2 * lx)};
   }
-  /// Logarithm of r and arc tangent of ay / ax, for coupling.
+  /// Computes the logarithm of r and the arc tangent of ay / ax, for coupling.
   void turn(Pack* log_r, Pack* arc) const {
     const Bits steep = ay > ax;
     const Pack less = steep ? ax : ay, more = steep ? ay : ax;

@@ -9,7 +9,7 @@ namespace rollcon::strips {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double upstream_part = 0.6;  // of the mean spacing
+constexpr double upstream_part = 0.6;  // part of the mean spacing
 // Gaps vanish so far beyond the ends of a chord and of a width, by the square of the intervals along and by those
 // across: the mean over Hertz's ellipses of ratios 0.25 to 2, whose chords are 1 % too long without.
 constexpr double beyond_chord = 0.9, beyond_width = 0.21;

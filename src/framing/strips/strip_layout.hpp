@@ -1,6 +1,6 @@
 #pragma once
-/// Strips of a contact along the rolling direction: rows of nodes whose chords' ends and whose width are unknowns. Each
-/// part of the contact (convex along rolling) has rows of its own. docs/theory.md, section 4.
+/// Lays strips on a contact along the rolling direction: rows of nodes whose chords' ends and whose width are unknowns.
+/// Each part of the contact (convex along rolling) has rows of its own. See docs/theory.md, section 4.
 
 #include <cstddef>
 #include <span>
@@ -8,42 +8,42 @@
 
 namespace rollcon::strips {
 
-/// Intervals of every part along the rolling direction and across; at least 4 each.
+/// Counts intervals of every part along the rolling direction and across; at least 4 each.
 struct StripCounts {
   int along = 8, across = 12;
   bool operator==(const StripCounts&) const = default;
 };
 
-/// A place that moves with the strips: x = middle c[row] + beyond c[beside] + half s[row], y = M[part] + across
-/// S[part].
+/// Describes a place that moves with the strips: x = middle c[row] + beyond c[beside] + half s[row],
+/// y = M[part] + across S[part].
 struct StripPoint {
   int row = 0, beside = 0, part = 0;
   double middle = 1, beyond = 0, half = 0, across = 0;
 };
 
-/// What depends on the counts and the number of parts alone. A geometry is a vector of lengths in this order: middle c
-/// and half length s of each row's chord, middle M and half width S of each part.
+/// Holds what depends on the counts and the number of parts alone. A geometry is a vector of lengths in this order:
+/// middle c and half length s of each row's chord, middle M and half width S of each part.
 class StripLayout {
  public:
   StripLayout() = default;
   StripLayout(StripCounts counts, int parts);
 
   StripCounts counts;
-  int parts = 0, rows_each = 0, rows = 0, nodes_each = 0, nodes = 0;  ///< nodes: those inside of the chords
+  int parts = 0, rows_each = 0, rows = 0, nodes_each = 0, nodes = 0;  ///< nodes lie inside of chords
   int geometry = 0;                                                   ///< length of a geometry
-  int places = 0;                      ///< of all rows' nodes with the chords' ends, padded for the kernels
+  int places = 0;                      ///< count of all rows' nodes with the chords' ends, padded for the kernels
   std::vector<double> along;           ///< places of a chord's nodes, from -1 to 1: sin(pi t/2), t uniform
-  std::vector<double> across;          ///< those of rows in the width, with its ends: t/2 + sin(pi t/2)/2
-  std::vector<double> slope;           ///< of a hat: 1 over each interval along
-  std::vector<double> weight, turn;    ///< of the three feet of each place, [foot][place]
-  std::vector<StripPoint> node;        ///< inside, row by row
-  std::vector<StripPoint> upstream;    ///< where the displacement is differenced: 0.6 of the mean spacing further on
-  std::vector<StripPoint> slip_place;  ///< between both: where rigid slip is taken
+  std::vector<double> across;          ///< places of rows in the width, with its ends: t/2 + sin(pi t/2)/2
+  std::vector<double> slope;           ///< slopes of hats: 1 over each interval along
+  std::vector<double> weight, turn;    ///< values for the three feet of each place, [foot][place]
+  std::vector<StripPoint> node;        ///< nodes inside, row by row
+  std::vector<StripPoint> upstream;    ///< places 0.6 of the mean spacing further on, for differences along x
+  std::vector<StripPoint> slip_place;  ///< places between node and upstream where rigid slip is taken
   std::vector<double> spacing;         ///< distance of node and upstream over the half chord
-  /// Where gaps vanish: the nodes, then beside the chords' ends and beyond the ends of the widths.
+  /// Places where gaps vanish: the nodes, then beside the chords' ends and beyond the ends of the widths.
   std::vector<StripPoint> observers;
   std::vector<double> unit_weight;   ///< integral of a node's shape function over s[row] S[part]
-  std::vector<StripPoint> centroid;  ///< of a node's shape function
+  std::vector<StripPoint> centroid;  ///< centroid of a node's shape function
 
   int part_of(int row) const { return row / rows_each; }
   int middle_of(int row) const { return row; }
@@ -55,7 +55,7 @@ class StripLayout {
     return p.middle * g[p.row] + p.beyond * g[p.beside] + p.half * g[rows + p.row];
   }
   double y(const StripPoint& p, const double* g) const { return g[centre_of(p.part)] + p.across * g[width_of(p.part)]; }
-  /// rates += (fx, fy) . d(x, y)/dgeometry
+  /// Adds (fx, fy) . d(x, y)/dgeometry to rates.
   void add_motion(const StripPoint& p, double fx, double fy, double* rates) const {
     rates[p.row] += p.middle * fx;
     rates[p.beside] += p.beyond * fx;

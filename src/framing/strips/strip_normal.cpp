@@ -9,11 +9,11 @@ namespace rollcon::strips {
 namespace {
 
 constexpr int most_rounds = 25;
-constexpr double longest_step = 0.3;  // of a half chord or half width
+constexpr double longest_step = 0.3;  // part of a half chord or half width
 // Newton's steps square their errors: after a step of this size, over sizes, the next one is lost in rounding.
 constexpr double last_step = 3e-7;
-constexpr double small_step = 1e-3;   // after which a step with the same factors may do
-constexpr double least_share = 0.02;  // of a step that is shortened as residuals grow
+constexpr double small_step = 1e-3;   // step after which the same factors may do for another
+constexpr double least_share = 0.02;  // least part of a step that is shortened as residuals grow
 
 }  // namespace
 

@@ -1,12 +1,12 @@
 #pragma once
-/// Where strips begin: from a coarse lattice without friction that closes in on the contact. Newton's method then finds
-/// the strips, which do not depend on where it began.
+/// Finds where strips begin, by a coarse lattice without friction that closes in on the contact. Newton's method then
+/// finds the strips, which do not depend on where it began.
 
 #include "framing/strips/strip_contact.hpp"
 
 namespace rollcon::strips {
 
-/// Cells of the lattice along the rolling direction and across. Small parts of contacts need more.
+/// Counts cells of the lattice along the rolling direction and across. Small parts of contacts need more.
 struct ProbeCells {
   int along = 8, across = 12;
 };
@@ -18,13 +18,13 @@ class StripProbe {
   /// do not touch at the approach that is given.
   StripStatus start(const StripScene& scene, const Rectangle& box, StripCounts counts, StripState& state,
                     ProbeCells cells = {});
-  /// Middles of both halves of the last lattice's pressures, on both sides of its least row between two peaks.
+  /// Returns middles of both halves of the last lattice's pressures, on both sides of its least row between two peaks.
   bool halves(Vec2& first, Vec2& second) const;
-  /// Loads at the last lattice's nodes that belong to other parts than this one, and the part's box, one cell wider.
+  /// Returns the part's box, one cell wider, and loads at the last lattice's nodes that belong to other parts.
   Rectangle loads_beside(int part, std::vector<std::array<double, 3>>& loads) const;
 
  private:
-  /// One row of a part: its load per length, middle and variance of its pressures.
+  /// Describes one row of a part: its load per length, middle and variance of its pressures.
   struct Line {
     double load = 0, middle = 0, variance = 0;
     int nodes = 0;
@@ -37,7 +37,7 @@ class StripProbe {
 
   Rectangle box_{};
   ProbeCells cells_;
-  int lines_ = 0, columns_ = 0;  ///< nodes inside
+  int lines_ = 0, columns_ = 0;  ///< counts of nodes inside
   int parts_ = 0;
   double approach_ = 0;
   std::vector<double> influence_, gap_, pressure_, right_;

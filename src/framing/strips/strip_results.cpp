@@ -35,7 +35,7 @@ PressurePeak largest_pressure(const StripState& state) {
     return i < 0 || i >= l.nodes_each ? 0 : state.pressure[row * l.nodes_each + i];
   };
   const auto place = [&](int row, int i) { return g[row] + g[l.half_of(row)] * l.along[i + 1]; };
-  // Of a row at a place beside it, linear between its nodes.
+  // Returns the pressure of a row at a place beside it, linear between its nodes.
   const auto at = [&](int row, double x) {
     for (int i = -1; i < l.nodes_each; ++i)
       if (x >= place(row, i) && x <= place(row, i + 1)) {

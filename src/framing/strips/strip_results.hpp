@@ -1,5 +1,5 @@
 #pragma once
-/// What is read off a solution on strips.
+/// Reads results off a solution on strips.
 
 #include "framing/strips/strip_contact.hpp"
 
@@ -10,22 +10,23 @@ struct PressurePeak {
   Vec2 at{};
 };
 
-/// The largest pressure, as the top of a curve between the nodes. Displacements fix the mean of a pressure beside a
-/// node, so that nodes of a curve that bends are above it: by the mean of what its chords cut off, which is taken away.
-/// The square of the pressure is taken for a parabola along each row, and across rows: exact for an ellipse.
+/// Returns the largest pressure, as the top of a curve between the nodes. Displacements fix the mean of a pressure
+/// beside a node, so that nodes of a curve that bends are above it: by the mean of what its chords cut off, which is
+/// taken away. The square of the pressure is taken for a parabola along each row and across rows: exact for an ellipse.
 PressurePeak largest_pressure(const StripState& state);
 
-/// How far a solution is from contacts that strips do not fit; continuous.
+/// Measures how far a solution is from contacts that strips do not fit; all measures are continuous.
 struct StripTrust {
   /// Least pressure between two peaks of a row or of rows over the lower peak (both over those of an ellipse): 1
   /// without a valley, 0 where a part is about to split.
   double joined = 1;
   /// Least distance of two parts over the smaller half width; a large number for one part.
   double apart = 1e9;
-  /// How far the outline is hollow, over the longest half chord. Above 0.15 rows may be about to have two intervals,
-  /// which strips do not fit.
+  /// Depth to which the outline is hollow over the longest half chord. Above 0.15 rows may be about to have two
+  /// intervals, which strips do not fit.
   double hollow = 0;
-  /// Weight of the strips beside their neighbours (strip_bridge.hpp): 1 where no neck is near, 0 before strips fail.
+  /// Returns the weight of the strips beside their neighbours (strip_bridge.hpp): 1 where no neck is near, 0 before
+  /// strips fail.
   double share() const;
 };
 StripTrust trust(const StripState& state);
