@@ -11,7 +11,7 @@ void require_support() {
        "ROLLCON_WITH_BEM is OFF)");
 }
 
-// Is not reached: there is no body that could ask.
+// No call gets here: there is no body that could ask.
 std::unique_ptr<Condensed> make_response(const BodyMesh& /*mesh*/, const TractionNodes& /*fans*/, double /*young*/,
                                          double /*poisson*/, const BodyOptions& /*options*/, int /*threads*/,
                                          SectionReader* /*saved*/) {

@@ -1,4 +1,4 @@
-/// What a body was given: digested, written, read and checked.
+/// Digests, writes, reads and checks what a body was given.
 
 #include <algorithm>
 #include <cmath>

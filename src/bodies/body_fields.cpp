@@ -1,4 +1,4 @@
-/// Fields inside of finite-element and boundary-element bodies.
+/// Gives fields inside of finite-element and boundary-element bodies.
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ const IntegrationPoints& points_of(const Body& body) {
   return *body.response()->integration_points();
 }
 
-/// The displacements given, or the body's own.
+/// Returns the displacements given, or the body's own.
 std::vector<double> displacements_of(const Body& body, const NodalDisplacements& given) {
   const std::int64_t nodes = body.mesh().surface.nodes();
   if (given.nodes != nodes)

@@ -14,7 +14,7 @@
 namespace rollcon {
 namespace {
 
-/// Is raised whenever a section or the order of unknowns and equations changes.
+/// Version, raised whenever a section or the order of unknowns and equations changes.
 constexpr std::uint32_t body_format = 2;
 
 constexpr FileKind body_file{{0x89, 'R', 'C', 'B', '\r', '\n', 0x1a, '\n'},

@@ -1,4 +1,4 @@
-/// What a caller gives for a body with a mesh, and its options.
+/// Takes what a caller gives for a body with a mesh, and its options.
 
 #include <algorithm>
 #include <cmath>
@@ -71,8 +71,8 @@ void Body::require_unprepared(const char* what) const {
   if (prepared()) fail(Status::err_state, "the body is prepared: its %s fixed", what);
 }
 
-// err_state without elements, err_argument if no face has the tag. entry: how messages name the tag. Tags given to
-// faces of a volume count before its boundary is known.
+// Throws err_state without elements, err_argument if no face has the tag. entry: how messages name the tag. Tags given
+// to faces of a volume count before its boundary is known.
 void Body::require_tag(std::int32_t tag, const std::string& entry) const {
   if (given().surface.elements() == 0 && given().volume.elements() == 0)
     fail(Status::err_state, "the body has no %selements: call rollcon_body_add_elements before naming their tags",
@@ -345,7 +345,7 @@ void Body::set_real(const char* option, double value) {
   body_option_table().set_real(options_, option, value);
 }
 
-// No lock: prepare only reads options, and calls on a handle that set them exclude each other.
+// Options need no lock: prepare only reads them, and calls on a handle that set them exclude each other.
 std::int64_t Body::get_int(const char* option) const {
   return body_option_table().get_int(options_, option);
 }

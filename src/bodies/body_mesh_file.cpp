@@ -1,4 +1,4 @@
-/// Meshes of bodies from files, and what the files have names for.
+/// Reads meshes of bodies from files, and what the files have names for.
 
 #include <algorithm>
 #include <array>
@@ -20,7 +20,7 @@ FaceNaming naming_of(std::int32_t type, std::int64_t n, const std::int32_t* conn
   return {.tag = tag, .connectivity = {connectivity, connectivity + n * node_count(t)}, .type = t};
 }
 
-/// The naming of one type in a list, which is made if there is none.
+/// Returns the naming of one type in a list, which is made if there is none.
 FaceNaming& of_type(std::vector<FaceNaming>& list, ElementType type) {
   const auto found = std::find_if(list.begin(), list.end(), [&](const FaceNaming& n) { return n.type == type; });
   if (found != list.end()) return *found;

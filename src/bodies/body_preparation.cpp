@@ -1,4 +1,4 @@
-/// What preparing makes of a body with a mesh: checks, fans, search, equations.
+/// Prepares a body with a mesh: checks, fans, search, equations.
 
 #include <algorithm>
 #include <map>

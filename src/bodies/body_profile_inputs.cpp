@@ -1,4 +1,4 @@
-/// Profiles that bodies carry: given, placed and asked for.
+/// Takes, places and returns profiles that bodies carry.
 
 #include <cmath>
 #include <string>

@@ -11,7 +11,7 @@ void require_support() {
        "ROLLCON_WITH_FEM is OFF, or CHOLMOD is not built in)");
 }
 
-// Is not reached: there is no body that could ask.
+// No call gets here: there is no body that could ask.
 double largest_poisson(VolumeType /*type*/) {
   require_support();
   return 0;

@@ -27,7 +27,7 @@ std::vector<SurfacePoint> project(const Frame& frame, const std::vector<std::uin
   return on_body;
 }
 
-/// The node of the element found that stands on the line to it; -1: none.
+/// Returns the node of the element found that stands on the line to it; -1: none.
 std::int32_t node_at(const SurfaceMesh& mesh, const SurfacePoint& point, const Vec3& from, const Vec3& direction) {
   const double reach = coincidence * element_diameter(mesh, point.element);
   for (const std::int32_t k : mesh.element(point.element)) {
@@ -37,7 +37,7 @@ std::int32_t node_at(const SurfaceMesh& mesh, const SurfacePoint& point, const V
   return -1;
 }
 
-/// The faces of the body that the frame's elements are; empty when one is none.
+/// Returns the faces of the body that the frame's elements are; empty when one is none.
 std::vector<std::int64_t> matching_faces(const Frame& frame, const SurfaceMesh& mesh,
                                          const std::vector<std::int64_t>& candidates,
                                          const std::vector<std::int32_t>& node) {

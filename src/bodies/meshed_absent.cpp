@@ -1,4 +1,4 @@
-/// Stands for what elastic bodies with a mesh share in a build without finite and boundary elements. It is not reached:
+/// Stands for what elastic bodies with a mesh share in a build without finite and boundary elements. No call gets here:
 /// there is no such body. Rigid bodies with a mesh need none of it.
 
 #include "bodies/meshed_compliance.hpp"

@@ -1,4 +1,4 @@
-/// A meshed body's displacements between its nodes: what is local, and what is interpolated.
+/// Gives a meshed body's displacements between its nodes: a local part and an interpolated one.
 
 #include <utility>
 

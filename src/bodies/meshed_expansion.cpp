@@ -1,4 +1,4 @@
-/// A meshed body's compliance with the body's unknowns written out.
+/// Gives a meshed body's compliance with the body's unknowns written out.
 
 #include <algorithm>
 #include <map>

@@ -8,7 +8,7 @@
 namespace rollcon {
 namespace {
 
-/// Nodes of one kind: how many, and the first few.
+/// Counts nodes of one kind, and keeps the first few.
 struct Listed {
   long long count = 0;
   std::string first;

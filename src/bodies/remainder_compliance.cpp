@@ -33,7 +33,7 @@ void straighten_folded(const Axes& axes, SurfaceMesh& faces) {
   }
 }
 
-/// The faces that feel the layer as a frame; they look out of body 1.
+/// Makes a frame of the faces that feel the layer; they look out of body 1.
 Frame frame_of_faces(const Frame& frame, const PairOfBodies& pair, int which, const SurfaceOutline& rows) {
   const SurfaceMesh& surface = pair.body[at(which)]->mesh().surface;
   std::vector<std::int32_t> number(at(surface.nodes()), -1);

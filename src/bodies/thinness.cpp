@@ -13,8 +13,8 @@
 namespace rollcon {
 namespace {
 
-/// The middle of an element, its area as if the Jacobian were constant, and where a line inwards from there leaves the
-/// body.
+/// Holds the middle of an element, its area as if the Jacobian were constant, and where a line inwards from there
+/// leaves the body.
 struct Through {
   double area = 0;
   std::optional<SurfacePoint> opposite;

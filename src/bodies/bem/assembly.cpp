@@ -1,4 +1,4 @@
-/// Matrix and right sides of boundary elements, from the integrals' rows.
+/// Makes matrix and right sides of boundary elements from the integrals' rows.
 
 #include <algorithm>
 #include <optional>
@@ -26,7 +26,7 @@ void for_packs(std::int64_t points, int threads, Work work) {
 
 }  // namespace
 
-// Traction over G that the caller prescribed, by traction node and component.
+// Returns the traction over G that the caller prescribed, by traction node and component.
 std::vector<double> System::given_tractions(const BodyMesh& loaded) const {
   std::vector<double> given;
   const SurfaceMesh& surface = mesh_.surface;
@@ -65,8 +65,8 @@ std::vector<std::int32_t> System::needed_fans(const std::vector<double>& given, 
 /// Places the rows of a pack of points go to: column by column, unknown ones into the matrix, given ones times their
 /// value to the right side.
 struct System::PackTarget {
-  const std::int32_t* row;  ///< (point, component) to row, -1: none
-  std::int64_t count;       ///< points
+  const std::int32_t* row;  ///< row of (point, component), -1: none
+  std::int64_t count;       ///< count of points
   double* matrix;
   std::int64_t n;
   std::vector<double>& own_load;  ///< empty: not wanted

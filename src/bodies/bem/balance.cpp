@@ -1,7 +1,6 @@
-/// Whether a boundary-element body's solutions are in equilibrium. Nothing in H u = G t makes them so: the tractions
+/// Tells whether a boundary-element body's solutions are in equilibrium. Nothing in H u = G t makes them so: tractions
 /// found on held faces balance the loads as well as the mesh can show what the body does. Where it cannot (thin bodies
-/// under long elements) displacements are wrong by any factor while the equations look healthy, and the balance shows
-/// it.
+/// under long elements) displacements are wrong by any factor, the equations look healthy, and the balance shows it.
 
 #include <algorithm>
 #include <cmath>
@@ -82,8 +81,8 @@ Resultant System::resultant(std::span<const double> traction) const {
   return sum;
 }
 
-// What is there beyond the given tractions. (The reaction of a node held alone is spread over its neighbours, which are
-// not held.)
+// Returns the tractions less the given ones. (The reaction of a node held alone is spread over its neighbours, which
+// are not held.)
 Resultant System::support_reaction(const std::vector<double>& traction, const std::vector<double>& given) const {
   std::vector<double> support = traction;
   for (std::size_t k = 0; k < std::min(support.size(), given.size()); ++k) support[k] -= shear_ * given[k];

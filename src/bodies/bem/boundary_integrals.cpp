@@ -49,7 +49,7 @@ struct BoundaryIntegrals::Data {
   }
 };
 
-/// Rows at one pack of points.
+/// Computes rows at one pack of points.
 class BoundaryIntegrals::Rows {
  public:
   Rows(const Data& data, std::span<const CollocationPoint> points, double* h, const std::int32_t* g_column, double* g)
@@ -94,7 +94,7 @@ class BoundaryIntegrals::Rows {
     return std::any_of(column, column + data_.element[e].nodes, [](auto c) { return c >= 0; });
   }
 
-  /// Smallest over the points of the largest area over distance among the wanted elements.
+  /// Returns the smallest over the points of the largest area over distance among the wanted elements.
   double single_layer_scale() const {
     std::array<double, lanes> largest{};
     for (std::size_t e = 0; e < data_.element.size(); ++e) {
@@ -191,8 +191,8 @@ class BoundaryIntegrals::Rows {
       }
   }
 
-  /// u(x) = sum of N_j(x) u_j: takes N_j(x) times the sum of all blocks from block j. That is free term and strongly
-  /// singular integral in one.
+  /// Subtracts N_j(x) times the sum of all blocks from block j, as u(x) = sum of N_j(x) u_j. This gives free term and
+  /// strongly singular integral in one.
   void rigid_motion() {
     alignas(64) double total[block] = {};
     const std::int64_t nodes = data_.mesh.nodes();
@@ -222,7 +222,7 @@ class BoundaryIntegrals::Rows {
   double* const h_;
   const std::int32_t* const g_column_;
   double* const g_;
-  std::array<Vec3, lanes> x_{};  ///< in units of the mesh's size
+  std::array<Vec3, lanes> x_{};  ///< points in units of the mesh's size
   Vec3 centre_{};
   double radius_ = 0;
   Tolerance tolerance_{};

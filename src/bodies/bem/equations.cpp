@@ -1,4 +1,5 @@
-/// Boundary elements written out: matrix and right sides, nothing factorised; and what all of the surface does.
+/// Writes boundary elements out as matrix and right sides, with nothing factorised, and gives the whole surface's
+/// state.
 
 #include <algorithm>
 #include <utility>

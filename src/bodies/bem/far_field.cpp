@@ -11,7 +11,7 @@
 namespace rollcon::bem {
 namespace {
 
-constexpr double nearest = 2.5;  ///< in half-lengths
+constexpr double nearest = 2.5;  ///< distance in half-lengths below which no rule serves
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace

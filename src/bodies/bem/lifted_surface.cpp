@@ -14,7 +14,7 @@
 namespace rollcon::bem {
 namespace {
 
-/// 1, x, y, x^2, x y, y^2 along and across an edge, in lengths of its surroundings.
+/// Returns 1, x, y, x^2, x y, y^2 along and across an edge, in lengths of its surroundings.
 constexpr std::size_t monomials = 6;
 using Monomials = std::array<double, monomials>;
 Monomials monomials_at(double x, double y) {
@@ -29,14 +29,13 @@ constexpr double most_weight = 2;
 /// A midside node off the middle by more, in lengths of its edge, belongs to no smooth surface; it is drawn back.
 constexpr double most_shift = 0.15;
 
-/// What brings a value down to the most it may be.
+/// Returns the factor that brings a value down to the most it may be.
 double shrinking(double value, double most) {
   return value > most ? most / value : 1;
 }
 
-/// Weights w of points, by least squares, for which sum w p = wanted for all monomials p,
-/// shrunk where they are large.
-/// `basis`: values of each monomial at the points. Empty: the points do not tell.
+/// Returns weights w of points, by least squares, with sum w p = wanted for all monomials p, shrunk where they are
+/// large. basis: values of each monomial at the points. Empty: the points do not tell.
 std::vector<double> weights_for(std::array<std::vector<double>, monomials> basis, const Monomials& wanted) {
   constexpr double dependent = 1e-3, met = 1e-6;
   const std::size_t points = basis[0].size();
@@ -92,7 +91,7 @@ class Lifting {
       for (const std::int32_t k : surface_.element(e)) around_[at(next[at(k)]++)] = e;
   }
 
-  /// What the edge's middle has beyond half of each end.
+  /// Returns what the edge's middle has beyond half of each end.
   std::map<std::int32_t, double> beyond_halves(const Side& a, const Side& b) const {
     const bool smooth =
         fan_of(a.cell, a.from) == fan_of(b.cell, a.from) && fan_of(a.cell, a.to) == fan_of(b.cell, a.to);
@@ -122,8 +121,8 @@ class Lifting {
     return fans_.of[at(surface_.offset[at(e)] + local)];
   }
 
-  /// Nodes of the elements that share an end of the edge and are joined smoothly to element e. (Further ones were tried
-  /// where these do not tell, at corners of triangles: worse.)
+  /// Returns nodes of the elements that share an end of the edge and are joined smoothly to element e. (More of them,
+  /// at corners of triangles where these do not tell, give worse results.)
   std::vector<std::int32_t> nodes_near(std::int64_t e, std::int32_t from, std::int32_t to) const {
     std::vector<std::int32_t> near;
     for (const std::int32_t end : {from, to}) {

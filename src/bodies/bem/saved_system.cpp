@@ -1,4 +1,4 @@
-/// A boundary-element body's equations to and from a file.
+/// Writes a boundary-element body's equations to a file, and reads them.
 
 #include <array>
 #include <cmath>

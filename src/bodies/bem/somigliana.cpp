@@ -38,7 +38,7 @@ std::vector<double> bulges(const LiftedSurface& lifted) {
   return most;
 }
 
-/// The body's displacements with those of midside nodes.
+/// Returns the body's displacements with those of midside nodes.
 std::vector<double> lifted_displacements(const LiftedSurface& lifted, const std::vector<double>& u) {
   std::vector<double> all = u;
   all.resize(3 * lifted.mesh.node.size(), 0.0);
@@ -156,7 +156,7 @@ Vec3 Somigliana::layer_traction(const Vec3& x, double reach) const {
 
 struct Somigliana::Result {
   double stress[6], u[3];  ///< stresses over G
-  double distance;         ///< from the surface
+  double distance;         ///< distance from the surface
 };
 
 bool Somigliana::evaluate(const Vec3& x, SomiglianaSurface::Workspace& w, Result& result) const {

@@ -17,9 +17,9 @@ namespace {
 /// Part of the way from a node to the middle of its element at which an extra equation is written.
 constexpr double inward = 0.3;
 
-/// Nodes in the order of their unknowns. Those that frames will ask for come last, as far as it can be told before
-/// there is a frame: nodes on and around faces that may be in contact, the finer the later. Solutions are then needed
-/// at their end only.
+/// Returns nodes in the order of their unknowns. Nodes that frames will ask for come last, as far as it can be told
+/// before there is a frame: nodes on and around faces that may be in contact, the finer the later. Solutions are then
+/// needed at their end only.
 std::vector<std::int32_t> order_of_nodes(const BodyMesh& mesh) {
   const SurfaceMesh& surface = mesh.surface;
   constexpr double none = std::numeric_limits<double>::infinity();
@@ -48,7 +48,7 @@ std::vector<std::int32_t> order_of_nodes(const BodyMesh& mesh) {
   return order;
 }
 
-/// Position along a space-filling (Morton) curve through the box of all points.
+/// Returns the position along a space-filling (Morton) curve through the box of all points.
 std::vector<std::uint64_t> curve_positions(const std::vector<CollocationPoint>& point) {
   Box box;
   for (const CollocationPoint& p : point) box.add(p.x);
@@ -64,7 +64,7 @@ std::vector<std::uint64_t> curve_positions(const std::vector<CollocationPoint>& 
   return position;
 }
 
-/// The place of the extra equation of a fan: inside an element of the fan, preferably one whose nodes are all held.
+/// Returns the place of a fan's extra equation: inside one of its elements, preferably one whose nodes are all held.
 CollocationPoint inner_point(const SurfaceMesh& mesh, std::int64_t element, std::size_t local) {
   const ElementType type = mesh.type[at(element)];
   const ReferencePoint node = reference_nodes(type)[local];
@@ -101,7 +101,7 @@ void find_others(const SurfaceMesh& mesh, const TractionNodes& fans, std::vector
   }
 }
 
-/// Neighbours in space together; a row for each component wanted.
+/// Puts neighbours in space together, with a row for each component wanted.
 void sort_points(Unknowns& u, const std::vector<std::uint8_t>& wanted) {
   const std::vector<std::uint64_t> position = curve_positions(u.point);
   std::vector<std::size_t> order(u.point.size());

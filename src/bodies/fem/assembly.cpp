@@ -11,7 +11,7 @@
 namespace rollcon::fem {
 namespace {
 
-/// Lower triangle by blocks of nodes: to each node its neighbours of higher number.
+/// Lists the lower triangle by blocks of nodes: to each node its neighbours of higher number.
 struct NodePattern {
   std::vector<std::int64_t> start;
   std::vector<std::int32_t> neighbour;  ///< ascending

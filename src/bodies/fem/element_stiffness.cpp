@@ -1,9 +1,9 @@
-// Deviatoric strain point by point, dilatation projected (docs/theory.md):
+// Deviatoric strain is taken point by point, dilatation projected (docs/theory.md):
 //
 //   u.K u = integral 2 G dev e : dev e + sum over m of kappa_m |integral f_m div u|^2
 //
-// f_0, f_1, ...: 1 and some reference coordinates, made orthonormal on the element in this order; kappa_0 the bulk
-// modulus, the others too, or at most cap * G. Incompatible modes enter as further shape functions with the gradient
+// where f_0, f_1, ... are 1 and some reference coordinates, made orthonormal on the element in this order; kappa_m is
+// the bulk modulus, but beyond m = 0 at most cap * G. Incompatible modes are further shape functions with the gradient
 // (det J0 / det J) J0^-T grad(1 - xi_r^2), J0 the Jacobian at the centre: it integrates to zero, so that constant
 // stress does no work on them (patch test). They are condensed.
 
@@ -18,7 +18,7 @@
 namespace rollcon::fem {
 namespace {
 
-/// s[row][column] = integral of the product of two gradients; full.
+/// Sets all of s[row][column] to the integral of the product of two gradients.
 void gradient_products(const ElementTable& table, const Gradients& g, double (*s)[max_columns]) {
   const int columns = g.columns;
   for (int r = 0; r < columns; ++r) {
@@ -89,8 +89,8 @@ void element_stiffness(VolumeType type, std::span<const Vec3> x, double poisson,
   for (int r = 0; r < unknowns; ++r) std::copy_n(full + r * size, unknowns, k + r * unknowns);
 }
 
-// Where the error of a pressurised cylinder and of a block under a patch load passes three times that of nu = 0.3
-// (tet4, wedge6); the others are accurate at 0.499999 too.
+// Beyond it the error of a pressurised cylinder and of a block under a patch load passes three times that of nu = 0.3
+// (tet4, wedge6); the other elements are accurate at 0.499999, too.
 double largest_poisson(VolumeType type) {
   switch (type) {
     case VolumeType::tet4:

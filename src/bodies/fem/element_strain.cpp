@@ -1,4 +1,4 @@
-// Gradients and dilatations of one element; what they mean: element_stiffness.cpp.
+// Computes gradients and dilatations of one element; element_stiffness.cpp says what they mean.
 
 #include "bodies/fem/element_strain.hpp"
 
@@ -36,8 +36,8 @@ Jacobian jacobian(const double* d, const double (*x)[max_functions], int nodes) 
   return result;
 }
 
-/// Nodes about their mean, in units of a power of two near the element's size, which is returned as its exponent:
-/// nothing overflows or loses digits, whatever the unit and the origin.
+/// Puts nodes about their mean, in units of a power of two near the element's size, and returns its exponent: nothing
+/// overflows or loses digits, whatever the unit and the origin.
 int normalise(std::span<const Vec3> node, double (*x)[max_functions]) {
   double size = 0;
   for (std::size_t a = 0; a < 3; ++a)
@@ -73,7 +73,7 @@ void gradients(const ElementTable& table, const double (*x)[max_functions], Grad
   }
 }
 
-/// v[m][column] = integral of f_m times the gradient; gram: see ElementStrain::triangle.
+/// Sets v[m][column] to the integral of f_m times the gradient; gram: see ElementStrain::triangle.
 void dilatations(const ElementTable& table, const Gradients& g, double (*v)[max_columns], double (*gram)[max_modes]) {
   const int modes = table.modes, columns = g.columns;
   for (int m = 0; m < modes; ++m) std::fill_n(gram[m], modes, 0.0);

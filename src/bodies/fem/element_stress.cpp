@@ -65,7 +65,7 @@ std::vector<double> make_to_nodes(VolumeType type, Hex8 hex8) {
   return result;
 }
 
-/// Node displacements and the incompatible modes that go with them, unknown 3 * function + component.
+/// Returns node displacements and the incompatible modes that go with them, unknown 3 * function + component.
 void extend(const ElementStrain& strain, double poisson, const double* u, double* all) {
   const int size = 3 * strain.table->functions(), unknowns = 3 * strain.table->nodes;
   std::copy_n(u, unknowns, all);
@@ -80,7 +80,7 @@ void extend(const ElementStrain& strain, double poisson, const double* u, double
   }
 }
 
-/// theta[m] = integral of f_m div u.
+/// Sets theta[m] to the integral of f_m div u.
 void dilatation(const ElementStrain& strain, const double* all, double* theta) {
   const int functions = strain.table->functions();
   for (int m = 0; m < strain.table->modes; ++m) {
@@ -90,7 +90,7 @@ void dilatation(const ElementStrain& strain, const double* all, double* theta) {
   }
 }
 
-/// Mean stress at point q over the moduli's unit.
+/// Returns the mean stress at point q over the moduli's unit.
 double mean_stress(const ElementStrain& strain, const Moduli& moduli, const double* theta, int q) {
   const int modes = strain.table->modes;
   double f[max_modes], sum = 0;

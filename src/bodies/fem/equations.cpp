@@ -1,4 +1,4 @@
-/// Finite elements written out: matrix and right sides, nothing factorised.
+/// Writes finite elements out as matrix and right sides, with nothing factorised.
 
 #include <algorithm>
 #include <cmath>

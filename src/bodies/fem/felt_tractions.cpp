@@ -9,7 +9,7 @@
 namespace rollcon::fem {
 namespace {
 
-/// Lower triangle of a coupling of faces with themselves, nodes numbered by place.
+/// Returns the lower triangle of a coupling of faces with themselves, nodes numbered by place.
 SparseMatrix symmetric(const SurfaceCoupling& mass, const std::vector<std::int64_t>& place) {
   SparseMatrix matrix;
   matrix.begin(mass.columns);
@@ -21,8 +21,8 @@ SparseMatrix symmetric(const SurfaceCoupling& mass, const std::vector<std::int64
   return matrix;
 }
 
-/// share^2 int d N_i . d N_j over one face, row by row, with derivatives over the face's own size in each direction: by
-/// the coordinates of a square or an equilateral triangle of unit sides.
+/// Computes share^2 int d N_i . d N_j over one face, row by row, with derivatives over the face's own size in each
+/// direction: by the coordinates of a square or an equilateral triangle of unit sides.
 void element_smoothing(const SurfaceMesh& surface, std::int64_t e, double share, double* out) {
   const bool three = corner_count(surface.type[at(e)]) == 3;
   const auto nodes = surface.element(e);
@@ -59,7 +59,7 @@ void add_smoothing(const SurfaceMesh& surface, std::span<const std::int64_t> fac
   }
 }
 
-/// Mean square of the spacing of the columns' nodes around each row's: their areas, weighted.
+/// Returns the mean square of the spacing of the columns' nodes around each row's: their areas, weighted.
 std::vector<double> frame_spacing(const SurfaceCoupling& coupling, std::int64_t nodes) {
   std::vector<double> area;  // areas of the frame's nodes
   for (std::size_t k = 0; k < coupling.row.size(); ++k) {

@@ -1,4 +1,4 @@
-/// Finite elements under a layer: which faces feel it, and as what.
+/// Tells which faces of finite elements feel a layer, and as what.
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@
 namespace rollcon::fem {
 namespace {
 
-/// Reference coordinates of a point inside every element.
+/// Lists reference coordinates of a point inside every element.
 constexpr double middle = 1.0 / 3;
 
 /// The half-space that takes what is smoothed away is deep: less is left to it where the body is thinner than its faces

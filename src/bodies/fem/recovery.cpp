@@ -16,9 +16,8 @@ namespace {
 
 constexpr std::int64_t grain = 64;  ///< nodes
 
-// Recovery by patches (Zienkiewicz and Zhu, Int. J. Num. Meth. Engng 33, 1992):
-// around each corner node inside the body a polynomial is fitted to the
-// stresses of its elements where they are most accurate.
+// Recovery by patches (Zienkiewicz and Zhu, Int. J. Num. Meth. Engng 33, 1992) fits a polynomial around each corner
+// node inside the body to the stresses of its elements where they are most accurate.
 
 constexpr std::size_t most_terms = 10;
 
@@ -44,8 +43,7 @@ struct Patch {
   void fit(const std::vector<Vec3>& x, const std::vector<std::array<double, 6>>& stress);
 };
 
-// Least squares by polynomials that are orthonormal on the samples; not sound
-// where those do not tell the terms apart.
+// Fits least squares by polynomials that are orthonormal on the samples; not sound where these do not tell terms apart.
 void Patch::fit(const std::vector<Vec3>& x, const std::vector<std::array<double, 6>>& stress) {
   constexpr double least = 1e-3;
   const std::size_t n = x.size();
@@ -93,10 +91,10 @@ VolumeType linear(VolumeType type) {
   return corners == 4 ? VolumeType::tet4 : corners == 6 ? VolumeType::wedge6 : VolumeType::hex8;
 }
 
-/// Places at which an element's stresses are sampled: each of the rule's points as a sum
-/// of corners, of the corner functions.
+/// Holds places at which an element's stresses are sampled: each of the rule's points as a sum of corners, and of the
+/// corner functions.
 struct Samples {
-  std::vector<VolumeShape> corner, place;  ///< place: of all nodes
+  std::vector<VolumeShape> corner, place;  ///< shapes at the corners, and at the places of all nodes
   explicit Samples(VolumeType type) {
     for (const Vec3& at : volume_rule(type, is_quadratic(type) ? (corner_count(type) == 8 ? 3 : 2) : 1).point) {
       evaluate_shape(linear(type), at, corner.emplace_back());
@@ -189,7 +187,7 @@ void Recovery::fit(std::int64_t node) {
   p.fit(x, value);
 }
 
-// The element's own function at a node less the one that the patch would have there.
+// Returns the element's own function at a node less the one that the patch would have there.
 void Recovery::add_own(std::int64_t e, std::int64_t node, const Patch& p, double* to) const {
   const VolumeElements& volume = mesh_.volume;
   const auto member = volume.element(e);

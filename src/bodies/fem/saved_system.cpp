@@ -1,5 +1,5 @@
-/// A finite-element body's equations to and from a file. The stiffness matrix is not written: it is assembled again,
-/// and counted, should a frame need more than what is condensed.
+/// Writes a finite-element body's equations to a file, and reads them. The stiffness matrix is not written: it is
+/// assembled again, and counted, should a frame need more than what is condensed.
 
 #include <utility>
 
@@ -11,7 +11,7 @@
 namespace rollcon::fem {
 namespace {
 
-// What the factors are: the end of a Cholesky factor. The rest of it is zero.
+// Factors are the end of a Cholesky factor, the rest of which is zero.
 constexpr std::int32_t cholesky = 1;
 
 void write_triangle(const CondensedView& view, SectionWriter& file) {

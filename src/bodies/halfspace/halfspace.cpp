@@ -27,15 +27,15 @@ namespace {
 
 using namespace halfspace;
 
-/// What one thread needs for one observer.
+/// Holds what one thread needs for one observer.
 struct Workspace {
   std::vector<double> row;          ///< integrals of the row: integral_count times nodes
-  std::vector<std::uint8_t> level;  ///< per element of a group
+  std::vector<std::uint8_t> level;  ///< rule's level by element of a group
   NearWorkspace near;
   std::int64_t far_evaluations = 0;
 };
 
-/// Integrals for an observer on the element or near it, each off by about `tolerance` (a length).
+/// Computes integrals for an observer on the element or near it, each off by about `tolerance` (a length).
 void near_integrals(const ElementGeometry& element, double px, double py, double tolerance, int terms,
                     const Kernels& kernels, NearWorkspace& workspace, double* integral) {
   std::fill_n(integral, integral_count * max_shape_stride, 0.0);
@@ -94,7 +94,7 @@ class HalfspaceCompliance final : public Compliance {
   void write_row(std::size_t p, int terms, const double* row, const ComplianceBlock& out) const;
   void require_groups() const;
   bool rigid() const { return c_.cn == 0 && c_.cv == 0 && c_.ck == 0; }
-  /// The tolerance of one element's integrals, a length.
+  /// Returns the tolerance of one element's integrals, a length.
   double element_tolerance(double px, double py) const {
     double scale = 0;
     for (const FarGroup& group : groups_) scale = std::max(scale, group.scale(px, py));
@@ -114,7 +114,7 @@ class HalfspaceCompliance final : public Compliance {
   mutable std::atomic<std::int64_t> evaluations_{0};
 };
 
-// Some kilobytes per element that regular frames never ask for.
+// Makes groups on demand: they take kilobytes per element, and regular frames never ask for them.
 void HalfspaceCompliance::require_groups() const {
   if (grouped_.load()) return;
   const std::lock_guard lock(grouping_);
@@ -214,7 +214,7 @@ void HalfspaceCompliance::block(Points points, const ComplianceBlock& out) const
   });
 }
 
-/// u += contribution of one element, from its integrals and nodal tractions.
+/// Adds the contribution of one element to u, from its integrals and nodal tractions.
 void HalfspaceCompliance::add_near(const double* integral, int terms, const std::int32_t* node, int nodes,
                                    const double* traction, double* u) const {
   const double* shear = integral + max_shape_stride;

@@ -6,11 +6,11 @@
 namespace rollcon::halfspace {
 namespace {
 
-/// Orthonormal polynomials of an even weight: x p[k] = b[k + 1] p[k + 1] + b[k] p[k - 1].
+/// Holds orthonormal polynomials of an even weight: x p[k] = b[k + 1] p[k + 1] + b[k] p[k - 1].
 struct Recurrence {
   double b[max_hat_points + 1] = {};
 
-  /// Values of p[0] to p[n] at x, and the derivative of the last.
+  /// Computes values of p[0] to p[n] at x, and the derivative of the last.
   double values(double x, int n, double* p) const {
     double slope = 0, slope_before = 0;
     p[0] = 1;  // the weight integrates to 1
@@ -78,7 +78,7 @@ LineRule whole_rule(int n) {
     rule.x.push_back(x);
     rule.w.push_back(1 / sum);
   }
-  // Exactly even, so that mirrored offsets have mirrored integrals.
+  // Rules are exactly even, so that mirrored offsets have mirrored integrals.
   for (std::size_t i = 0, j = zero.size() - 1; i <= j && j < zero.size(); ++i, --j) {
     const double x = (rule.x[j] - rule.x[i]) / 2, w = (rule.w[i] + rule.w[j]) / 2;
     rule.x[i] = -x, rule.x[j] = x;

@@ -26,8 +26,8 @@ constexpr double hat_constant = 10;
 constexpr double hat_share = 1.0 / 15;
 constexpr double near_share = 0.2;  ///< part of the accuracy for the hats right above a point
 
-/// Influences that have the same value: the output o of traction c. All outputs but the stresses along the surface are
-/// symmetric in all their axes, or free of kappa.
+/// Counts kinds of influence; outputs o of traction c that have one value are one kind. All outputs but the stresses
+/// along the surface are symmetric in all their axes, or free of kappa.
 constexpr int kinds = 27;
 constexpr int kind_of(int output, int c) {
   if (output == 4 && c == 2) return 2 * 3 + 0;
@@ -36,7 +36,7 @@ constexpr int kind_of(int output, int c) {
   if (output == 7 && c == 0) return 6 * 3 + 1;
   return 3 * output + c;
 }
-/// Sign of the influence when x, or y, changes its sign.
+/// Returns the sign of the influence when x, or y, changes its sign.
 constexpr bool odd_x(int output, int c) {
   return (output == 3 || output == 4 || output == 6) != (c == 0);
 }
@@ -50,7 +50,7 @@ bool half_integer(double shift) {
 
 using Complex = std::complex<double>;
 
-/// sum += a b, without the checks for infinities that std::complex makes.
+/// Adds a b to sum without the checks for infinities that std::complex makes.
 void add_product(std::int64_t n, const Complex* a, const Complex* b, Complex* sum) {
   for (std::int64_t k = 0; k < n; ++k) {
     const double ar = a[k].real(), ai = a[k].imag(), br = b[k].real(), bi = b[k].imag();
@@ -60,10 +60,10 @@ void add_product(std::int64_t n, const Complex* a, const Complex* b, Complex* su
 
 }  // namespace
 
-/// Influence by kind and offset; offset (i, j) is at [j * nx + i].
+/// Holds influences by kind and offset; offset (i, j) is at [j * nx + i].
 struct InteriorGrid::Table {
   std::int64_t nx, ny;
-  std::int64_t low_x, low_y;  ///< the least offsets
+  std::int64_t low_x, low_y;  ///< least offsets
   std::array<std::vector<double>, kinds> value;
   std::vector<std::uint8_t> near;  ///< 1 for offsets too near for rules
 
@@ -169,7 +169,7 @@ std::vector<InteriorSlice> InteriorGrid::slices(std::int64_t points, const doubl
   return found;
 }
 
-/// The influence of a hat at the origin, by unit tractions; false: too near for a rule.
+/// Computes the influence of a hat at the origin, by unit tractions; false: too near for a rule.
 bool InteriorGrid::far_influence(double x, double y, double z, double (&value)[3][9]) const {
   const double least =
       std::min(ellipse_axis2(x, y, z, lattice_.dx, lattice_.dy), ellipse_axis2(y, x, z, lattice_.dy, lattice_.dx));

@@ -41,7 +41,7 @@ struct Inner {
   double value[integral_count][2];
 };
 
-/// H as it is, away from u = 0.
+/// Computes H as it is, away from u = 0.
 Inner whole_inner(double x, double u) {
   const double r = std::hypot(x, u), s = std::asinh(x / std::abs(u)), l = std::log(r), phi = std::atan(x / u);
   return {{{x * s - r, s},
@@ -51,7 +51,7 @@ Inner whole_inner(double x, double u) {
            {x * phi - u * l - u / 2, phi}}};
 }
 
-/// H without its singular part at u = 0, away from x = 0.
+/// Computes H without its singular part at u = 0, away from x = 0.
 Inner smooth_inner(double x, double u) {
   const double r = std::hypot(x, u), l = std::log(r), theta = std::atan(u / x);
   const double s = std::copysign(std::log(std::abs(x) + r), x);
@@ -62,7 +62,7 @@ Inner smooth_inner(double x, double u) {
            {-x * theta - u * l - u / 2, -theta}}};
 }
 
-/// Its singular part over one of log|u|, u log|u|, |u|, sign u.
+/// Computes the singular part of H over one of log|u|, u log|u|, |u|, sign u.
 enum Singular { log_u, u_log_u, abs_u, sign_u, singular_count };
 constexpr Singular singular_of[integral_count] = {log_u, log_u, u_log_u, abs_u, sign_u};
 Inner singular_factor(double x) {
@@ -74,7 +74,7 @@ Inner singular_factor(double x) {
            {std::abs(x) * std::numbers::pi / 2, quarter}}};
 }
 
-/// Second antiderivatives of the four, and their slopes.
+/// Computes second antiderivatives of log|u|, u log|u|, |u|, sign u, and their slopes.
 void singular_antiderivatives(double u, double (&w)[singular_count][2]) {
   const double l = u != 0 ? std::log(std::abs(u)) : 0, sign = std::copysign(1.0, u);
   w[log_u][0] = u * u * (l / 2 - 0.75), w[log_u][1] = u * (l - 1);
@@ -88,7 +88,7 @@ struct Across {
   Extended value[integral_count][2] = {};
 };
 
-/// Integrals across, for all kinks of one line of observers. Lengths are in units of the shorter side, along which the
+/// Integrates across, for all kinks of one line of observers. Lengths are in units of the shorter side, along which the
 /// observer lies at y.
 class Line {
  public:
@@ -143,7 +143,7 @@ class Line {
   double singular_[singular_count] = {};
 };
 
-/// Cells longer along x, or square.
+/// Takes cells longer along x, or square.
 void along_the_longer_side(const LatticeHat& hat, double shift_x, double shift_y, OffsetRange x, OffsetRange y,
                            std::vector<double> (&value)[integral_count]) {
   const Extended unit = hat.dy, h = hat.dx / unit;

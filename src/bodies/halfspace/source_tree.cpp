@@ -18,7 +18,7 @@ constexpr double box_constant = 0.8;
 /// The largest grid serves from here at the latest.
 constexpr double nearest_axis = 2.2;
 
-/// Lagrange functions of q Chebyshev points: L_k(x) = (1 + 2 sum over m of T_m(x) T_m(x_k)) / q.
+/// Computes Lagrange functions of q Chebyshev points: L_k(x) = (1 + 2 sum over m of T_m(x) T_m(x_k)) / q.
 class Chebyshev {
  public:
   explicit Chebyshev(int q) : q_(q) {
@@ -66,7 +66,7 @@ void spread(const double* lx, const double* ly, int q, const double* f, double* 
     }
 }
 
-/// Lagrange functions of a grid at the Chebyshev points of another: value[from][to].
+/// Holds Lagrange functions of a grid at the Chebyshev points of another: value[from][to].
 struct Passage {
   double value[most_line][most_line];
 
@@ -138,7 +138,7 @@ void SourceTree::divide(std::int32_t number) {
   boxes_[at(number)] = box;
 }
 
-/// The largest grid of a box, of its elements or of its two halves; then the smaller ones of it.
+/// Fills the largest grid of a box from its elements or its two halves, then the smaller grids from that.
 void SourceTree::collect(std::int32_t number) {
   constexpr int top = grids - 1;
   const Box& box = boxes_[at(number)];

@@ -11,7 +11,7 @@
 namespace rollcon {
 namespace {
 
-// Nodes at the same arc length, however their line bends.
+// Lays nodes at their arc length, however their line bends.
 Frame unrolled(const Frame& frame) {
   SurfaceMesh mesh = frame.mesh;
   for (std::size_t k = 0; k < mesh.node.size(); ++k) mesh.node[k] = {frame.x[k], frame.section->at(frame.y[k]).arc, 0};
@@ -20,17 +20,17 @@ Frame unrolled(const Frame& frame) {
   return flat;
 }
 
-/// Entries of a turned block at one point and one node. a: of the plane; angle: of the tangent at the point less that
+/// Turns the entries a of the plane's block at one point and one node. angle: the tangent's at the point less its angle
 /// at the node.
 class Turned {
  public:
   explicit Turned(double angle) : c_(std::cos(0.5 * angle)), s_(std::sin(0.5 * angle)) {}
 
-  /// Displacement along t1 per traction along t2 and n.
+  /// Gives the displacement along t1 per traction along t2 and n.
   std::pair<double, double> along_by_others(double by_t2, double by_n) const {
     return {c_ * by_t2 - s_ * by_n, s_ * by_t2 + c_ * by_n};
   }
-  /// Displacements along t2 and n per traction along t1.
+  /// Gives displacements along t2 and n per traction along t1.
   std::pair<double, double> others_by_along(double of_t2, double of_n) const {
     return {c_ * of_t2 + s_ * of_n, c_ * of_n - s_ * of_t2};
   }
@@ -154,7 +154,7 @@ class UnrolledHalfspace final : public Compliance {
   std::shared_ptr<const SectionLine> section_;
   Frame flat_;
   std::unique_ptr<Compliance> plane_;
-  std::vector<double> angle_;  ///< at the nodes
+  std::vector<double> angle_;  ///< tangents' angles at the nodes
   bool turns_ = false;
 };
 

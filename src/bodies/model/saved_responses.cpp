@@ -1,4 +1,4 @@
-/// Responses that a body keeps, to and from a file.
+/// Writes responses that a body keeps to a file, and reads them.
 
 #include <algorithm>
 #include <numeric>

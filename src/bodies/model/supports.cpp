@@ -21,8 +21,8 @@ void require_supports(const BodyMesh& mesh) {
   const Box box = box_of(mesh.surface.node);
   const Vec3 middle = 0.5 * (box.low + box.high);
   const double size = 0.5 * length(box.size());
-  // Motions are translations e_c and rotations about the middle scaled by the size. gram = sum of r r^T over the held
-  // components, r = what each motion moves them by.
+  // Motions are translations e_c and rotations about the middle scaled by the size. gram is the sum over the held
+  // components of r r^T, where r is what each motion moves them by.
   double gram[6][6] = {};
   std::int64_t held = 0;
   for (std::size_t k = 0; k < mesh.held.size(); ++k)

@@ -23,7 +23,7 @@ void add(StripTotals& to, double w, const StripTotals& t) {
   to.pressed = to.pressed + w * t.pressed;
 }
 
-/// To where the gap is stationary, along x and y in turn (or along a line alone), by secants of its slope.
+/// Moves to where the gap is stationary, along x and y in turn (or along a line alone), by secants of its slope.
 Vec2 stationary(const PlaneField& gap, Vec2 at, double size, int directions, const Vec2 (&direction)[2]) {
   for (int round = 0; round < 12; ++round)
     for (int d = 0; d < directions; ++d) {
@@ -40,7 +40,7 @@ Vec2 stationary(const PlaneField& gap, Vec2 at, double size, int directions, con
   return at;
 }
 
-/// The neck between two places: the largest gap on the line between the least gaps near both.
+/// Returns the neck between two places: the largest gap on the line between the least gaps near both.
 Neck neck_between(const PlaneField& gap, Vec2 first, Vec2 second) {
   const double distance = length(second - first), size = distance / 4;
   const Vec2 axes[2] = {{1, 0}, {0, 1}};
@@ -62,7 +62,7 @@ Neck neck_between(const PlaneField& gap, Vec2 first, Vec2 second) {
   return neck;
 }
 
-/// Places where the undeformed gap is least, of the contact's two halves across a valley or of two parts.
+/// Finds places where the undeformed gap is least, of the contact's two halves across a valley or of two parts.
 bool halves(const StripState& state, Vec2& first, Vec2& second) {
   const StripLayout& l = state.layout;
   const double* g = state.geometry.data();
@@ -125,7 +125,7 @@ bool StripContact::bridge(const StripScene& scene, const Rectangle& box, StripCo
     gap.height = heights[i] * unit;
     solved[i] = finder_.find(other, box, counts, solution.neighbour[i], false).status == StripStatus::solved;
   }
-  // One that was not found is reached in steps from the other one of the same sign.
+  // A neighbour that was not found is reached in steps from the other one of the same sign.
   constexpr int steps = 5;
   for (int i = 0; i < 4; ++i) {
     const int from = i ^ 1;
@@ -148,7 +148,7 @@ StripReport StripContact::solve(const StripScene& scene, const Rectangle& box, S
   const bool solved = report.status == StripStatus::solved;
   solution.share = solved ? trust(solution.strips).share() : 0;
   if (solution.share == 1) return report;
-  // Halves of the contact: of the strips, or of the probe.
+  // Halves of the contact come from the strips or from the probe.
   Vec2 first, second;
   const bool found = solved ? halves(solution.strips, first, second) : finder_.probe().halves(first, second);
   solution.neck = found ? neck_between(*scene.gap, first, second) : Neck{};

@@ -16,7 +16,7 @@ constexpr StripCounts rough{6, 10};
 constexpr int most_without_rough = 100;             // intervals along times across; finer strips begin with rough ones
 constexpr int looks_along = 8, looks_across = 120;  // where further parts are looked for
 
-/// A gap at an approach, with what loads elsewhere give way.
+/// Gives a gap at an approach, less what loads elsewhere press in.
 struct GapBeside : PlaneField {
   const PlaneField* gap = nullptr;
   double cn = 0;
@@ -28,7 +28,7 @@ struct GapBeside : PlaneField {
   }
 };
 
-// Values at `places` (ascending) of the curve through values at `from`: cubics through the four nearest.
+// Interpolates at `places` (ascending) the curve through values at `from`: cubics through the four nearest.
 double cubic(std::span<const double> from, const double* value, int stride, double at) {
   const int n = static_cast<int>(from.size());
   int first = static_cast<int>(std::upper_bound(from.begin(), from.end(), at) - from.begin()) - 2;
@@ -212,7 +212,7 @@ bool StripFinder::more_parts(const StripScene& scene, const Rectangle& box, Stri
     }
   }
   if (best == point_.size()) return false;
-  // To the least deformed gap beside it, by parabolas along both axes.
+  // Moves to the least deformed gap beside it, by parabolas along both axes.
   Vec2 at = point_[best];
   Vec2 step{hx / 2, hy / 2};
   double value = deformed_gap(scene, state, at, true);

@@ -146,7 +146,7 @@ double* StripSolver::spread(const double* u, const double* v, double* to) const 
   return to;
 }
 
-// The form as a function of pressures (over cn) and geometry, on which the tractions of nodes that slide depend.
+// Writes the form by pressures (over cn) and geometry, on which the tractions of nodes that slide depend.
 void StripSolver::spread_bounds(const StripScene& scene, const StripState& state, const double* u, const double* v,
                                 double* pressure, double* geometry) const {
   const StripLayout& l = state.layout;
@@ -209,7 +209,7 @@ void StripSolver::friction_rows(const StripScene& scene, const StripState& state
         for (int k = 0; k < 2 && integrals_.coupled(); ++k)
           axpy((k == 0 ? r1 : r2) / scene.bodies.cn, compliance_[3 + k].data() + at, row, n);
       }
-      // Its own column, across the direction, has 1 - g more.
+      // The node's own column, across the direction, has 1 - g more.
       u[i] -= law.slides ? (1 - law.share) * law.along[1] : 0;
       v[i] += law.slides ? (1 - law.share) * law.along[0] : 0;
       double* to = spread(u, v, row + before);

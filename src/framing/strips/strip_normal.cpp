@@ -55,7 +55,7 @@ void StripSolver::normal_rows(const StripScene& scene, const StripState& state, 
     if (!rates) continue;
     l.add_motion(at, gap_.slope[i][0], gap_.slope[i][1], row + l.nodes);
     if (stride > columns && fields > 1) {
-      // By tractions, in the columns of friction.
+      // Derivatives by tractions go to the columns of friction.
       form_.assign(2 * static_cast<std::size_t>(l.nodes), 0);
       double *u1 = form_.data(), *u2 = u1 + l.nodes;
       integrals_.add_row(u, 1, 1, u1);
@@ -87,7 +87,7 @@ void StripSolver::normal_rows(const StripScene& scene, const StripState& state, 
   residual[gap_rows] = load * per_length;
 }
 
-// The longest change of a chord or a width, over its half.
+// Returns the longest change of a chord or a width, over its half.
 double StripSolver::normal_size(const StripState& state, const double* step) {
   const StripLayout& l = state.layout;
   const double *g = state.geometry.data(), *by = step + l.nodes;
@@ -100,7 +100,7 @@ double StripSolver::normal_size(const StripState& state, const double* step) {
   return longest;
 }
 
-// The largest change of a pressure over the highest.
+// Returns the largest change of a pressure over the highest.
 double StripSolver::normal_step(const StripScene& scene, StripState& state, const double* step, double share) {
   const StripLayout& l = state.layout;
   double highest = 0, change = 0;
@@ -120,7 +120,7 @@ void StripSolver::set_fields(const StripState& state) {
 }
 
 bool StripSolver::press_on(const StripScene& scene, StripState& state) {
-  // Pressures of the strips as they are.
+  // Solves for the pressures of the strips as they are.
   const StripLayout& l = state.layout;
   const int n = l.nodes + 1;
   integrals_.lay(l, scene.bodies, state.geometry.data());
@@ -134,7 +134,7 @@ bool StripSolver::press_on(const StripScene& scene, StripState& state) {
   return true;
 }
 
-// A step with the factors of the last one, whose size it leaves a multiple of the product of both sizes.
+// Takes a step with the factors of the last one; it leaves an error of a multiple of the product of both sizes.
 double StripSolver::kept_step(const StripScene& scene, StripState& state, int n) {
   integrals_.lay(state.layout, scene.bodies, state.geometry.data());
   set_fields(state);

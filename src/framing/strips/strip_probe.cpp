@@ -9,7 +9,7 @@ namespace {
 
 constexpr int most_lattices = 8, most_rounds = 40;
 
-// Fourth antiderivative of 1/r, strip_kernels.hpp.
+// Computes the fourth antiderivative of 1/r, see strip_kernels.hpp.
 double primitive(double x, double y) {
   const double r = std::hypot(x, y);
   if (r == 0) return 0;
@@ -19,8 +19,8 @@ double primitive(double x, double y) {
 
 }  // namespace
 
-// Pressures that are nowhere below 0 with gaps that are not either: the set of nodes in contact is changed by the signs
-// of both until it stays.
+// Finds pressures nowhere below 0 with gaps nowhere below 0: the signs of both change the set of nodes in contact until
+// it stays.
 bool StripProbe::press(const StripScene& scene) {
   columns_ = cells_.along - 1;
   lines_ = cells_.across - 1;
@@ -137,8 +137,8 @@ void StripProbe::find_parts() {
   }
 }
 
-// How far beyond the last row of a part it ends, over the distance of rows: where the pressure p before that row and
-// the gap g of the row beyond are those at the edge of one contact, p = A sqrt(1 + d), g = 4/3 A/E* (1 - d)^(3/2).
+// Returns how far beyond its last row a part ends, over the distance of rows: where the pressure p before that row and
+// the gap g of the row beyond fit the edge of one contact, p = A sqrt(1 + d), g = 4/3 A/E* (1 - d)^(3/2).
 double StripProbe::beyond(const StripScene& scene, int part, int outer, int to) const {
   const double hy = (box_.y_greatest - box_.y_least) / cells_.across;
   int column = 0;

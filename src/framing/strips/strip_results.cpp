@@ -6,18 +6,18 @@
 namespace rollcon::strips {
 namespace {
 
-/// Value at a node between two others, and its second derivative.
+/// Holds the value at a node between two others, and its second derivative.
 double curvature(const double (&x)[3], const double (&f)[3]) {
   return 2 * ((f[2] - f[1]) / (x[2] - x[1]) - (f[1] - f[0]) / (x[1] - x[0])) / (x[2] - x[0]);
 }
 
-/// What a node is above the curve: the mean distance of curve and chords, weighted with the node's shape function.
+/// Returns what a node is above the curve: the mean distance of curve and chords, weighted with its shape function.
 double above(const double (&x)[3], const double (&f)[3]) {
   const double a = x[1] - x[0], b = x[2] - x[1];
   return -(a * a - a * b + b * b) / 12 * curvature(x, f);
 }
 
-/// Top of a parabola through three points near its middle one, within them.
+/// Returns the top of a parabola through three points near its middle one, within them.
 double top(const double (&x)[3], const double (&f)[3], double* at) {
   const double bend = curvature(x, f), slope = (f[2] - f[0]) / (x[2] - x[0]) - bend / 2 * (x[2] + x[0] - 2 * x[1]);
   *at = bend < 0 ? std::clamp(x[1] - slope / bend, x[0], x[2]) : x[1];

@@ -50,7 +50,7 @@ void StripSolver::total_slopes(const StripState& state, int which, double* slope
   }
 }
 
-// All equations linearised at the state: normal rows, then those of friction; columns as friction_rows has them.
+// Linearises all equations at the state: normal rows, then friction's; columns are in the order of friction_rows.
 void StripSolver::linearise(const StripScene& scene, const StripState& state) {
   const StripLayout& l = state.layout;
   const int loads = scene.force_given[0] + scene.force_given[1] + scene.force_given[2];
@@ -98,7 +98,7 @@ void StripSolver::prepare(const StripScene& scene, const StripState& state, bool
   slip(state);
 }
 
-// Pressures and tractions of unlike bodies: Newton's steps for all unknowns at once.
+// Finds pressures and tractions of unlike bodies by Newton's steps for all unknowns at once.
 StripReport StripSolver::couple(const StripScene& scene, StripState& state, StripReport report) {
   double change = 1;
   report.status = StripStatus::not_converged;
@@ -138,8 +138,8 @@ StripReport StripSolver::solve(const StripScene& scene, StripState& state, Strip
   return scene.bodies.ck == 0 ? report : couple(scene, state, report);
 }
 
-// Rates of all residuals by a parameter, with the unknowns held: bound_rates_ has those of the friction bounds, and
-// traction_rates_ the tractions that nodes on their bounds follow them with.
+// Computes rates of all residuals by a parameter, with the unknowns held: bound_rates_ has rates of the friction
+// bounds, and traction_rates_ the tractions that nodes on their bounds follow them with.
 void StripSolver::explicit_rates(const StripScene& scene, const StripState& state, const StripParameter& p,
                                  double* right) {
   const StripLayout& l = state.layout;
@@ -189,7 +189,7 @@ void StripSolver::explicit_rates(const StripScene& scene, const StripState& stat
     }
 }
 
-// Rates of the totals from those of the unknowns.
+// Computes rates of the totals from those of the unknowns.
 StripTotals StripSolver::total_rates(const StripScene& scene, const StripState& state, const StripParameter& p,
                                      double* dz) {
   const StripLayout& l = state.layout;
@@ -242,7 +242,7 @@ bool StripSolver::rates(const StripScene& scene, const StripState& state, std::s
     for (double& d : all_right_) d = -d;
     rate[i] = total_rates(scene, state, parameter[i], all_right_.data());
     if (share_rate.empty()) continue;
-    // By differences along the change of pressures and geometry.
+    // Takes differences along the change of pressures and geometry.
     double size = 0, value[2];
     for (int k = 0; k < l.geometry; ++k) size = std::max(size, std::abs(all_right_[n + k]));
     const double step = size > 0 ? 1e-5 * state.geometry[l.width_of(0)] / size : 0;
