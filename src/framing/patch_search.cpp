@@ -301,7 +301,7 @@ Patches PatchSearch::find(Solver& contact, const PatchScene& scene) {
     const auto nearest = std::min_element(gap_.begin(), gap_.end()) - gap_.begin();
     const auto row = nearest / lattice_.lines();
     const EdgePoint p = lattice_.point(static_cast<double>(nearest - row * lattice_.lines()), static_cast<double>(row));
-    constexpr double least = 1e-6;  // of what the gap is known on
+    constexpr double least = 1e-6;  // a fraction of what the gap is known on
     const Rectangle& b = scene.bounds;
     const double size = std::min(b.x_greatest - b.x_least, b.y_greatest - b.y_least);
     found.outline.emplace_back(p.x, p.y, std::max({cell.x, cell.y, least * size}));

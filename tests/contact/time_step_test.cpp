@@ -1,7 +1,7 @@
 // Compares shift and rolling in time steps with closed forms and published numbers (Cattaneo 1938, Mindlin &
 // Deresiewicz 1953, Spence 1975, Kalker 1990).
 
-include "contact/host.hpp"
+#include "contact/host.hpp"
 #include "contact/time_step_case.hpp"
 
 namespace rollcon::contact_test {
