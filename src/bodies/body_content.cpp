@@ -108,7 +108,7 @@ void mesh_content(Archive& ar, Mesh& mesh, bool volume) {
   ar(mesh.contact_tag);
 }
 
-/// What setters check when a caller gives it.
+/// Checks of a profile what setters check when a caller gives it.
 void check_profile(const BodyProfile& profile, const std::vector<ProfilePiece>& piece) {
   constexpr double most = 1e31, most_turned = 3.2, unit = 1e-9;
   const auto moderate = [](double x) { return std::abs(x) <= most; };
@@ -209,7 +209,7 @@ void check_materials(BodyModel& model) {
   }
 }
 
-// What setters check when a caller gives it.
+// Checks of a mesh what setters check when a caller gives it.
 void check_mesh(BodyModel& model) {
   BodyMesh& mesh = model.mesh;
   const std::int64_t nodes = mesh.surface.nodes();

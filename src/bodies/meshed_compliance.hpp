@@ -1,6 +1,6 @@
 #pragma once
-/// Compliance of a body with a mesh on a contact frame: the frame's elements are the body's own faces, or a mesh of
-/// their own laid on it. Between nodes the displacement is that of a half-space with the body's constants under the
+/// Makes the compliance of a body with a mesh on a contact frame: the frame's elements are the body's own faces, or a
+/// mesh laid on them. Between nodes the displacement is that of a half-space with the body's constants under the
 /// same tractions, plus the interpolated difference of the two, which is smooth: the local field is not smeared over
 /// elements (docs/theory.md, section 9).
 

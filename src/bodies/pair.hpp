@@ -1,5 +1,5 @@
 #pragma once
-/// The compliance of the pair of bodies of a contact, or of one of them, on a frame.
+/// Makes the compliance of the pair of bodies of a contact, or of one of them, on a frame.
 
 #include <memory>
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Sum of compliances on one frame: the two bodies of a pair.
+/// Sums compliances on one frame: the two bodies of a pair.
 
 #include <memory>
 #include <vector>

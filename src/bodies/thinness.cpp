@@ -13,8 +13,7 @@
 namespace rollcon {
 namespace {
 
-/// Holds the middle of an element, its area as if the Jacobian were constant, and where a line inwards from there
-/// leaves the body.
+/// Holds an element's area, as if the Jacobian were constant, and where a line inwards from its middle leaves the body.
 struct Through {
   double area = 0;
   std::optional<SurfacePoint> opposite;

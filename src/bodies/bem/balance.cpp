@@ -81,8 +81,8 @@ Resultant System::resultant(std::span<const double> traction) const {
   return sum;
 }
 
-// Returns the tractions less the given ones. (The reaction of a node held alone is spread over its neighbours, which
-// are not held.)
+// Returns the resultant of tractions less the given ones. (The reaction of a node held alone is spread over its
+// neighbours, which are not held.)
 Resultant System::support_reaction(const std::vector<double>& traction, const std::vector<double>& given) const {
   std::vector<double> support = traction;
   for (std::size_t k = 0; k < std::min(support.size(), given.size()); ++k) support[k] -= shear_ * given[k];

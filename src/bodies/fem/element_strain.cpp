@@ -14,7 +14,7 @@ struct Jacobian {
   double det;
 };
 
-/// d: [direction][node]; x: [component][node].
+/// Takes derivatives d[direction][node] and places x[component][node].
 Jacobian jacobian(const double* d, const double (*x)[max_functions], int nodes) {
   double j[3][3];  // [component][reference direction]
   for (int a = 0; a < 3; ++a)

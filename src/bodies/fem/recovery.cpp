@@ -91,10 +91,9 @@ VolumeType linear(VolumeType type) {
   return corners == 4 ? VolumeType::tet4 : corners == 6 ? VolumeType::wedge6 : VolumeType::hex8;
 }
 
-/// Holds places at which an element's stresses are sampled: each of the rule's points as a sum of corners, and of the
-/// corner functions.
+/// Holds shape functions where an element's stresses are sampled, at the points of a rule.
 struct Samples {
-  std::vector<VolumeShape> corner, place;  ///< shapes at the corners, and at the places of all nodes
+  std::vector<VolumeShape> corner, place;  ///< functions of the corners, and of all nodes
   explicit Samples(VolumeType type) {
     for (const Vec3& at : volume_rule(type, is_quadratic(type) ? (corner_count(type) == 8 ? 3 : 2) : 1).point) {
       evaluate_shape(linear(type), at, corner.emplace_back());
@@ -103,7 +102,7 @@ struct Samples {
   }
 };
 
-/// Elements around each node, and what recovery asks of the nodes themselves.
+/// Holds the elements around each node, and what recovery asks of the nodes themselves.
 struct Around {
   explicit Around(const BodyMesh& mesh)
       : corner(mesh.surface.node.size(), 0), outside(corner.size(), 0), start_(corner.size() + 1, 0) {

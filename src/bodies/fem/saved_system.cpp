@@ -11,7 +11,7 @@
 namespace rollcon::fem {
 namespace {
 
-// Factors are the end of a Cholesky factor, the rest of which is zero.
+// Tells in a file that the factors are the end of a Cholesky factor, the rest of which is zero.
 constexpr std::int32_t cholesky = 1;
 
 void write_triangle(const CondensedView& view, SectionWriter& file) {

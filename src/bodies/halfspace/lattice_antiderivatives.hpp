@@ -16,7 +16,7 @@ struct Antiderivatives {
 
 inline Antiderivatives antiderivatives(Extended x, Extended y) {
   const Extended r = std::sqrt(x * x + y * y);
-  // x and y times asinh(y/|x|), asinh(x/|y|): zero where the argument is infinite.
+  // Products x asinh(y/|x|) and y asinh(x/|y|) are zero where the argument is infinite.
   const Extended b = x != 0 ? x * std::asinh(y / std::abs(x)) : 0;
   const Extended a = y != 0 ? y * std::asinh(x / std::abs(y)) : 0;
   // atan, not atan2: what the jump adds to F has no mixed derivative, and F_x, F_y stay continuous.

@@ -62,7 +62,7 @@ Inner smooth_inner(double x, double u) {
            {-x * theta - u * l - u / 2, -theta}}};
 }
 
-/// Computes the singular part of H over one of log|u|, u log|u|, |u|, sign u.
+/// Names the functions of u that the singular part of H is a multiple of, by singular_factor().
 enum Singular { log_u, u_log_u, abs_u, sign_u, singular_count };
 constexpr Singular singular_of[integral_count] = {log_u, log_u, u_log_u, abs_u, sign_u};
 Inner singular_factor(double x) {
@@ -143,7 +143,7 @@ class Line {
   double singular_[singular_count] = {};
 };
 
-/// Takes cells longer along x, or square.
+/// Computes the integrals for cells longer along x, or square.
 void along_the_longer_side(const LatticeHat& hat, double shift_x, double shift_y, OffsetRange x, OffsetRange y,
                            std::vector<double> (&value)[integral_count]) {
   const Extended unit = hat.dy, h = hat.dx / unit;

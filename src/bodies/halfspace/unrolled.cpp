@@ -34,7 +34,7 @@ class Turned {
   std::pair<double, double> others_by_along(double of_t2, double of_n) const {
     return {c_ * of_t2 + s_ * of_n, c_ * of_n - s_ * of_t2};
   }
-  /// What turns with both axes is turned by the whole angle, the rest stays.
+  /// Turns by the whole angle what turns with both axes; the rest stays.
   void across(double (&a)[2][2]) const {
     const double whole_c = c_ * c_ - s_ * s_, whole_s = 2 * c_ * s_;
     const double mean = 0.5 * (a[0][0] + a[1][1]), skew = 0.5 * (a[1][0] - a[0][1]);

@@ -16,7 +16,7 @@ constexpr StripCounts rough{6, 10};
 constexpr int most_without_rough = 100;             // intervals along times across; finer strips begin with rough ones
 constexpr int looks_along = 8, looks_across = 120;  // where further parts are looked for
 
-/// Gives a gap at an approach, less what loads elsewhere press in.
+/// Gives a gap that loads elsewhere widen.
 struct GapBeside : PlaneField {
   const PlaneField* gap = nullptr;
   double cn = 0;
@@ -28,7 +28,7 @@ struct GapBeside : PlaneField {
   }
 };
 
-// Interpolates at `places` (ascending) the curve through values at `from`: cubics through the four nearest.
+// Returns the value at a place of the curve through values at `from` (ascending): a cubic through the four nearest.
 double cubic(std::span<const double> from, const double* value, int stride, double at) {
   const int n = static_cast<int>(from.size());
   int first = static_cast<int>(std::upper_bound(from.begin(), from.end(), at) - from.begin()) - 2;

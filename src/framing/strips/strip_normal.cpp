@@ -134,7 +134,7 @@ bool StripSolver::press_on(const StripScene& scene, StripState& state) {
   return true;
 }
 
-// Takes a step with the factors of the last one; it leaves an error of a multiple of the product of both sizes.
+// Takes a step with the factors of the last one; it leaves an error in proportion to the product of both sizes.
 double StripSolver::kept_step(const StripScene& scene, StripState& state, int n) {
   integrals_.lay(state.layout, scene.bodies, state.geometry.data());
   set_fields(state);

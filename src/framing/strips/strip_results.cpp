@@ -6,7 +6,7 @@
 namespace rollcon::strips {
 namespace {
 
-/// Holds the value at a node between two others, and its second derivative.
+/// Returns the second derivative at a node between two others.
 double curvature(const double (&x)[3], const double (&f)[3]) {
   return 2 * ((f[2] - f[1]) / (x[2] - x[1]) - (f[1] - f[0]) / (x[1] - x[0])) / (x[2] - x[0]);
 }
