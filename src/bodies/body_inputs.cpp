@@ -139,7 +139,7 @@ void Body::add_elements(std::int32_t type, std::int64_t n, const std::int32_t* c
   if (is_volume_type(type)) {
     append_elements(given().volume, given().surface.nodes(), type, n, connectivity, index_base, tag, node_setter);
   } else if (is_element_type(type)) {
-    SurfaceMesh faces;  // for its checks
+    SurfaceMesh faces;  // mesh whose checks are used
     faces.offset = {0};
     faces.node.swap(given().surface.node);
     try {

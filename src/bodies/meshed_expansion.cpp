@@ -42,7 +42,7 @@ SparseMatrix ByShapeFunctions::local_displacements(const std::vector<Group>& gro
     for (std::size_t b = 0; b < group.point.size(); ++b) of_point[group.point[b]] = &group.where[b];
   SparseBuilder writer(loads_->load.rows);
   for (const Interpolation* where : of_point) {
-    std::vector<std::array<Vec3, 3>> local;  // at the body's nodes, as in the response
+    std::vector<std::array<Vec3, 3>> local;  // axes at the body's nodes, as the response has them
     for (const std::int64_t row : where->row) local.push_back(zone_.local_axes(zone_.x[at(row)], zone_.y[at(row)]));
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t a = 0; a < where->size(); ++a)

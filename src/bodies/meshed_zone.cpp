@@ -39,7 +39,7 @@ MeshedZone::MeshedZone(const Frame& on, const PairOfBodies& of, int body_of)
     node_at_[{frame.x[at(k)], frame.y[at(k)]}] = k;
     if (on_body.node[at(k)] < 0) continue;
     const std::size_t row = at(row_of_body_node_[at(on_body.node[at(k)])]);
-    x[row] = frame.x[at(k)];  // without rounding: they share the node's triad
+    x[row] = frame.x[at(k)];  // exact, as both share the node's triad
     y[row] = frame.y[at(k)];
   }
 }
@@ -50,7 +50,7 @@ std::int64_t MeshedZone::row_of_node(double px, double py) const {
   return node < 0 ? -1 : row_of_body_node_[at(node)];
 }
 
-// A frame node has the frame's own: at a ridge the field of normals knows only one of the faces that meet there.
+// A frame node has the frame's own axes: at a ridge the field of normals knows only one of the faces that meet there.
 std::array<Vec3, 3> MeshedZone::local_axes(double px, double py) const {
   const auto found = node_at_.find({px, py});
   const Triad t = found == node_at_.end() ? local_triad(frame.axes, normals_.at(px, py))

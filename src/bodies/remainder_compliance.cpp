@@ -26,7 +26,7 @@ void straighten_folded(const Axes& axes, SurfaceMesh& faces) {
       // Tangents of both sides at their corner.
       const Vec3 ahead = 4.0 * node(corners + i) - node(next) - 2.0 * node(i),
                  back = 4.0 * node(corners + last) - node(last) - 2.0 * node(i);
-      constexpr double least = 0.1;  // over the turn of straight sides
+      constexpr double least = 0.1;  // least turn over that of straight sides
       folded = folded || !(turn(ahead, back) / turn(node(next), node(last)) > least);
     }
     for (std::size_t i = 0; folded && i < corners; ++i) node(corners + i) = 0.5 * (node(i) + node((i + 1) % corners));

@@ -50,7 +50,7 @@ void extended_stiffness(const ElementStrain& strain, double poisson, double* ful
   for (int i = 0; i < functions; ++i)
     for (int a = 0; a < 3; ++a) {
       const int ai = a * functions + i;
-      double row[max_columns];  // what dilatations add to row ai
+      double row[max_columns];  // part of row ai that dilatations add
       for (int c = 0; c < size; ++c) row[c] = (-2.0 / 3) * shear * s[ai][c];
       for (int m = 0; m < table.modes; ++m)
         for (int c = 0; c < size; ++c) row[c] += v[m][ai] * v[m][c];

@@ -51,7 +51,7 @@ std::vector<std::int64_t> System::facing(const Vec3& normal) const {
   return face;
 }
 
-// The half-space under a layer is of the material of most of the faces that feel it.
+// The half-space under a layer has the material of most of the faces that feel it.
 void System::choose_material(SurfaceOutline& rows) const {
   std::map<std::pair<double, double>, double> area;
   double most = 0;
@@ -66,7 +66,7 @@ void System::choose_material(SurfaceOutline& rows) const {
   }
 }
 
-// The faces that feel a layer, all of whose nodes do (or that hold a node which does in no other one), and those around
+// Finds faces that feel a layer, as all of their nodes do (or a node that does in no other one), and the faces around
 // them on the same smooth surface whose displacements are known.
 std::vector<std::int64_t> System::feeling_faces(const SurfaceCoupling& coupling, const SurfaceOutline& rows,
                                                 const std::vector<std::int64_t>& candidates) const {

@@ -134,7 +134,7 @@ void System::factorize(std::vector<std::int64_t> condensed, int threads) {
   if (options_.keep_factors == 0 || all_of_contact) matrix_ = {};
 }
 
-// What a thin body's singular stiffness may come from.
+// Says what a thin body's singular stiffness may come from.
 std::string System::bending_hint() const {
   constexpr double suspect = 1e12;  // seen to fail from 1e13, held at one edge
   const double ratio = length_over_thickness(surface_);

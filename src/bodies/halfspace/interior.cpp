@@ -23,9 +23,9 @@ constexpr double plain_constant = 4;
 constexpr double nearest = 2.5;
 /// Errors over integral of |t|/R^2 add up like the logarithm of the frame's extent in elements.
 constexpr double far_share = 1.0 / 15;
-/// The share of one element near a point. The rules there are those of Kelvin's double layer, of which stresses are up
-/// to six times as large, and judge its size from the element's centre: too small by about the element's slenderness
-/// where the point is near a short side.
+/// Part of the accuracy for one element near a point. Rules there are made for Kelvin's double layer; stresses are up
+/// to six times as large, and rules judge its size from the element's centre: too small by about the element's
+/// slenderness where the point is near a short side.
 constexpr double near_share = 0.03;
 /// Fewer points than this are cheaper without boxes.
 constexpr std::int64_t points_for_boxes = 100;

@@ -134,7 +134,7 @@ std::vector<InteriorSlice> InteriorGrid::slices(std::int64_t points, const doubl
     std::vector<Place> places;
   };
   std::map<std::array<double, 3>, Group> groups;
-  const double same = 0.01 * accuracy_;  // in cells
+  const double same = 0.01 * accuracy_;  // distance in cells
   constexpr double steps = 1e6;
   for (std::int64_t p = 0; p < points; ++p) {
     const double x = xyz[3 * p] - lattice_.x0, y = xyz[3 * p + 1] - lattice_.y0;

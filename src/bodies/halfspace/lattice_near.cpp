@@ -17,8 +17,8 @@ namespace {
 constexpr double closed_reach = 6;
 constexpr double rule_digits = 1e17;
 
-/// The hat's integral of F'' as a sum over nodes and derivatives of F, for half-width 1: coefficient[p][m] of the p-th
-/// derivative at x + (m - 1).
+/// Writes the hat's integral of F'' as a sum over nodes and derivatives of F, for half-width 1: coefficient[p][m]
+/// belongs to the p-th derivative at x + (m - 1).
 struct Stencil {
   double coefficient[2][3];
 };

@@ -14,7 +14,7 @@ namespace {
 constexpr ProbeCells probes[] = {{8, 12}, {12, 20}, {16, 32}};
 constexpr StripCounts rough{6, 10};
 constexpr int most_without_rough = 100;             // intervals along times across; finer strips begin with rough ones
-constexpr int looks_along = 8, looks_across = 120;  // where further parts are looked for
+constexpr int looks_along = 8, looks_across = 120;  // places searched for further parts
 
 /// Gives a gap that loads elsewhere widen.
 struct GapBeside : PlaneField {

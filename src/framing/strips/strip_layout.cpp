@@ -65,7 +65,7 @@ StripLayout::StripLayout(StripCounts of, int number_of_parts) : counts(of), part
           {row, row, part_of(row), 1, 0, side * (1 + beyond_chord / (n * n)), node[row * nodes_each].across});
   for (int part = 0; part < parts; ++part)
     for (const int side : {-1, 1}) {
-      // The middles of the last two rows, extended.
+      // Middles of the last two rows are extended.
       const int last = part * rows_each + (side < 0 ? 0 : rows_each - 1);
       const double end = side * (1 + beyond_width / m), outer = across[side < 0 ? 1 : m - 1],
                    inner = across[side < 0 ? 2 : m - 2], by = (end - outer) / (outer - inner);

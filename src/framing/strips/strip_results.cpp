@@ -122,7 +122,7 @@ StripTrust trust(const StripState& state) {
     const int first = part * l.rows_each;
     for (int k = 0; k < l.rows_each; ++k) valley(l.nodes_each, [&](int i) { return along_row(first + k, i); });
     valley(l.rows_each, [&](int k) { return of_row(first + k); });
-    // How far a row ends within the straight line between its neighbours' ends.
+    // Measures how far a row ends within the straight line between its neighbours' ends.
     const double* half = g + l.half_of(part * l.rows_each);
     const double* middle = g + part * l.rows_each;
     const double longest = *std::max_element(half, half + l.rows_each);

@@ -20,7 +20,7 @@ void StripSolver::total_slopes(const StripState& state, int which, double* slope
     const int row = i / l.nodes_each, half = l.half_of(row), width = l.width_of(l.part_of(row));
     const double w = l.unit_weight[i] * g[half] * g[width], x = l.x(l.centroid[i], g), y = l.y(l.centroid[i], g);
     const double p = state.pressure[i], t1 = state.traction[i], t2 = state.traction[l.nodes + i];
-    // What is integrated, its slopes by place, and by p, t1 and t2.
+    // These are the integrand, its slopes by place, and its slopes by p, t1 and t2.
     double f = 0, fx = 0, fy = 0, fp = 0, f1 = 0, f2 = 0;
     switch (which) {
       case 0:
