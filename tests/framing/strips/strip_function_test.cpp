@@ -48,7 +48,7 @@ class Follower {
 };
 
 // Where third differences are largest the interval is halved towards the larger change.
-TEST(strips, have_no_jumps_along_paths) {
+TEST(strips_long, have_no_jumps_along_paths) {
   constexpr int steps = 24;
   for (const Path& path : paths) {
     Follower follow;
