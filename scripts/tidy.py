@@ -38,12 +38,24 @@ def parts_of(file):
             if (match := re.match(r'#line 1 "(.*)"$', line))]
 
 
+TOKEN = re.compile(r'"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\'|//[^\n]*|/\*.*?\*/', re.S)
+
+
+def code_of(text):
+    """Returns a source without layout and without comments, but for those that clang-tidy reads."""
+    return " ".join(TOKEN.sub(lambda m: m[0] if m[0][0] in "\"'" or "NOLINT" in m[0] else " ", text).split())
+
+
 def changed_files(base):
-    """Returns what differs from a commit, new files included."""
+    """Returns the files whose code differs from that of a commit, new ones included."""
     git = ["git", "-C", str(ROOT)]
-    names = subprocess.check_output([*git, "diff", "--name-only", base], text=True)
+    names = subprocess.check_output([*git, "diff", "--name-only", "--diff-filter=d", base, "--", "src"], text=True)
     names += subprocess.check_output([*git, "ls-files", "--others", "--exclude-standard"], text=True)
-    return {str(ROOT / name) for name in names.splitlines()}
+
+    def differs(name):
+        before = subprocess.run([*git, "show", f"{base}:{name}"], capture_output=True, text=True)
+        return before.returncode != 0 or code_of(before.stdout) != code_of((ROOT / name).read_text())
+    return {str(ROOT / name) for name in names.splitlines() if differs(name)}
 
 
 def affected(sources, changed):
