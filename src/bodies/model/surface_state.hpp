@@ -40,9 +40,7 @@ class IntegrationPoints {
   /// Returns the elements' own stress[6 * point + c] under displacements u[3 * node + c], and the points' places;
   /// either may be null.
   virtual void at_points(const double* u, double* stress, double* xyz, int threads) const = 0;
-
- protected:
-  ~IntegrationPoints() = default;
+  virtual ~IntegrationPoints() = default;
 };
 
 }  // namespace rollcon
