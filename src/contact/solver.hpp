@@ -113,7 +113,6 @@ class Solver {
 
  private:
   Status solve_scene(bool& whole);
-  Status run(Monitor& monitor);
   void clear();
   void prepare_parts();
   void take_changes();
