@@ -68,7 +68,9 @@ struct Derived {
   Sensitivities sensitivities;
   ErrorEstimate error_estimate;
   std::optional<Extrapolated> extrapolated;
-  bool displacements = false;  ///< displacements of a body were asked for
+  // What whoever made the frame knows better than its nodes tell follows.
+  std::optional<double> largest_pressure, area;  ///< top of the pressures between nodes; area in contact
+  bool displacements = false;              ///< displacements of a body were asked for
   Computed computed;
 
   /// Forgets everything but counts and storage; there is no other reset.

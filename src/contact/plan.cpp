@@ -75,7 +75,7 @@ void describe_frame(std::string& text, const Solution& s, const Scene& scene, bo
   if (s.prepared->frame_source.body >= 0)
     line(text, "frame: the %lld faces of body %d with tag %d", static_cast<long long>(s.prepared->frame.elements()),
          s.prepared->frame_source.body + 1, s.prepared->frame_source.tag);
-  if (s.prepared->placed)
+  if (s.prepared->placed || s.prepared->frame.strips)
     line(text, "frame: made by the library, strips that end at the contact's edge; solves may move and stretch it");
   if (s.prepared->frame.curved()) {
     double cosine = 1;
@@ -124,7 +124,7 @@ void describe_contact(std::string& text, const Solution& s, const Derived& d) {
   line(text, "contact: %lld node(s) touch, %lld of them with all their neighbours", static_cast<long long>(touching),
        static_cast<long long>(nodes_inside(s)));
   if (const Line doubt = describe_meshes(s); *doubt.text) text += doubt.str() + '\n';
-  if (d.extrapolated)
+  if (d.extrapolated && !s.prepared->frame.strips)
     text += "results: extrapolated from this frame and one with half its intervals; fields are those of this one\n";
   const ErrorEstimate& e = d.error_estimate;
   const auto& body = s.prepared->pair.body;

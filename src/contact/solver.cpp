@@ -56,7 +56,17 @@ std::unique_ptr<Solver> Solver::make_worker() const {
   return worker;
 }
 
+Iterate& Solver::start() {
+  forget();
+  prepare();
+  solution_.warm_usable = true;
+  solution_.iterate.clear();
+  solution_.iterate.invalidate();
+  return solution_.iterate;
+}
+
 void Solver::forget() {
+  moving_ = nullptr;
   solution_.solved = solution_.images_known = false;
   derived_.forget();
   effort_.begin();

@@ -24,6 +24,14 @@ struct Loads {
   Vec3 force{}, moment{};
 };
 
+/// Knows derivatives of what was solved on a frame that moves with the contact.
+class MovingFrame {
+ public:
+  virtual ~MovingFrame() = default;
+  /// Returns false where it does not know them; errors are those of Solver::rates().
+  virtual bool rates(Parameter parameter, Rates& found) = 0;
+};
+
 class Solver {
  public:
   Solver(Host host, std::shared_ptr<Body> body1, std::shared_ptr<Body> body2, MakePublished published = nullptr);
@@ -47,6 +55,11 @@ class Solver {
 
   /// Solves the scene, warm from the last solution. Returns ok or a status > 0; throws Error for the rest.
   Status solve();
+  /// Prepares the scene, and returns the iterate that the next solve starts from, for the caller to fill in: tractions
+  /// at the nodes, and motions, of which the approach counts from the problem's datum.
+  Iterate& start();
+  /// Takes derivatives of the last solution from a frame that moves with the contact and outlives it.
+  void follow(MovingFrame& frame) { moving_ = &frame; }
   /// Solves what is prepared with these givens, from the present iterate or, unless warm, from nothing.
   Status solve_given(const Prescribed& given, bool frictionless, bool warm, Monitor& monitor);
   /// Brings everything that depends on the scene up to date; if that fails, nothing but the time step's start is left.
@@ -131,6 +144,7 @@ class Solver {
   std::unique_ptr<FrictionlessShare> frictionless_share_;  ///< made when it is asked for
   std::optional<double> early_;                            ///< seconds that preparing took before the solve
   double load_factor_ = 1;                                 ///< factor on the tangential loads, set by a frame maker
+  MovingFrame* moving_ = nullptr;                          ///< null: the frame stays where it is
   Solver* coarser_ = nullptr;                              ///< solver whose results the last extrapolation used
 };
 

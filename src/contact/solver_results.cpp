@@ -65,6 +65,7 @@ Rates Solver::rates(Parameter parameter) {
   require_solution();
   require_converged();
   const BlasThreads blas(blas_threads());
+  if (Rates found; moving_ && moving_->rates(parameter, found)) return found;
   const Rates& own = own_rates(parameter);
   return derived_.extrapolated ? beyond(*derived_.extrapolated, own, coarser_->own_rates(parameter)) : own;
 }

@@ -151,6 +151,7 @@ constexpr Statistic table[] = {
      }},
     {"contact_area",
      [](Solver& v) {
+       if (const auto& area = v.derived().area) return *area;
        if (v.derived().extrapolated) return v.derived().extrapolated->area;
        return sum_in_contact(v.solution(), [&](std::size_t k) { return v.solution().prepared->problem.cell_area[k]; });
      },
@@ -170,6 +171,7 @@ constexpr Statistic table[] = {
     {"step_row_builds", [](Solver& v) { return number(v.preparation() ? v.preparation()->carried.made() : 0); }},
     {"max_pressure",
      [](Solver& v) {
+       if (const auto& top = v.derived().largest_pressure) return *top;
        return std::max(
            0.0, -*std::min_element(v.solution().iterate.lambda[2].begin(), v.solution().iterate.lambda[2].end()));
      },

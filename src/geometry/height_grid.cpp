@@ -55,6 +55,12 @@ double cubic(double t, double f0, double d0, double f1, double d1) {
   return s * s * ((1 + 2 * t) * f0 + t * d0) + t * t * ((1 + 2 * s) * f1 - s * d1);
 }
 
+// Returns the slope of that cubic.
+double cubic_slope(double t, double f0, double d0, double f1, double d1) {
+  const double s = 1 - t;
+  return 6 * s * t * (f1 - f0) + s * (1 - 3 * t) * d0 + t * (1 - 3 * s) * d1;
+}
+
 struct Cell {
   std::int64_t first = -1;
   double part = 0;  ///< position in the cell, 0 to 1
@@ -85,7 +91,7 @@ HeightGrid::HeightGrid(const GridPlace& place, const double* value) : place_(pla
   }
 }
 
-double HeightGrid::operator()(double x, double y) const {
+double HeightGrid::operator()(double x, double y, Vec2* slope) const {
   const Cell a = cell(x, place_.x_least, spacing_x(), place_.nx), b = cell(y, place_.y_least, spacing_y(), place_.ny);
   if (a.first < 0 || b.first < 0) return std::numeric_limits<double>::infinity();
   // Points between two cells belong to both; the surface may end there.
@@ -98,12 +104,13 @@ double HeightGrid::operator()(double x, double y) const {
   };
   for (const Cell& cell_x : cells(a))
     for (const Cell& cell_y : cells(b))
-      if (const double height = in_cell(cell_x.first, cell_x.part, cell_y.first, cell_y.part); std::isfinite(height))
+      if (const double height = in_cell(cell_x.first, cell_x.part, cell_y.first, cell_y.part, slope);
+          std::isfinite(height))
         return height;
   return std::numeric_limits<double>::infinity();
 }
 
-double HeightGrid::in_cell(std::int64_t i, double s, std::int64_t j, double t) const {
+double HeightGrid::in_cell(std::int64_t i, double s, std::int64_t j, double t, Vec2* slope) const {
   if (i + 1 >= place_.nx || j + 1 >= place_.ny) return std::numeric_limits<double>::infinity();
   const Point* const low = &point_[at(j * place_.nx + i)];
   const Point* const high = low + place_.nx;
@@ -114,6 +121,15 @@ double HeightGrid::in_cell(std::int64_t i, double s, std::int64_t j, double t) c
   };
   const auto [f0, d0] = along(low);
   const auto [f1, d1] = along(high);
+  if (slope) {
+    const auto by_x = [&](const Point* p) {
+      return std::array{cubic_slope(s, p[0].f, p[0].fx, p[1].f, p[1].fx),
+                        cubic_slope(s, p[0].fy, p[0].fxy, p[1].fy, p[1].fxy)};
+    };
+    const auto [fx0, dx0] = by_x(low);
+    const auto [fx1, dx1] = by_x(high);
+    *slope = {cubic(t, fx0, dx0, fx1, dx1) / spacing_x(), cubic_slope(t, f0, d0, f1, d1) / spacing_y()};
+  }
   return cubic(t, f0, d0, f1, d1);
 }
 

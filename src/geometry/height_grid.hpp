@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/vec2.hpp"
+
 namespace rollcon {
 
 /// Says where a grid lies: its points along x run from x_least to x_greatest, both included, and so along y.
@@ -22,8 +24,9 @@ class HeightGrid {
   HeightGrid(const GridPlace& place, const double* value);
 
   const GridPlace& place() const { return place_; }
-  /// Returns +infinity off the grid and in cells with an infinite corner.
-  double operator()(double x, double y) const;
+  /// Returns +infinity off the grid and in cells with an infinite corner; else fills in the slopes by x and y, if
+  /// wanted.
+  double operator()(double x, double y, Vec2* slope = nullptr) const;
   /// Says whether a cell of the grid without a surface touches the point.
   bool ends_at(double x, double y) const;
   bool same_as(const GridPlace& place, const double* value) const;
@@ -34,7 +37,7 @@ class HeightGrid {
     double f = 0, fx = 0, fy = 0, fxy = 0;
   };
   /// Returns the height in cell (i, j) at the positions s and t, each from 0 to 1.
-  double in_cell(std::int64_t i, double s, std::int64_t j, double t) const;
+  double in_cell(std::int64_t i, double s, std::int64_t j, double t, Vec2* slope) const;
   double spacing_x() const { return (place_.x_greatest - place_.x_least) / static_cast<double>(place_.nx - 1); }
   double spacing_y() const { return (place_.y_greatest - place_.y_least) / static_cast<double>(place_.ny - 1); }
 

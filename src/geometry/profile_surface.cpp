@@ -178,6 +178,11 @@ std::optional<Vec3> ExtrudedProfile::normal(const Vec3& from, const Vec3& direct
   return towards(facing, n[0] * y_ + n[1] * z_);
 }
 
+Vec3 ExtrudedProfile::normal_met(const Vec3&, const Vec3&, const SurfaceHint& hint) const {
+  const Vec2 n = normal_of(curve_->at(hint.piece, hint.parameter));
+  return n[0] * y_ + n[1] * z_;
+}
+
 Vec3 ExtrudedProfile::nearest(const Vec3& point) const {
   const Vec3 r = point - origin_;
   const Vec2 x = curve_->nearest({dot(r, y_), dot(r, z_)}).x;
@@ -254,6 +259,11 @@ std::optional<Vec3> RevolvedProfile::normal(const Vec3& from, const Vec3& direct
   if (!hit) return std::nullopt;
   const Vec2 n = normal_of(hit->point);
   return towards(facing, n[0] * axis_ + n[1] * outward(from + hit->t * direction));
+}
+
+Vec3 RevolvedProfile::normal_met(const Vec3& met, const Vec3&, const SurfaceHint& hint) const {
+  const Vec2 n = normal_of(curve_->at(hint.piece, hint.parameter));
+  return n[0] * axis_ + n[1] * outward(met);
 }
 
 std::array<double, 2> RevolvedProfile::extent(const Vec3& direction) const {

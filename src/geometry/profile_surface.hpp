@@ -20,6 +20,7 @@ class ExtrudedProfile final : public Surface {
   std::optional<double> distance_near(const Vec3& from, const Vec3& direction, const Vec3& facing,
                                       SurfaceHint& hint) const override;
   std::optional<Vec3> normal(const Vec3& from, const Vec3& direction, const Vec3& facing) const override;
+  Vec3 normal_met(const Vec3& met, const Vec3& direction, const SurfaceHint& hint) const override;
   Vec3 nearest(const Vec3& point) const override;
   std::array<double, 2> extent(const Vec3& direction) const override;
   std::optional<Vec3> endless() const override { return along_; }
@@ -48,6 +49,7 @@ class RevolvedProfile final : public Surface {
   std::optional<double> distance_near(const Vec3& from, const Vec3& direction, const Vec3& facing,
                                       SurfaceHint& hint) const override;
   std::optional<Vec3> normal(const Vec3& from, const Vec3& direction, const Vec3& facing) const override;
+  Vec3 normal_met(const Vec3& met, const Vec3& direction, const SurfaceHint& hint) const override;
   Vec3 nearest(const Vec3& point) const override;
   std::array<double, 2> extent(const Vec3& direction) const override;
 

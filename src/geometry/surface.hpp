@@ -33,6 +33,10 @@ class Surface {
   }
   /// Returns the outward unit normal where the line meets the surface.
   virtual std::optional<Vec3> normal(const Vec3& from, const Vec3& direction, const Vec3& facing) const = 0;
+  /// Returns the unit normal, to either side, where distance_near() met the surface last with this hint: at `met`.
+  virtual Vec3 normal_met(const Vec3& met, const Vec3& direction, const SurfaceHint&) const {
+    return normal(met, direction, direction).value_or(direction);
+  }
   virtual Vec3 nearest(const Vec3& point) const = 0;
   /// Returns the least and greatest coordinate along a unit vector, infinite where the surface has no end. The interval
   /// may be wider than the surface, never narrower.

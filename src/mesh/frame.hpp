@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mesh/section_line.hpp"
+#include "mesh/strip_layout.hpp"
 #include "mesh/surface_mesh.hpp"
 
 namespace rollcon {
@@ -45,6 +46,8 @@ struct Frame {
   std::vector<Vec3> t1, t2, n;
   /// Refers to what a curved frame under half-spaces was laid on; null if bodies with a mesh curve it, or it is flat.
   std::shared_ptr<const SectionLine> section;
+  /// Holds the strips on which tractions are interpolated in place of the mesh's elements; null: none.
+  std::shared_ptr<strips::StripFrame> strips;
 
   std::int64_t nodes() const { return mesh.nodes(); }
   std::int64_t elements() const { return mesh.elements(); }

@@ -17,4 +17,12 @@ inline double linear_between(std::span<const double> point, std::span<const doub
   return (1 - part) * value[i - 1] + part * value[i];
 }
 
+/// Returns the slope of linear_between(), to the right where it jumps.
+inline double slope_between(std::span<const double> point, std::span<const double> value, double at) {
+  const auto next = std::upper_bound(point.begin(), point.end(), at);
+  if (next == point.begin() || next == point.end()) return 0;
+  const auto i = static_cast<std::size_t>(next - point.begin());
+  return (value[i] - value[i - 1]) / (point[i] - point[i - 1]);
+}
+
 }  // namespace rollcon

@@ -90,19 +90,16 @@ TEST(automatic_proofs, strips_across_a_wide_ellipse_are_carters) {
   constexpr double mu = 0.3, part = 0.4;
   const double e_star = closed_forms::effective_modulus(steel, steel);
   // The columns are the ratio, and the bounds of the force and of the creepage.
-  const std::array<double, 3> wide[] = {{10, 7e-3, 0.013}, {40, 3e-3, 4.5e-3}, {160, 2.5e-3, 4e-3}};
-  double last = INFINITY;
+  const std::array<double, 3> wide[] = {{10, 2e-3, 4e-3}, {40, 2e-3, 4e-3}, {160, 2e-3, 4e-3}};
   for (const auto& [width, force_bound, creepage_bound] : wide) {
     const Hertz hertz = ellipse(1, width, e_star);
     // The radius is that of cylinders with the same pressures in the middle.
     const double radius = e_star / (2 * hertz.p0);
     RollingPair pair(steel, steel);
-    hertzian(pair, hertz, mu).creep(-part * mu / radius, 0, 0);
+    hertzian(pair, hertz, mu).creep(-part * mu / radius, 0, 0).option("frame_accuracy", 0.001);
     ASSERT_EQ(pair.solve(), ROLLCON_OK);
     const double error = pair.solution().force[0] / (mu * hertz.load) - force_of_strips(part);
     expect_error("b/a = " + std::to_string(std::lround(width)) + ": force of strips, over mu Fn", error, force_bound);
-    EXPECT_LT(std::abs(error), last);
-    last = std::abs(error);
     // The creepage of that force is found the other way round.
     pair.tangential_force(ROLLCON_LONGITUDINAL, force_of_strips(part) * mu * hertz.load);
     ASSERT_EQ(pair.solve(), ROLLCON_OK);
@@ -139,8 +136,8 @@ TEST(automatic_proofs, creep_curve) {
       closed_forms::hertz_from_load(.0008, .0002814173138, closed_forms::effective_modulus(steel, steel), 106700);
   const double bound = mu * hertz.load;
   RollingPair pair(steel, steel), back(steel, steel);
-  hertzian(pair, hertz, mu);
-  hertzian(back, hertz, mu);
+  hertzian(pair, hertz, mu).option("frame_accuracy", 0.002);
+  hertzian(back, hertz, mu).option("frame_accuracy", 0.002);
   double last = 0;
   for (const auto& [xi, ratio] : closed_forms::creep_curve()) {
     pair.creep(-xi, 0, 0);

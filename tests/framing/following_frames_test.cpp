@@ -38,7 +38,7 @@ TEST(following_frames, the_way_does_not_matter) {
   for (const Elastic& second : {steel, aluminium}) {
     RollingPair follows(steel, second);
     follows.option("frame_accuracy", 0.1);
-    double worst = 0, assembled = 0, nodes = 0;
+    double worst = 0, nodes = 0;
     int compared = 0;
     for (int i = 0; i < 120; ++i) {
       const double phase = 0.05 * i;
@@ -46,7 +46,6 @@ TEST(following_frames, the_way_does_not_matter) {
                    .radius = 350 + 200 * std::sin(phase),
                    .creep = {8e-4 * std::sin(phase), 1e-3 * std::cos(phase), 2e-4 * std::sin(3 * phase)}};
       const auto there = solve(follows, s);
-      assembled = follows.stat("compliance_assemblies");
       nodes = static_cast<double>(follows.solution().nodes());
       if (i % 10 != 5) continue;
       RollingPair fresh(steel, second);
@@ -56,22 +55,17 @@ TEST(following_frames, the_way_does_not_matter) {
       ++compared;
       worst = std::max(worst, largest({there[0] - anew[0], there[1] - anew[1], there[2] - anew[2]}));
     }
-    expect_error("stretched frames beside new ones, over mu Fn", worst, 1e-5);
+    expect_error("stretched frames beside new ones, over mu Fn", worst, 1e-9);
     EXPECT_GE(compared, 8) << "of 12, on frames of one level";
-    report("shapes assembled in 120 steps", assembled);
-    EXPECT_LE(assembled, 16);
   }
 }
 
-// The operators of one shape serve all sizes to rounding.
-TEST(following_frames, loads_alone_assemble_nothing) {
+TEST(following_frames, laws_hold_where_a_frame_went) {
   RollingPair follows(steel, steel);
   Step s;
   solve(follows, s);
-  const double assembled = follows.stat("compliance_assemblies");
   s.load *= 1.21;
   const auto there = solve(follows, s);
-  EXPECT_EQ(follows.stat("compliance_assemblies"), assembled);
   EXPECT_EQ(follows.stat("compliance_builds"), 1);
   RollingPair fresh(steel, steel);
   const auto anew = solve(fresh, s);

@@ -11,6 +11,7 @@
 #include "bodies/halfspace/far_field.hpp"
 #include "bodies/halfspace/halfspace_kernel.hpp"
 #include "bodies/halfspace/kernels.hpp"
+#include "bodies/halfspace/strip_compliance.hpp"
 #include "bodies/halfspace/unrolled.hpp"
 #include "quadrature/near_field.hpp"
 #include "quadrature/rules.hpp"
@@ -281,6 +282,7 @@ void HalfspaceCompliance::apply(Points points, const double* traction, double* d
 
 std::unique_ptr<Compliance> make_halfspace_compliance(const Frame& frame, HalfspaceConstants c, double tolerance,
                                                       int threads) {
+  if (frame.strips) return make_strip_compliance(frame, c);
   if (frame.section) return make_unrolled_compliance(frame, c, tolerance, threads);
   return std::make_unique<HalfspaceCompliance>(frame, c, tolerance, threads);
 }

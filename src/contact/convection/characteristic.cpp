@@ -141,6 +141,41 @@ std::vector<double> characteristic_steps(const Frame& frame, double part) {
   return step;
 }
 
+void convect_on_strips(const Frame& frame, Convection& c) {
+  const strips::StripLayout& l = frame.strips->layout;
+  const double* g = frame.strips->geometry.data();
+  const std::vector<std::int32_t>& node = frame.strips->node;
+  const std::size_t n = frame.x.size();
+  if (c.ahead.size() != n || c.rows.fallback.size() != n) {
+    std::vector<std::size_t> inside(n, node.size());
+    for (std::size_t i = 0; i < node.size(); ++i) inside[static_cast<std::size_t>(node[i])] = i;
+    c.rows = {};
+    c.rows.fallback.assign(n, 0);
+    c.rows.start.push_back(0);
+    for (std::size_t k = 0; k < n; ++k) {
+      const auto add = [&](std::size_t i, double value) {
+        c.rows.column.insert(c.rows.column.end(), {node[i], static_cast<std::int32_t>(n) + node[i]});
+        c.rows.value.insert(c.rows.value.end(), {value, -value});
+      };
+      if (const std::size_t i = inside[k]; i < node.size()) {
+        add(i, 1 + l.carry[i]);
+        if (l.carry[i] != 0) add(i + 1, -l.carry[i] * l.spacing[i] / l.spacing[i + 1]);
+      }
+      c.rows.start.push_back(static_cast<std::int64_t>(c.rows.column.size()));
+    }
+    c.ahead.assign(n, 0.0);
+    c.factor.assign(n, 0.0);
+  }
+  c.slip_x = frame.x;
+  c.slip_y = frame.y;
+  for (std::size_t i = 0; i < node.size(); ++i) {
+    const auto k = static_cast<std::size_t>(node[i]);
+    c.ahead[k] = l.spacing[i] * g[l.half_of(l.node[i].row)];
+    c.factor[k] = 1 / c.ahead[k];
+    c.slip_x[k] = l.x(l.slip_place[i], g);
+  }
+}
+
 Convection make_characteristic(const Frame& frame, double step, bool ends_at_edge) {
   const std::vector<double> ahead = characteristic_steps(frame, step);
   Convection c = at_nodes(frame, differences(ahead));

@@ -51,6 +51,8 @@ inline constexpr double characteristic_step = 0.6;
 /// Makes a scheme, along the surface of a curved frame: as in the projection, times t1 . (rolling direction).
 Convection make_convection(const Frame& frame, const Scheme& scheme, bool ends_at_edge,
                            double step = characteristic_step);
+/// Takes the steps and places of strips for a characteristic scheme on them.
+void convect_on_strips(const Frame& frame, Convection& convection);
 /// Makes a sum for each node, with nothing ahead and slip taken at the nodes.
 Convection at_nodes(const Frame& frame, SparseRows rows);
 

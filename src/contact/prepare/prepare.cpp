@@ -10,6 +10,7 @@
 #include "contact/prepare/time_step.hpp"
 #include "contact/scene/conformal.hpp"
 #include "contact/scene/geometry.hpp"
+#include "mesh/strip_mesh.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"
 #include "support/index.hpp"
@@ -82,8 +83,25 @@ bool follows_its_place(const Scene& scene, const PairOfBodies& pair) {
   return !pair.meshed() && !is_conformal(scene, pair);
 }
 
+// Puts what depends on strips where these are.
+void put_strips(Preparation& preparation, const Scene& scene) {
+  Prepared& on = *preparation.made;
+  on.frame.strips->geometry = scene.strips()->geometry;
+  std::copy(scene.mesh().node.begin(), scene.mesh().node.end(), on.frame.mesh.node.begin());
+  strips::put_frame(on.frame);
+  take_strips(on.problem, on.frame);
+  if (!on.compliance) return;
+  for (auto& own : preparation.body_compliance) own.reset();
+  if (on.scheme == Scheme::characteristic)
+    convect_on_strips(on.frame, on.problem.convection);
+  else
+    preparation.convection.forget();
+  if (preparation.dense) preparation.dense->normal = preparation.dense->tangential = false;
+}
+
 void put_in_place(Preparation& preparation, const Scene& scene) {
   Prepared& on = *preparation.made;
+  if (scene.strips()) return put_strips(preparation, scene);
   on.place = scene.place();
   preparation.unit.put_frame(on.place, scene.mesh().node, on.frame);
   preparation.unit.put_problem(on.place, on.problem);
@@ -117,7 +135,8 @@ void build_frame_part(Preparation& preparation, const Scene& scene) {
   const auto placed = follows_its_place(scene, on.pair) ? 0 : scene.revision.place;
   // Nodes at which a body ends carry tractions, unless the frame follows the contact.
   const bool known = is_gap_known(scene, on.pair);
-  const Poses ends = scene.ends_at_edge() && !scene.placed() && known ? where_gap_ends(scene, on.pair) : Poses{-1, -1};
+  const Poses ends =
+      scene.ends_at_edge() && !scene.frame_moves() && known ? where_gap_ends(scene, on.pair) : Poses{-1, -1};
   if (preparation.frame.enter(scene.revision.mesh, placed, scene.revision.axes, poses_of_frame(scene, on.pair), ends,
                               conformal)) {
     refuse_too_many_nodes(preparation, scene.mesh());
@@ -126,7 +145,7 @@ void build_frame_part(Preparation& preparation, const Scene& scene) {
     on.frame_source = present_source(scene, on.pair);
     on.ends_at_edge = scene.ends_at_edge();
     if (on.ends_at_edge) {
-      find_rim(frame, on.pair, scene.placed() ? nullptr : known_gap(scene, on.pair).get());
+      find_rim(frame, on.pair, scene.frame_moves() ? nullptr : known_gap(scene, on.pair).get());
       for (std::size_t k = 0; k < frame.used.size(); ++k) frame.used[k] &= frame.rim[k] == 0;
     }
     if (normal_source(on.pair) >= 0) curve_frame(frame, surface_normals(frame, on.frame_source, on.pair));
@@ -135,9 +154,11 @@ void build_frame_part(Preparation& preparation, const Scene& scene) {
                                ? frame.nodes() == on.frame.nodes()
                                : scene.ends_at_edge() && frame.mesh.connectivity == on.frame.mesh.connectivity;
     preparation.mesh = scene.revision.mesh;
+    if (scene.strips()) frame.strips = std::make_shared<strips::StripFrame>(*scene.strips());
     on.frame = std::move(frame);
     on.place = scene.place();
     take_frame(on.problem, on.frame);
+    if (on.frame.strips) put_strips(preparation, scene);
     preparation.place.enter(preparation.frame.version(), scene.revision.place);
     on.placed = scene.placed();
     on.in_steps = scene.placed_in_steps();
@@ -178,7 +199,12 @@ void build_stencils(Preparation& preparation, const Scene& scene) {
     preparation.dense->release_slip();
   else
     forget_operators(preparation);
-  on.problem.convection = make_convection(on.frame, scheme, on.ends_at_edge);
+  if (scheme == Scheme::characteristic && on.frame.strips) {
+    on.problem.convection = {};
+    convect_on_strips(on.frame, on.problem.convection);
+  } else {
+    on.problem.convection = make_convection(on.frame, scheme, on.ends_at_edge);
+  }
   if (scheme == Scheme::characteristic && on.placed && !on.frame.curved()) {
     Frame unit = on.frame;
     preparation.unit.put_frame({}, scene.mesh_at({}).node, unit);

@@ -143,6 +143,24 @@ void take_frame(Problem& p, const Frame& frame) {
   }
 }
 
+void take_strips(Problem& p, const Frame& frame) {
+  const strips::StripLayout& l = frame.strips->layout;
+  const double* g = frame.strips->geometry.data();
+  p.weight = frame.weight;
+  p.cell_area = frame.cell_area;
+  p.length = std::sqrt(frame.area);
+  for (auto* moment : {&p.moment_x, &p.moment_y, &p.moment_z}) std::fill(moment->begin(), moment->end(), 0.0);
+  for (std::size_t i = 0; i < l.centroid.size(); ++i) {
+    const std::size_t k = at(frame.strips->node[i]);
+    p.moment_x[k] = frame.weight[k] * l.x(l.centroid[i], g);
+    p.moment_y[k] = frame.weight[k] * l.y(l.centroid[i], g);
+  }
+  for (std::size_t k = 0; k < frame.x.size(); ++k) {
+    p.tilting[0][k] = frame.y[k];
+    p.tilting[1][k] = -frame.x[k];
+  }
+}
+
 LoadSum load_on_body1(const Problem& p, int motion, const std::vector<double> (&lambda)[3]) {
   LoadSum sum;
   const bool by_rows = !p.turn.empty() || motion >= tilt1;

@@ -94,6 +94,9 @@ struct Problem {
 /// Takes what depends on the frame alone: weights, moments, areas, local triads.
 void take_frame(Problem& problem, const Frame& frame);
 
+/// Takes weights and moments of a frame with strips, which take_frame() took before.
+void take_strips(Problem& problem, const Frame& frame);
+
 /// Holds an iterate: tractions by component, the operator rows applied to them, and the motions.
 struct Iterate {
   std::vector<double> lambda[3];  ///< t1, t2, n

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "geometry/surface.hpp"
 #include "support/error.hpp"
@@ -14,9 +15,14 @@ namespace {
 
 class GapOnGrid final : public KnownGap {
  public:
-  explicit GapOnGrid(const HeightGrid& grid) : grid_(grid) {}
+  explicit GapOnGrid(std::shared_ptr<const HeightGrid> grid) : owned_(std::move(grid)), grid_(*owned_) {}
 
   double operator()(double x, double y) const override { return grid_(x, y); }
+  bool heights(double x, double y, Heights& found) const override {
+    found = {};
+    found.height[1] = grid_(x, y, &found.slope[1]);
+    return std::isfinite(found.height[1]);
+  }
   bool ends_at(double x, double y, double) const override { return grid_.ends_at(x, y); }
   Rectangle bounds() const override {
     const GridPlace& on = grid_.place();
@@ -28,6 +34,7 @@ class GapOnGrid final : public KnownGap {
   }
 
  private:
+  std::shared_ptr<const HeightGrid> owned_;
   const HeightGrid& grid_;
 };
 
@@ -48,6 +55,25 @@ class GapOfSurfaces final : public KnownGap {
   double operator()(double x, double y) const override {
     const double gap = along(plane_point(axes_, x, y), axes_.n);
     return given_ && std::isfinite(gap) ? (*given_)[0] * x * x + (*given_)[1] * y * y + (*given_)[2] * x * y : gap;
+  }
+
+  bool heights(double x, double y, Heights& found) const override {
+    const Vec3 point = plane_point(axes_, x, y);
+    for (std::size_t b = 0; b < 2; ++b) {
+      found.height[b] = 0;
+      found.slope[b] = {};
+      const Surface* const surface = pair_.body[b]->surface();
+      if (!surface) continue;
+      const Pose& pose = pair_.pose[b];
+      const Vec3 direction = pose.turn_back(axes_.n), from = pose.to_body(point);
+      const auto met = surface->distance_near(from, direction, (b == 0 ? 1.0 : -1.0) * direction, met_[b]);
+      if (!met) return false;
+      const Vec3 n = pose.turn(surface->normal_met(from + *met * direction, direction, met_[b]));
+      const double steep = dot(n, axes_.n);
+      found.height[b] = *met;
+      found.slope[b] = {-dot(n, axes_.t1) / steep, -dot(n, axes_.t2) / steep};
+    }
+    return true;
   }
 
   /// Returns the way from body 1 to body 2 along a line through a point.
@@ -146,7 +172,7 @@ class GapOfSurfaces final : public KnownGap {
     return std::span(all).first(n);
   }
 
-  const Axes& axes_;
+  Axes axes_;
   PairOfBodies pair_;
   std::optional<std::array<double, 3>> given_;  ///< coefficients of x^2, y^2, xy
   mutable std::array<SurfaceHint, 2> met_;      ///< hints from the point before
@@ -182,7 +208,7 @@ bool is_gap_known(const Scene& scene, const PairOfBodies& pair) {
 
 std::unique_ptr<KnownGap> known_gap(const Scene& scene, const PairOfBodies& pair) {
   if (!is_gap_known(scene, pair)) return nullptr;
-  if (const HeightGrid* const grid = scene.gap_grid()) return std::make_unique<GapOnGrid>(*grid);
+  if (scene.gap_grid()) return std::make_unique<GapOnGrid>(scene.gap_grid());
   return std::make_unique<GapOfSurfaces>(scene.axes(), pair, scene.quadratic_gap());
 }
 
@@ -192,8 +218,8 @@ bool fill_known_gap(const Scene& scene, const PairOfBodies& pair, const Frame& f
     fill(
         known, frame, [&](std::size_t k) { return known(frame.x[k], frame.y[k]); }, gap);
   };
-  if (const HeightGrid* const grid = scene.gap_grid()) {
-    above(GapOnGrid(*grid));
+  if (scene.gap_grid()) {
+    above(GapOnGrid(scene.gap_grid()));
     return true;
   }
   const GapOfSurfaces surfaces(scene.axes(), pair, scene.quadratic_gap());

@@ -8,9 +8,18 @@
 #include "bodies/contact_surface.hpp"
 #include "contact/scene/scene.hpp"
 #include "geometry/rectangle.hpp"
+#include "geometry/vec2.hpp"
 #include "mesh/frame.hpp"
 
 namespace rollcon {
+
+/// Holds where both bodies are above a point of the axes' plane, and how these heights change along it.
+struct Heights {
+  double height[2] = {};
+  Vec2 slope[2] = {};
+
+  double gap() const { return height[1] - height[0]; }
+};
 
 /// Serves one thread at a time.
 class KnownGap {
@@ -18,6 +27,8 @@ class KnownGap {
   virtual ~KnownGap() = default;
   /// Returns the gap at a point of the axes' plane; +infinity where a body is not there.
   virtual double operator()(double x, double y) const = 0;
+  /// Returns false where a body is not there.
+  virtual bool heights(double x, double y, Heights& found) const = 0;
   /// Says whether a body ends within rounding of the point; size: extent of what is finely resolved there.
   virtual bool ends_at(double x, double y, double size) const = 0;
   /// Returns the region beyond which nothing is known, or one of the bodies is not there. err_state: it has no end.
@@ -28,7 +39,7 @@ class KnownGap {
 
 /// Returns false where only nodes have a gap, or it is of planes or quadratic between bodies without a mesh.
 bool is_gap_known(const Scene& scene, const PairOfBodies& pair);
-/// Returns the gap, which refers to scene and bodies; null where it is not known.
+/// Returns the gap as the scene is now, which refers to the bodies; null where it is not known.
 std::unique_ptr<KnownGap> known_gap(const Scene& scene, const PairOfBodies& pair);
 /// Fills in the gap at the nodes of a frame, far apart where a body is not there; allocates nothing once `gap` has had
 /// this size. Returns false where it is not known.

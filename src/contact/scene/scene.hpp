@@ -78,6 +78,13 @@ class Scene {
   /// anew where contacts change. in_steps: its shapes are a few that come again; each has operators of its own, which
   /// do not depend on what came before.
   void set_placed_frame(SurfaceMesh mesh, const FramePlace& place, bool in_steps = false);
+  /// Takes a frame of strips that ends at the contact's edge; where its layout is that of the last one it is moved. It
+  /// lies in the plane of the axes; see set_made_frame() for the rest.
+  void set_strips(const strips::StripLayout& layout, const std::vector<double>& geometry);
+  /// Returns null where the frame is not of strips.
+  const strips::StripFrame* strips() const { return strips_.get(); }
+  /// Says whether the frame moves with the contact.
+  bool frame_moves() const { return placed() || strips_; }
   /// Moves a placed frame; it follows the axes, too.
   void place_frame(const FramePlace& place);
   bool placed() const { return !unplaced_.empty(); }
@@ -144,7 +151,7 @@ class Scene {
   /// Returns a, b, c of set_gap_quadratic, where that is what was given last.
   std::optional<std::array<double, 3>> quadratic_gap() const;
   /// Returns the gap of set_gap_grid where that was given last; else null.
-  const HeightGrid* gap_grid() const { return gap_.kind == GapKind::grid ? gap_.grid.get() : nullptr; }
+  std::shared_ptr<const HeightGrid> gap_grid() const { return gap_.kind == GapKind::grid ? gap_.grid : nullptr; }
   /// Returns the gap of node k at (x, y) in the axes; needs has_gap(). err_argument: a grid has no gap there.
   double gap(std::int64_t k, double x, double y) const;
   /// Returns the friction coefficient of node k, which lies at y.
@@ -152,6 +159,9 @@ class Scene {
     if (!friction_field_.empty()) return friction_field_[static_cast<std::size_t>(k)];
     return friction_.across_y.empty() ? friction_.mu : linear_between(friction_.across_y, friction_.across_mu, y);
   }
+  /// Return where coefficients across are given, and these.
+  const std::vector<double>& friction_places() const { return friction_.across_y; }
+  const std::vector<double>& friction_there() const { return friction_.across_mu; }
   /// Returns null for Coulomb's law.
   const std::shared_ptr<const FrictionLaw>& law() const { return friction_.law_in_use; }
   bool friction_varies_across() const { return friction_field_.empty() && !friction_.across_y.empty(); }
@@ -175,6 +185,7 @@ class Scene {
   FrameSource frame_source_;
   bool frame_given_ = false, ends_at_edge_ = false;
   std::vector<Vec3> unplaced_;  ///< nodes of a placed frame; empty: it is none
+  std::unique_ptr<strips::StripFrame> strips_;
   FramePlace place_;
   bool in_steps_ = false;
   std::array<Pose, 2> pose_{};

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "contact/scene/scene.hpp"
 #include "mesh/mesh_inputs.hpp"
+#include "mesh/strip_mesh.hpp"
 #include "support/input_checks.hpp"
 
 namespace rollcon {
@@ -46,6 +48,18 @@ void Scene::set_placed_frame(SurfaceMesh mesh, const FramePlace& place, bool in_
   unplaced_ = mesh_.node;
   in_steps_ = in_steps;
   place_frame(place);
+}
+
+void Scene::set_strips(const strips::StripLayout& layout, const std::vector<double>& geometry) {
+  if (strips_ && strips_->layout.counts == layout.counts && strips_->layout.parts == layout.parts) {
+    strips_->geometry = geometry;
+    ++revision.place;
+  } else {
+    auto made = std::make_unique<strips::StripFrame>(strips::StripFrame{layout, geometry, {}});
+    set_made_frame(strips::strip_mesh(*made), true, false);
+    strips_ = std::move(made);
+  }
+  strips::put_nodes(*strips_, axes_, mesh_.node);
 }
 
 void Scene::put_nodes(const FramePlace& place, std::vector<Vec3>& node) const {
@@ -95,6 +109,7 @@ void Scene::replace_frame(SurfaceMesh mesh, FrameSource source) {
   frame_given_ = true;
   ends_at_edge_ = false;
   unplaced_.clear();
+  strips_.reset();
   place_ = {};
   in_steps_ = false;
   std::swap(mesh_, mesh);

@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "framing/strips/strip_integrals.hpp"
-#include "framing/strips/strip_layout.hpp"
+#include "bodies/halfspace/strip_integrals.hpp"
+#include "mesh/strip_layout.hpp"
 #include "geometry/rectangle.hpp"
 #include "geometry/vec2.hpp"
 #include "linalg/lu.hpp"

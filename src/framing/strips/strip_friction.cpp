@@ -51,9 +51,20 @@ void StripSolver::slip_rows(const StripScene& scene, const StripState& state, bo
                      v = integrals_.add_rates(there, k, field, l.upstream[i], -per, row);
         row[half] -= (u - v) * per / g[half];
       }
+    }
+  }
+  for (int i = 0; i < l.nodes; ++i) {
+    const auto carry_from_next = [&](std::vector<double>& rows, std::size_t first, int columns) {
+      double* row = rows.data() + (first + i) * columns;
+      for (int j = 0; j < columns && l.carry[i] != 0; ++j) row[j] += l.carry[i] * (row[j] - row[j + columns]);
+    };
+    for (int k = 0; k < kinds; ++k) carry_from_next(compliance_[k], 0, l.nodes);
+    for (int d = 0; d < 2 && rates; ++d) {
+      carry_from_next(slip_rates_, d * n, l.geometry);
       const Vec2 slope = slip_[d].slope[i];
       const double spin = state.motion[2];
-      l.add_motion(l.slip_place[i], slope[0] + (d == 1 ? spin : 0), slope[1] - (d == 0 ? spin : 0), row);
+      l.add_motion(l.slip_place[i], slope[0] + (d == 1 ? spin : 0), slope[1] - (d == 0 ? spin : 0),
+                   slip_rates_.data() + (d * n + i) * l.geometry);
     }
   }
   // Scales of the laws: traction per slip.

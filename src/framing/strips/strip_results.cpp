@@ -27,6 +27,17 @@ double top(const double (&x)[3], const double (&f)[3], double* at) {
 
 }  // namespace
 
+double area(const StripState& state) {
+  const StripLayout& l = state.layout;
+  const double* g = state.geometry.data();
+  double sum = 0;
+  for (int i = 0; i < l.nodes; ++i) {
+    const int row = i / l.nodes_each;
+    sum += l.unit_cell[i] * g[l.half_of(row)] * g[l.width_of(l.part_of(row))];
+  }
+  return sum;
+}
+
 PressurePeak largest_pressure(const StripState& state) {
   const StripLayout& l = state.layout;
   const double* g = state.geometry.data();

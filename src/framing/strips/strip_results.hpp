@@ -14,6 +14,7 @@ struct PressurePeak {
 /// beside a node, so that nodes of a curve that bends are above it: by the mean of what its chords cut off, which is
 /// taken away. The square of the pressure is taken for a parabola along each row and across rows: exact for an ellipse.
 PressurePeak largest_pressure(const StripState& state);
+double area(const StripState& state);  ///< area in contact
 
 /// Measures how far a solution is from contacts that strips do not fit; all measures are continuous.
 struct StripTrust {

@@ -13,9 +13,6 @@
 
 namespace rollcon::strips {
 
-/// Pads places of sources to a multiple of this.
-constexpr int kernel_width = 8;
-
 /// Takes one observer before all places of sources: values[k][n] = sum over feet f of weight[f][n] F_k(x - place[n],
 /// y - foot[f][n]). Rates follow each value: such sums of dF/dx, of dF/dy, and of dF/dy with `turn` for weight.
 struct KernelJob {

@@ -1,4 +1,4 @@
-#include "framing/strips/strip_integrals.hpp"
+#include "bodies/halfspace/strip_integrals.hpp"
 
 #include <cstddef>
 
@@ -42,11 +42,11 @@ void StripIntegrals::set_field(int field, const double* traction) {
   }
 }
 
-Observation StripIntegrals::observe(Displacement what, bool rates, const StripPoint& at, int slot) {
+Observation StripIntegrals::observe(Displacement what, bool rates, double x, double y, int slot) {
   const StripLayout& l = *layout_;
   KernelJob job{};
-  job.x = l.x(at, geometry_);
-  job.y = l.y(at, geometry_);
+  job.x = x;
+  job.y = y;
   job.count = l.places;
   job.place = place_.data();
   for (int f = 0; f < 3; ++f) {

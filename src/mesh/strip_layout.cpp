@@ -1,9 +1,8 @@
-#include "framing/strips/strip_layout.hpp"
+#include "mesh/strip_layout.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include "framing/strips/strip_kernels.hpp"
 
 namespace rollcon::strips {
 namespace {
@@ -13,6 +12,26 @@ constexpr double upstream_part = 0.6;  // part of the mean spacing
 // Gaps vanish so far beyond the ends of a chord and of a width, by the square of the intervals along and by those
 // across: the mean over Hertz's ellipses of ratios 0.25 to 2, whose chords are 1 % too long without.
 constexpr double beyond_chord = 0.9, beyond_width = 0.21;
+
+// Returns integrals over the width of hats of rows, constant beyond the outer rows, times the chords of an ellipse,
+// over the chords at the rows.
+std::vector<double> row_areas(const std::vector<double>& across) {
+  constexpr int points = 400;
+  const std::size_t rows = across.size() - 2;
+  std::vector<double> area(rows, 0.0);
+  for (int i = 0; i < points; ++i) {
+    const double angle = pi * (i + 0.5) / points, u = -std::cos(angle),
+                 part = std::sin(angle) * std::sin(angle) * pi / points;
+    const double inside = std::clamp(u, across[1], across[rows]);
+    const auto above = std::upper_bound(across.begin() + 1, across.begin() + static_cast<std::ptrdiff_t>(rows), inside);
+    const auto k = static_cast<std::size_t>(above - across.begin());
+    const double t = (inside - across[k - 1]) / (across[k] - across[k - 1]);
+    area[k - 2] += (1 - t) * part;
+    area[k - 1] += t * part;
+  }
+  for (std::size_t k = 0; k < rows; ++k) area[k] /= std::sqrt(1 - across[k + 1] * across[k + 1]);
+  return area;
+}
 
 }  // namespace
 
@@ -33,6 +52,7 @@ StripLayout::StripLayout(StripCounts of, int number_of_parts) : counts(of), part
   for (int i = 0; i < n; ++i) slope.push_back(1 / (along[i + 1] - along[i]));
   weight.assign(3 * static_cast<std::size_t>(places), 0);
   turn = weight;
+  const std::vector<double> area = row_areas(across);
   for (int row = 0; row < rows; ++row) {
     const int part = part_of(row), line = row % rows_each + 1;
     const double below = 1 / (across[line] - across[line - 1]), above = 1 / (across[line + 1] - across[line]);
@@ -47,12 +67,18 @@ StripLayout::StripLayout(StripCounts of, int number_of_parts) : counts(of), part
       const double step = upstream_part * (along[i + 1] - along[i - 1]) / 2;
       StripPoint p{row, row, part, 1, 0, along[i], across[line]};
       node.push_back(p);
-      p.half = along[i] + step / 2;
+      const bool carried = i + 2 < n;
+      const double next = carried ? upstream_part * (along[i + 2] - along[i]) / 2 : 0;
+      carry.push_back(carried ? step / 2 / (along[i + 1] + next / 2 - along[i] - step / 2) : 0);
+      p.half = carried ? along[i] : along[i] + step / 2;
       slip_place.push_back(p);
       p.half = along[i] + step;
       upstream.push_back(p);
       spacing.push_back(step);
       unit_weight.push_back((along[i + 1] - along[i - 1]) / 2 * (across[line + 1] - across[line - 1]) / 2);
+      const double low = i > 1 ? (along[i - 1] + along[i]) / 2 : -1,
+                   high = i + 1 < n ? (along[i] + along[i + 1]) / 2 : 1;
+      unit_cell.push_back((high - low) * area[static_cast<std::size_t>(line) - 1]);
       p.half = (along[i - 1] + along[i] + along[i + 1]) / 3;
       p.across = (across[line - 1] + across[line] + across[line + 1]) / 3;
       centroid.push_back(p);

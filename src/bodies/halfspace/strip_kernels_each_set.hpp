@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <initializer_list>
 
-#include "framing/strips/strip_kernels.hpp"
+#include "bodies/halfspace/strip_kernels.hpp"
 #include "quadrature/pack.hpp"
 
 namespace {

@@ -3,10 +3,14 @@
 /// Each part of the contact (convex along rolling) has rows of its own. See docs/theory.md, section 4.
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 namespace rollcon::strips {
+
+/// Pads places of sources to a multiple of this (bodies/halfspace/strip_kernels.hpp).
+constexpr int kernel_width = 8;
 
 /// Counts intervals of every part along the rolling direction and across; at least 4 each.
 struct StripCounts {
@@ -31,19 +35,24 @@ class StripLayout {
   StripCounts counts;
   int parts = 0, rows_each = 0, rows = 0, nodes_each = 0, nodes = 0;  ///< nodes lie inside of chords
   int geometry = 0;                                                   ///< length of a geometry
-  int places = 0;                      ///< count of all rows' nodes with the chords' ends, padded for the kernels
-  std::vector<double> along;           ///< places of a chord's nodes, from -1 to 1: sin(pi t/2), t uniform
-  std::vector<double> across;          ///< places of rows in the width, with its ends: t/2 + sin(pi t/2)/2
-  std::vector<double> slope;           ///< slopes of hats: 1 over each interval along
-  std::vector<double> weight, turn;    ///< values for the three feet of each place, [foot][place]
-  std::vector<StripPoint> node;        ///< nodes inside, row by row
-  std::vector<StripPoint> upstream;    ///< places 0.6 of the mean spacing further on, for differences along x
-  std::vector<StripPoint> slip_place;  ///< places between node and upstream where rigid slip is taken
-  std::vector<double> spacing;         ///< distance of node and upstream over the half chord
+  int places = 0;                    ///< count of all rows' nodes with the chords' ends, padded for the kernels
+  std::vector<double> along;         ///< places of a chord's nodes, from -1 to 1: sin(pi t/2), t uniform
+  std::vector<double> across;        ///< places of rows in the width, with its ends: t/2 + sin(pi t/2)/2
+  std::vector<double> slope;         ///< slopes of hats: 1 over each interval along
+  std::vector<double> weight, turn;  ///< values for the three feet of each place, [foot][place]
+  std::vector<StripPoint> node;      ///< nodes inside, row by row
+  std::vector<StripPoint> upstream;  ///< places 0.6 of the mean spacing further on, for differences along x
+  std::vector<double> spacing;       ///< distance of node and upstream over the half chord
+  /// Differences belong between node and upstream place; slip at the node is s + carry (s - s of the next node
+  /// upstream). Slip of the last two nodes of a chord is taken between: what pressures of unlike bodies cause bends
+  /// sharply at the edge.
+  std::vector<double> carry;
+  std::vector<StripPoint> slip_place;  ///< places where slip is taken
   /// Places where gaps vanish: the nodes, then beside the chords' ends and beyond the ends of the widths.
   std::vector<StripPoint> observers;
   std::vector<double> unit_weight;   ///< integral of a node's shape function over s[row] S[part]
   std::vector<StripPoint> centroid;  ///< centroid of a node's shape function
+  std::vector<double> unit_cell;     ///< part of the contact's area that is a node's, over s[row] S[part]
 
   int part_of(int row) const { return row / rows_each; }
   int middle_of(int row) const { return row; }
@@ -63,6 +72,13 @@ class StripLayout {
     rates[centre_of(p.part)] += fy;
     rates[width_of(p.part)] += p.across * fy;
   }
+};
+
+/// Describes strips under a frame, whose nodes are the ends of the parts' widths and all nodes of rows with their ends.
+struct StripFrame {
+  StripLayout layout;
+  std::vector<double> geometry;
+  std::vector<std::int32_t> node;  ///< frame's node of each node inside
 };
 
 }  // namespace rollcon::strips

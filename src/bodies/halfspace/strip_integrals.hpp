@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "framing/strips/strip_kernels.hpp"
-#include "framing/strips/strip_layout.hpp"
+#include "bodies/halfspace/strip_kernels.hpp"
+#include "mesh/strip_layout.hpp"
 
 namespace rollcon::strips {
 
@@ -29,7 +29,10 @@ class StripIntegrals {
   /// Makes tractions at the nodes inside the field that integrals multiply: 0 pressure, 1 along x, 2 along y.
   void set_field(int field, const double* traction);
   /// Computes integrals for an observer, with or without rates, kept until the next call with the same slot (0 or 1).
-  Observation observe(Displacement what, bool rates, const StripPoint& at, int slot);
+  Observation observe(Displacement what, bool rates, const StripPoint& at, int slot) {
+    return observe(what, rates, layout_->x(at, geometry_), layout_->y(at, geometry_), slot);
+  }
+  Observation observe(Displacement what, bool rates, double x, double y, int slot);
   int kinds(Displacement what) const { return (what == Displacement::slip ? 3 : 1) + (coupled() ? 2 : 0); }
   bool coupled() const { return bodies_.ck != 0; }
 

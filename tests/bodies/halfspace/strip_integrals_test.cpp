@@ -1,8 +1,8 @@
 /// Closed integrals over strips beside Gauss's rules, and their derivatives beside differences.
 
-#include "framing/strips/strip_integrals.hpp"
+#include "bodies/halfspace/strip_integrals.hpp"
 
-#include "framing/strips/strip_families.hpp"
+#include "support/testing.hpp"
 #include "linalg/dense.hpp"
 
 namespace rollcon::strips {

@@ -1,4 +1,4 @@
-#include "framing/strips/strip_kernels.hpp"
+#include "bodies/halfspace/strip_kernels.hpp"
 
 namespace rollcon::strips {
 

@@ -1,0 +1,40 @@
+#pragma once
+/// Solves contacts on strips that fit them, for frames that the library makes and for wheels (docs/theory.md, section
+/// 4).
+
+#include "framing/strip_givens.hpp"
+#include "framing/strips/strip_bridge.hpp"
+
+namespace rollcon {
+
+class StripFrames final : public MovingFrame {
+ public:
+  /// Solves a solver's scene inside of the box, by Coulomb's law or, where another resists slip, without friction. The
+  /// solver's bodies are prepared.
+  strips::StripReport fit(Solver& on, const Rectangle& box, strips::StripCounts counts);
+  /// Returns what fit() found; `by_law` friction is missing from it.
+  const strips::StripTotals& totals() const { return totals_; }
+  /// Says whether friction is missing from the totals.
+  bool by_law() const { return !givens_.coulomb(); }
+  const strips::StripSolution& solution() const { return solution_; }
+  /// Gives the scene of a solver, which fit() was given before, a frame of the strips, and solves on it from what was
+  /// found. Errors are those of Solver::solve().
+  Status show(Solver& on);
+  bool rates(Parameter parameter, Rates& found) override;
+  /// Says whether both bodies are there wherever the contact ends.
+  bool within_bodies() const;
+  void forget() { warm_ = false; }
+
+ private:
+  StripGivens givens_;
+  strips::StripContact contact_;
+  strips::StripSolution solution_;
+  strips::StripTotals totals_;
+  strips::StripState shown_;  ///< what show() solved
+  bool warm_ = false;
+};
+
+/// Returns force and moment about the origin, in the axes, and motions.
+Rates rates_of(const strips::StripTotals& totals);
+
+}  // namespace rollcon
