@@ -1,6 +1,8 @@
 #include "framing/strip_frames.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "framing/strips/strip_results.hpp"
 #include "support/error.hpp"
@@ -34,6 +36,41 @@ bool StripFrames::within_bodies() const {
   for (const StripPoint& p : s.layout.observers)
     if (!givens_.both_at({s.layout.x(p, s.geometry.data()), s.layout.y(p, s.geometry.data())})) return false;
   return true;
+}
+
+EquivalentEllipse StripFrames::equivalent_ellipse(const PairOfBodies& pair) {
+  const StripState& s = solution_.strips;
+  const StripLayout& l = s.layout;
+  const double* g = s.geometry.data();
+  place_.clear();
+  for (std::size_t i = 0; i < l.node.size(); ++i) {
+    const int row = l.node[i].row;
+    const Vec2 slip{l.x(l.slip_place[i], g), l.y(l.slip_place[i], g)};
+    const auto [s1, s2] = givens_.rigid_slip(slip);
+    place_.push_back({s.pressure[i] * l.unit_weight[i] * g[l.half_of(row)] * g[l.width_of(l.part_of(row))],
+                      l.x(l.centroid[i], g), l.y(l.centroid[i], g), slip[0], slip[1], s1, s2, 0});
+  }
+  return rollcon::equivalent_ellipse(place_, area(s), common_elasticity(*pair.body[0], *pair.body[1]));
+}
+
+std::optional<double> StripFrames::friction_power() const {
+  const StripScene& scene = givens_.scene();
+  if (scene.bodies.ck != 0 || solution_.share < 1) return std::nullopt;
+  const StripState& s = solution_.strips;
+  const StripLayout& l = s.layout;
+  const double* g = s.geometry.data();
+  double work = 0;
+  for (std::size_t k = 0; k < 3; ++k) work += totals_.force[k] * totals_.motion[k];
+  for (std::size_t c = 0; c < 2; ++c)
+    for (std::size_t i = 0; scene.slip[c] && i < l.node.size(); ++i) {
+      const int row = l.node[i].row;
+      const Vec2 at{l.x(l.centroid[i], g), l.y(l.centroid[i], g)};
+      double slip = 0;
+      scene.slip[c]->at({&at, 1}, &slip, nullptr);
+      work += l.unit_weight[i] * g[l.half_of(row)] * g[l.width_of(l.part_of(row))] * slip *
+              s.traction[c * l.node.size() + i];
+    }
+  return -givens_.speed() * work;
 }
 
 Status StripFrames::show(Solver& on) {
@@ -94,11 +131,68 @@ bool StripFrames::rates(Parameter parameter, Rates& found) {
     default:
       return false;
   }
+  found = rates(by);
+  return true;
+}
+
+Rates StripFrames::rates(const StripParameter& by) {
   StripTotals rate;
   if (!contact_.rates(givens_.scene(), solution_, {&by, 1}, {&rate, 1}))
     fail(Status::err_singular, "the linearised system of the contact on strips has no solution");
-  found = rates_of(rate);
-  return true;
+  return rates_of(rate);
+}
+
+namespace {
+
+/// Takes differences of two fields over a distance; a field that is not there is 0.
+struct FieldRate : PlaneField {
+  const PlaneField *before = nullptr, *behind = nullptr;
+  double distance = 1;
+
+  void at(std::span<const Vec2> point, double* value, Vec2* slope) const override {
+    std::fill_n(value, point.size(), 0.0);
+    if (slope) std::fill_n(slope, point.size(), Vec2{});
+    thread_local std::vector<double> one;
+    thread_local std::vector<Vec2> one_slope;
+    one.resize(point.size());
+    one_slope.resize(point.size());
+    for (const auto& [field, sign] : {std::pair{before, -1.0}, {behind, 1.0}}) {
+      if (!field) continue;
+      field->at(point, one.data(), slope ? one_slope.data() : nullptr);
+      for (std::size_t i = 0; i < point.size(); ++i) {
+        value[i] += sign / distance * one[i];
+        if (slope) slope[i] = slope[i] + (sign / distance) * one_slope[i];
+      }
+    }
+  }
+};
+
+}  // namespace
+
+Rates StripFrames::rates(const StripGivens& before, const StripGivens& behind, double distance) {
+  const StripScene &a = before.scene(), &b = behind.scene();
+  StripParameter by;
+  FieldRate gap, slip[2], friction;
+  const auto set = [&](FieldRate& rate, const PlaneField* from, const PlaneField* to) {
+    rate.before = from;
+    rate.behind = to;
+    rate.distance = distance;
+    return from || to ? &rate : nullptr;
+  };
+  by.gap = set(gap, a.gap, b.gap);
+  for (std::size_t c = 0; c < 2; ++c) by.slip[c] = set(slip[c], a.slip[c], b.slip[c]);
+  by.friction = set(friction, a.friction, b.friction);
+  by.value = (b.value - a.value) / distance;
+  by.mu = (b.mu - a.mu) / distance;
+  for (std::size_t k = 0; k < 3; ++k) by.motion[k] = (b.motion[k] - a.motion[k]) / distance;
+  return rates(by);
+}
+
+void StripFrames::return_to(const StripSolution& solution, Solver& on, const Rectangle& box) {
+  givens_.read(on, box);
+  solution_ = solution;
+  totals_ = StripContact::totals(solution_);
+  warm_ = true;
 }
 
 }  // namespace rollcon

@@ -2,6 +2,10 @@
 /// Solves contacts on strips that fit them, for frames that the library makes and for wheels (docs/theory.md, section
 /// 4).
 
+#include <optional>
+#include <vector>
+
+#include "contact/results/equivalent_ellipse.hpp"
 #include "framing/strip_givens.hpp"
 #include "framing/strips/strip_bridge.hpp"
 
@@ -21,16 +25,32 @@ class StripFrames final : public MovingFrame {
   /// found. Errors are those of Solver::solve().
   Status show(Solver& on);
   bool rates(Parameter parameter, Rates& found) override;
+  /// Returns rates where all that is given changes from one scene to another nearby, at places that keep their
+  /// coordinates in the axes. err_singular.
+  Rates rates(const StripGivens& before, const StripGivens& behind, double distance);
   /// Says whether both bodies are there wherever the contact ends.
   bool within_bodies() const;
+  /// Returns the Hertzian contact that stands for what was found, without friction. Errors: those of
+  /// rollcon::equivalent_ellipse().
+  EquivalentEllipse equivalent_ellipse(const PairOfBodies& pair);
+  /// Returns the power that friction takes, which is what forces, moment and given slip put in where tractions carried
+  /// along change no energy: between bodies whose tractions do not couple. Nothing: they do.
+  std::optional<double> friction_power() const;
+  /// Returns the speed at which both bodies run through the contact.
+  double speed() const { return givens_.speed(); }
   void forget() { warm_ = false; }
+  /// Goes back to a copy of solution(), found for the scene that the solver has again.
+  void return_to(const strips::StripSolution& solution, Solver& on, const Rectangle& box);
 
  private:
+  Rates rates(const strips::StripParameter& by);
+
   StripGivens givens_;
   strips::StripContact contact_;
   strips::StripSolution solution_;
   strips::StripTotals totals_;
   strips::StripState shown_;  ///< what show() solved
+  std::vector<LoadedPlace> place_;
   bool warm_ = false;
 };
 

@@ -111,6 +111,13 @@ void StripGivens::read_motions(const Scene& scene, const Rectangle& box) {
     slip_[c].per_height = (c == 0 ? turning[1] : -turning[0]) / speed_;
     scene_.slip[c] = known_ && slip_[c].per_height != 0 ? &slip_[c] : nullptr;
   }
+  creepage_ = scene_.motion;
+}
+
+std::array<double, 2> StripGivens::rigid_slip(const Vec2& point) const {
+  const double height = height_between(point[0], point[1], nullptr) - origin_height_;
+  return {creepage_[0] - creepage_[2] * point[1] + slip_[0].per_height * height,
+          creepage_[1] + creepage_[2] * point[0] + slip_[1].per_height * height};
 }
 
 void StripGivens::read(Solver& on, const Rectangle& box) {
@@ -126,7 +133,7 @@ void StripGivens::read(Solver& on, const Rectangle& box) {
     coupling += std::abs(c.ck);
   }
   scene_.bodies = {sum.cn, sum.cv, std::abs(sum.ck) <= 1e-14 * coupling ? 0 : sum.ck};
-  known_ = known_gap(scene, pair);
+  update_known_gap(scene, pair, known_);
   quadratic_ = known_ ? std::nullopt : scene.quadratic_gap();
   gap_.of = this;
   scene_.gap = &gap_;

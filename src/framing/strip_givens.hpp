@@ -27,7 +27,9 @@ class StripGivens {
   const strips::StripScene& scene() const { return scene_; }
   /// Says whether Coulomb's law with one coefficient or those across is all that resists slip.
   bool coulomb() const { return coulomb_; }
-  double mean_speed() const { return speed_; }
+  /// Returns creepages, spin and fields of slip over speed, which frictionless scenes do not have.
+  std::array<double, 2> rigid_slip(const Vec2& point) const;
+  double speed() const { return speed_; }
   /// Says whether both bodies are at a point.
   bool both_at(const Vec2& point) const;
 
@@ -57,6 +59,7 @@ class StripGivens {
   Slip slip_[2];
   Friction friction_;
   std::array<double, 2> weight_{0.5, 0.5};  ///< weights of the bodies' heights where velocities are compared
+  std::array<double, 3> creepage_{};
   double origin_height_ = 0, speed_ = 1;
   bool coulomb_ = true;
 };

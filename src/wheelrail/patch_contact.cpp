@@ -8,18 +8,14 @@
 
 #include "bodies/pair.hpp"
 #include "contact/solver.hpp"
-#include "framing/hertz.hpp"
 #include "framing/makers.hpp"
+#include "framing/strips/strip_results.hpp"
 #include "support/index.hpp"
 #include "wheelrail/hertzian_patch.hpp"
 #include "wheelrail/patch_snapshot.hpp"
 
 namespace rollcon {
 namespace {
-
-/// Factor on a frame each time that it was too small.
-constexpr double growth = 1.25;
-constexpr int most_growths = 6;
 
 Vec3 in_axes(const Axes& axes, const Vec3& v) {
   return {dot(v, axes.t1), dot(v, axes.t2), dot(v, axes.n)};
@@ -52,13 +48,23 @@ void set_velocity(Scene& scene, std::int32_t which, const Axes& axes, const Velo
 PatchContact::PatchContact(std::shared_ptr<Context> context, std::shared_ptr<Body> wheel, std::shared_ptr<Body> rail)
     : wheel_(std::move(wheel)),
       rail_(std::move(rail)),
-      contact_(std::make_shared<Contact>(std::move(context), wheel_, rail_)) {}
+      contact_(std::make_shared<Contact>(std::move(context), wheel_, rail_)),
+      strips_(std::make_unique<StripFrames>()) {}
 
 PatchContact::PatchContact(PatchContact&& other) noexcept = default;
 PatchContact::~PatchContact() = default;
 
 Status PatchContact::solve(const OverlapPatch& patch, const WheelMotion& motion, const PatchFriction& friction,
-                           const LatticeSize& size, double give_way) {
+                           const Fineness& fineness, double give_way) {
+  solve_patch(patch, motion, friction, fineness, give_way);
+  // Others who hold the contact see its solution.
+  if (contact_.use_count() > 1) contact();
+  return now_.status;
+}
+
+void PatchContact::solve_patch(const OverlapPatch& patch, const WheelMotion& motion, const PatchFriction& friction,
+                               const Fineness& fineness, double give_way) {
+  now_.lattice = fineness.lattice;
   now_.solves = ++solves_;
   now_.patch = patch;
   now_.motion = motion;
@@ -66,36 +72,65 @@ Status PatchContact::solve(const OverlapPatch& patch, const WheelMotion& motion,
   take_creepages();
   now_.by_table = now_.hertzian = false;
   now_.give_way = give_way;
-  if (friction.table && friction.hertzian && take_hertzian_results(friction, give_way)) return now_.status;
+  if (friction.table && friction.hertzian && take_hertzian_results(friction, give_way)) return;
   stand(motion);
   if (friction.table) {
     prescribe(give_way, {});
-    solve_on_frame(size);
-    if (take_table_results(friction)) return now_.status;
+    solve_contact(fineness);
+    if (take_table_results(friction)) return;
   }
   prescribe(give_way, friction);
-  solve_on_frame(size);
-  const Loads loads = contact_->solver->loads();
+  solve_contact(fineness);
+  const Loads loads = found_loads();
   take_results(loads.force, loads.moment);
-  return now_.status;
 }
 
-void PatchContact::solve_on_frame(const LatticeSize& size) {
-  for (int growths = 0;; ++growths) {
-    lay_frame(size);
-    contact_->solver->forget_all_but_tractions();
-    now_.status = contact_->solver->solve();
-    if (now_.status != Status::ok && now_.status != Status::coarse) break;
-    // Nothing touches beyond the overlap of the undeformed bodies.
-    const int rim = rim_reached(size);
-    if (rim == 0 || now_.whole[static_cast<std::size_t>(rim - 1)]) break;
-    if (growths == most_growths) {
-      now_.status = Status::rim_contact;
-      break;
-    }
-    now_.margin[static_cast<std::size_t>(rim - 1)] *= growth;
-    ++now_.grown;
+Loads PatchContact::found_loads() const {
+  if (!now_.on_strips) return contact_->solver->loads();
+  if (now_.status == Status::no_contact) return {};
+  const Rates all = rates_of(strips_->totals());
+  return {all.force, all.moment};
+}
+
+// Finds strips that fit the contact in a plane. Conformal contacts, and those that no strips fit, have a lattice over
+// the overlap of the undeformed bodies, beyond which nothing touches.
+void PatchContact::solve_contact(const Fineness& fineness) {
+  shown_ = false;
+  now_.on_strips = fineness.strips.along > 0 && !fineness.lattice.conformal && solve_on_strips(fineness.strips);
+  if (now_.on_strips) return;
+  now_.place = place();
+  put_frame(fineness.lattice, now_.place);
+  contact_->solver->forget_all_but_tractions();
+  now_.status = contact_->solver->solve();
+}
+
+bool PatchContact::solve_on_strips(const strips::StripCounts& counts) {
+  Solver& on = *contact_->solver;
+  on.pair();
+  const strips::StripReport report = strips_->fit(on, box(), counts);
+  if (report.status == strips::StripStatus::no_contact) {
+    now_.status = Status::no_contact;
+    return true;
   }
+  constexpr double too_hollow = 0.15;
+  if (report.status != strips::StripStatus::solved || !strips_->within_bodies() ||
+      strips::trust(strips_->solution().strips).hollow > too_hollow)
+    return false;
+  now_.status =
+      strips::largest_pressure(strips_->solution().strips).pressure > modulus() ? Status::too_deep : Status::ok;
+  return true;
+}
+
+const std::shared_ptr<Contact>& PatchContact::contact() const {
+  if (!now_.on_strips || shown_) return contact_;
+  if (now_.status == Status::no_contact) {
+    put_frame(now_.lattice, place());
+    contact_->solver->solve();
+  } else {
+    strips_->show(*contact_->solver);
+  }
+  shown_ = true;
+  return contact_;
 }
 
 namespace {
@@ -111,7 +146,7 @@ double power_of(const Vec3& own, const EquivalentEllipse& e) {
 // Takes results from the table; returns false where it does not have this patch.
 bool PatchContact::take_table_results(const PatchFriction& friction) {
   Vec3 own{};
-  const auto [force, moment] = contact_->solver->loads();
+  const auto [force, moment] = found_loads();
   if (now_.status != Status::ok && now_.status != Status::coarse && now_.status != Status::rim_contact) {
     if (now_.status != Status::no_contact) return false;
     now_.by_table = true;
@@ -120,10 +155,11 @@ bool PatchContact::take_table_results(const PatchFriction& friction) {
     return true;
   }
   try {
-    EquivalentEllipse e = contact_->equivalent_ellipse();
+    EquivalentEllipse e =
+        now_.on_strips ? strips_->equivalent_ellipse(contact_->solver->bodies()) : contact_->equivalent_ellipse();
     e.friction = friction.mu;
     friction.table->evaluate(e, own.data());
-    now_.table_power = contact_->stat("rolling_speed") * power_of(own, e);
+    now_.table_power = (now_.on_strips ? strips_->speed() : contact_->stat("rolling_speed")) * power_of(own, e);
     own[2] += e.centre[0] * own[1] - e.centre[1] * own[0];
   } catch (const Error& e) {
     if (e.status() != Status::err_argument && e.status() != Status::err_state) throw;
@@ -176,6 +212,7 @@ bool PatchContact::take_hertzian_results(const PatchFriction& friction, double g
   const Vec3 arm = Vec3{off[0], 0, 0} + dot(off, now_.patch.lateral) * now_.patch.lateral;
   now_.force = from_axes(axes, {own[0], own[1], -h.load});
   now_.moment = own[2] * axes.n + cross(arm, now_.force);
+  now_.on_strips = false;
   contact_->reset();
   return true;
 }
@@ -185,46 +222,60 @@ double PatchContact::modulus() const {
 }
 
 double PatchContact::max_pressure() const {
-  return now_.hertzian ? now_.hertzian_pressure : contact_->stat("max_pressure");
+  if (now_.hertzian) return now_.hertzian_pressure;
+  if (!now_.on_strips) return contact_->stat("max_pressure");
+  return now_.status == Status::no_contact ? 0 : strips::largest_pressure(strips_->solution().strips).pressure;
 }
 
 double PatchContact::area() const {
-  return now_.hertzian ? now_.hertzian_area : contact_->stat("contact_area");
+  if (now_.hertzian) return now_.hertzian_area;
+  if (!now_.on_strips) return contact_->stat("contact_area");
+  return now_.status == Status::no_contact ? 0 : strips::area(strips_->solution().strips);
 }
 
 double PatchContact::friction_power() const {
-  return now_.by_table ? now_.table_power : contact_->stat("friction_power");
+  if (now_.on_strips && !now_.by_table) {
+    if (now_.status == Status::no_contact) return 0;
+    if (const auto power = strips_->friction_power()) return *power;
+  }
+  return now_.by_table ? now_.table_power : contact()->stat("friction_power");
 }
 
 // Resets the patch so that nothing of it depends on what was solved before.
 void PatchContact::reset() {
-  now_.margin = {usual_margin, usual_margin};
-  now_.shape = {};
-  now_.shaped = now_.hold = false;
   now_.solves = ++solves_;
+  now_.on_strips = shown_ = false;
+  strips_->forget();
   contact_->reset();
 }
 
 void PatchContact::keep(Kept& kept) const {
   kept.state = now_;
   kept.state.owner = this;
-  kept.solution = contact_->solver->solution();
+  if (now_.on_strips)
+    kept.strips = strips_->solution();
+  else
+    kept.solution = contact_->solver->solution();
 }
 
 void PatchContact::return_to(const Kept& kept) {
   if (kept.state.owner == this && kept.state.solves == now_.solves) return;
-  const LatticeSize before = now_.size;
   now_ = kept.state;
   now_.solves = ++solves_;
+  shown_ = false;
+  if (now_.on_strips) {
+    stand(now_.motion);
+    prescribe(now_.give_way, now_.friction);
+    contact_->solver->pair();
+    return strips_->return_to(kept.strips, *contact_->solver, box());
+  }
   if (!kept.solution.solved) {
-    now_.size = before;
     contact_->reset();
     return;
   }
-  now_.size = before;
   stand(now_.motion);
   prescribe(now_.give_way, now_.friction);
-  put_frame(kept.state.size, kept.state.place);
+  put_frame(kept.state.lattice, kept.state.place);
   contact_->solver->return_to(kept.solution);
 }
 
@@ -274,62 +325,28 @@ void PatchContact::stand(const WheelMotion& motion) {
   set_velocity(scene, 2, now_.axes, motion.rail);
 }
 
-void PatchContact::lay_frame(const LatticeSize& size) {
-  put_frame(size, place());
-}
-
-void PatchContact::put_frame(const LatticeSize& size, const FramePlace& place) {
+void PatchContact::put_frame(const LatticeSize& size, const FramePlace& place) const {
   Scene& scene = contact_->scene;
-  now_.place = place;
-  if (!(size == now_.size)) {
+  if (!(size == laid_) || !scene.placed()) {
     scene.options.set_int("conformal", size.conformal ? 1 : 0);
-    const bool in_steps = true;
-    scene.set_placed_frame(rectangle_mesh({}, ElementType::quad4, size.along, size.across, {-1, 1, -1, 1}), place,
-                           in_steps);
-    now_.size = size;
+    scene.set_placed_frame(rectangle_mesh({}, ElementType::quad4, size.along, size.across, {-1, 1, -1, 1}), place);
+    laid_ = size;
   } else if (!(place == scene.place())) {
     scene.place_frame(place);
   }
 }
 
-// Places Hertz's ellipse of the paraboloid with the overlap's depth, width and the curvatures along the rail. The
-// contact lies within the overlap.
-FramePlace PatchContact::place() {
-  const double half = 0.5 * (now_.patch.high - now_.patch.low), depth = now_.patch.overlap;
-  const double a = 0.5 * now_.patch.curvature.along, c = now_.patch.curvature.twist;
-  const HertzContact hertz = hertz_by_approach({a, depth / (half * half) + c * c / (4 * a), c}, 1, depth);
-  const FramePlace ellipse = place_of_disc(hertz.larger, hertz.smaller, hertz.angle);
-  const double left = std::sqrt(std::max(1 - now_.give_way / depth, 0.01));
-  const std::array<double, 2> wanted{left * now_.margin[0] * ellipse.length, left * now_.margin[1] * ellipse.width},
-      most{std::sqrt(depth / a), half};
-  for (std::size_t i = 0; i < 2; ++i) now_.whole[i] = wanted[i] >= most[i];
-  const double length = std::min(wanted[0], most[0]), width = std::min(wanted[1], most[1]);
-  // Operators belong to a shape: it changes in steps, and late. The frame is the least of its shape that holds all.
-  constexpr double step = 0.1, late = 0.65;
-  const bool hold = now_.hold && now_.shaped;
-  now_.shaped = true;
-  const auto follow = [hold](double value, std::int64_t& at) {
-    if (!hold && std::abs(value - static_cast<double>(at)) > late) at = to_index(std::round(value));
-    return static_cast<double>(at);
-  };
-  const double longer = length / width, ratio = std::exp(step * follow(std::log(longer) / step, now_.shape[0])),
-               shear = step * follow(ellipse.shear / ellipse.length / step, now_.shape[1]);
-  const double w = std::max(width, length / ratio);
-  return {ratio * w, w, shear * ratio * w};
+// Returns the box of the overlap about the middle of the axes.
+Rectangle PatchContact::box() const {
+  const double along = 0.5 * (now_.patch.front - now_.patch.back), across = 0.5 * (now_.patch.high - now_.patch.low);
+  return {-along, along, -across, across};
 }
 
-// Returns 0: within, 1: across the ends along the rolling direction, 2: at the sides.
-int PatchContact::rim_reached(const LatticeSize& size) {
-  constexpr double overlap = 0.02;
-  const std::int64_t lines = size.across + 1, points = size.along + 1;
-  gap_.resize(static_cast<std::size_t>(lines * points));
-  derive_gap(contact_->solver->solution(), gap_.data());
-  double ends = 0, sides = 0;
-  const auto at = [&](std::int64_t i, std::int64_t j) { return gap_[static_cast<std::size_t>(j * points + i)]; };
-  for (std::int64_t i = 0; i < points; ++i) sides = std::min({sides, at(i, 0), at(i, lines - 1)});
-  for (std::int64_t j = 0; j < lines; ++j) ends = std::min({ends, at(0, j), at(points - 1, j)});
-  if (std::min(ends, sides) > -overlap * now_.patch.overlap) return 0;
-  return ends < sides ? 1 : 2;
+// Lays a lattice over the box of the overlap, as much smaller as what the surfaces give way makes the contact.
+FramePlace PatchContact::place() const {
+  const Rectangle all = box();
+  const double left = std::sqrt(std::max(1 - now_.give_way / now_.patch.overlap, 0.01));
+  return {left * all.x_greatest, left * all.y_greatest, 0};
 }
 
 // Takes force and moment on the wheel, in and about the axes of the contact.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact/contact.hpp"
+#include "framing/strip_frames.hpp"
 #include "geometry/velocity.hpp"
 #include "tables/force_table.hpp"
 #include "wheelrail/contact_search.hpp"
@@ -20,6 +21,12 @@ struct LatticeSize {
   std::int64_t along = 0, across = 0;
   bool conformal = false;  ///< the lattice follows the profiles across
   bool operator==(const LatticeSize&) const = default;
+};
+
+/// Says how finely a patch is solved: on strips that fit it, or on a lattice where these do not.
+struct Fineness {
+  strips::StripCounts strips;  ///< 0: a lattice is wanted
+  LatticeSize lattice;
 };
 
 /// Describes the wheel's motion in the axes of the rail: x forward, y to the right, z down.
@@ -50,17 +57,10 @@ class PatchContact {
   ~PatchContact();
 
   /// Solves with the overlap as approach, less what the surfaces give way under other patches. Starts warm where the
-  /// patch was solved before. What a table does not have is solved in full.
+  /// patch was solved before, which does not show in the results. What a table does not have is solved in full.
   Status solve(const OverlapPatch& patch, const WheelMotion& motion, const PatchFriction& friction,
-               const LatticeSize& size, double give_way);
+               const Fineness& fineness, double give_way);
   void reset();  ///< forgets everything solved before
-  /// Resets as if it had never been used, counters included.
-  void begin_anew() {
-    reset();
-    now_.grown = 0;
-  }
-  /// Lets the frame keep its shape: forces are then smooth functions of what is solved next.
-  void hold_shape(bool hold) { now_.hold = hold; }
 
   /// Holds everything that a later solve or result depends on.
   struct Kept;
@@ -79,11 +79,11 @@ class PatchContact {
     Vec3 force{}, moment{};
   };
   /// Returns derivatives by what the steps over this distance change, from Newton's system at the solution: gap, slip,
-  /// friction and axes follow from what is nearby, the frame keeps its place in the axes. The last solution stays.
-  /// err_state: it did not converge, or its forces come from a table.
+  /// friction and axes follow from what is nearby. Strips move with the contact; a lattice keeps its place in the axes.
+  /// The last solution stays. err_state: it did not converge, or its forces come from a table.
   Rate rate(const Nearby& before, const Nearby& behind, double distance);
   /// Returns derivatives by what the surfaces give way.
-  Rate rate_of_giving_way() const;
+  Rate rate_of_giving_way();
 
   const OverlapPatch& overlap() const { return now_.patch; }
   Status status() const { return now_.status; }
@@ -105,12 +105,13 @@ class PatchContact {
   /// Returns longitudinal, lateral and spin creepage of the wheel's surface relative to the rail's at the reference,
   /// over the speed at which both run through the contact, on average.
   const Vec3& creepages() const { return now_.creepages; }
-  /// Returns the contact; origin and axes of its space are axes().
-  const std::shared_ptr<Contact>& contact() const { return contact_; }
+  /// Returns the contact with its solution at nodes, which is made when it is asked for; origin and axes of its space
+  /// are axes().
+  const std::shared_ptr<Contact>& contact() const;
+  /// Forgets requests to cancel.
+  void forget_cancel() { contact_->forget_cancel(); }
   /// Returns E* of the bodies.
   double modulus() const;
-  /// Counts the times that a frame was too small, and was made larger.
-  std::int64_t grown() const { return now_.grown; }
 
  private:
   /// Holds all of the patch but the contact.
@@ -120,34 +121,31 @@ class PatchContact {
     PatchFriction friction;
     WheelMotion motion;
     Axes axes;
-    LatticeSize size;
+    LatticeSize lattice;  ///< size that was asked for
     FramePlace place;
-    std::array<double, 2> margin{usual_margin, usual_margin};  ///< frame over Hertz's ellipse, along and across
-    std::array<bool, 2> whole{};                               ///< flags: the frame holds all of the overlap there
-    std::array<std::int64_t, 2> shape{};                       ///< steps of its shape: length over width, shear
-    bool shaped = false, hold = false;  ///< the frame has had a shape since the last reset; it keeps it
+    bool on_strips = false;  ///< strips fit the patch; the contact is solved when it is asked for
     Vec3 force{}, moment{}, creepages{};
     Status status = Status::ok;
-    std::int64_t grown = 0;
     bool by_table = false, hertzian = false;
     double hertzian_pressure = 0, hertzian_area = 0;
     double table_power = 0;       ///< power of friction by the table
     const void* owner = nullptr;  ///< tells, with the number of the owner's solve, whether there was one in between
     std::int64_t solves = 0;
   };
-  static constexpr double usual_margin = 1.05;
-
   void prescribe(double give_way, const PatchFriction& friction);
   Axes axes_of(const OverlapPatch& patch) const;
   void lay_axes();
   void stand(const WheelMotion& motion);
   bool take_hertzian_results(const PatchFriction& friction, double give_way);
-  void lay_frame(const LatticeSize& size);
-  void put_frame(const LatticeSize& size, const FramePlace& place);
-  FramePlace place();
-  int rim_reached(const LatticeSize& size);
-  void read_nearby(const Nearby& nearby, NodeGivens& givens);
-  void solve_on_frame(const LatticeSize& size);
+  void put_frame(const LatticeSize& size, const FramePlace& place) const;
+  FramePlace place() const;
+  Rectangle box() const;
+  void stand_nearby(const Nearby& nearby);
+  void solve_patch(const OverlapPatch& patch, const WheelMotion& motion, const PatchFriction& friction,
+                   const Fineness& fineness, double give_way);
+  Loads found_loads() const;
+  void solve_contact(const Fineness& fineness);
+  bool solve_on_strips(const strips::StripCounts& counts);
   bool take_table_results(const PatchFriction& friction);
   void take_results(const Vec3& force, const Vec3& moment);
   void take_creepages();
@@ -155,9 +153,12 @@ class PatchContact {
   std::shared_ptr<Body> wheel_, rail_;
   std::shared_ptr<Contact> contact_;
   State now_;
-  std::int64_t solves_ = 0;  ///< solves so far, resets included
-  std::vector<double> gap_;
-  std::unique_ptr<Kept> here_;  ///< storage of rate()
+  std::unique_ptr<StripFrames> strips_;
+  mutable LatticeSize laid_;                            ///< lattice that the contact has
+  mutable bool shown_ = false;                          ///< the contact has the solution on strips at its nodes
+  std::unique_ptr<std::array<StripGivens, 2>> nearby_;  ///< storage of rate()
+  std::int64_t solves_ = 0;                             ///< solves so far, resets included
+  std::unique_ptr<Kept> here_;                          ///< storage of rate()
 };
 
 }  // namespace rollcon

@@ -9,6 +9,7 @@ namespace rollcon {
 struct PatchContact::Kept {
   State state;
   Solution solution;
+  strips::StripSolution strips;
 };
 
 }  // namespace rollcon

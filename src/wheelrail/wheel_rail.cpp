@@ -24,22 +24,23 @@ Velocity seen_from(const Pose& pose, const Velocity& v) {
   return {pose.turn_back(v.linear), pose.turn_back(v.angular), pose.to_body(v.point)};
 }
 
-/// Holds errors on patches of the Manchester benchmark (docs/wheelrail.md).
-struct Fineness {
+/// Holds what accuracies are solved with (docs/wheelrail.md).
+struct Level {
   double accuracy;
-  LatticeSize size;
+  Fineness fineness;
 };
-constexpr Fineness fineness[] = {{0.02, {8, 16}}, {0.01, {12, 24}}, {0.005, {24, 48}}};
+constexpr Level levels[] = {{0.02, {{6, 10}, {12, 22}}}, {0.01, {{8, 12}, {20, 40}}}, {0.005, {{12, 12}, {32, 64}}}};
 
-LatticeSize size_for(double accuracy, bool conformal) {
-  LatticeSize size = std::end(fineness)[-1].size;
-  for (const Fineness& f : fineness)
-    if (f.accuracy <= accuracy) {
-      size = f.size;
+Fineness fineness_for(double accuracy, bool conformal, bool on_lattices) {
+  Fineness fineness = std::end(levels)[-1].fineness;
+  for (const Level& level : levels)
+    if (level.accuracy <= accuracy) {
+      fineness = level.fineness;
       break;
     }
-  size.conformal = conformal;
-  return size;
+  fineness.lattice.conformal = conformal;
+  if (on_lattices) fineness.strips = {0, 0};
+  return fineness;
 }
 
 double depth_of(const OverlapPatch& patch) {
@@ -132,7 +133,7 @@ WheelRail::Slot& WheelRail::add_slot() {
     slot_.push_back(std::move(spare_.back()));
     spare_.pop_back();
     Slot& slot = *slot_.back();
-    slot.contact.begin_anew();
+    slot.contact.reset();
     slot.give_way = slot.wheel_y = 0;
     slot.taken = false;
     return slot;
@@ -203,7 +204,8 @@ Status WheelRail::solve_at(double z) {
 
 void WheelRail::solve_patch(Slot& slot, const OverlapPatch& patch, const WheelMotion& motion) const {
   try {
-    slot.contact.solve(patch, motion, friction_of(patch), size_for(in_.accuracy, in_.conformal), slot.give_way);
+    slot.contact.solve(patch, motion, friction_of(patch), fineness_for(in_.accuracy, in_.conformal, on_lattices_),
+                       slot.give_way);
   } catch (const Error& e) {
     if (!in_.conformal || e.status() != Status::err_mesh) throw;
     fail(Status::err_mesh,
@@ -284,9 +286,7 @@ Status WheelRail::meet_force() {
   double low = 0, high = INFINITY, before = 0, force_before = 0;
   double sink = std::min(sink_ > 0 ? sink_ : first_sink(touch), deepest);
   Status status = Status::ok;
-  // The first height may give frames other shapes, which moves the force a little.
   for (int i = 0; i < most; ++i) {
-    for (const auto& slot : slot_) slot->contact.hold_shape(i > 0);
     status = solve_at(touch + sink);
     if (status == Status::cancelled) return status;
     const double force = vertical_force();
@@ -310,20 +310,25 @@ Status WheelRail::meet_force() {
     sink = next;
   }
   sink_ = 0;
-  context_->caveat(Status::not_converged,
-                   "the vertical force is %.10g for %.10g; no height of %d tried brought it nearer", vertical_force(),
-                   in_.load, most);
   return Status::not_converged;
 }
 
 Status WheelRail::solve() {
   forget_cancel();
   prepare();
-  for (const auto& slot : slot_) slot->contact.contact()->forget_cancel();
+  for (const auto& slot : slot_) slot->contact.forget_cancel();
   solved_.reset();
   derived_ = false;
-  for (const auto& slot : slot_) slot->contact.hold_shape(false);
-  const Status status = in_.by_force ? meet_force() : solve_at(in_.position.z);
+  on_lattices_ = false;
+  Status status = in_.by_force ? meet_force() : solve_at(in_.position.z);
+  // Forces may jump where strips begin to fit a patch, and no height have the one that is wanted.
+  if (in_.by_force && status == Status::not_converged) {
+    on_lattices_ = true;
+    status = meet_force();
+  }
+  if (status == Status::not_converged)
+    context_->caveat(status, "the vertical force is %.10g for %.10g; no height tried brought it nearer",
+                     vertical_force(), in_.load);
   solved_ = Solved{in_.position, in_.velocity, in_.deviation, in_.rate, in_.by_force, z_, status};
   tell(status);
   return status;
@@ -353,10 +358,7 @@ void WheelRail::tell(Status status) const {
 
 void WheelRail::reset() {
   // All slots go, because which contact serves a patch depends on those that are there.
-  for (auto& slot : slot_) {
-    grown_ += slot->contact.grown();
-    spare_.push_back(std::move(slot));
-  }
+  for (auto& slot : slot_) spare_.push_back(std::move(slot));
   slot_.clear();
   active_.clear();
   sink_ = 0;

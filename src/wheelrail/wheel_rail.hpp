@@ -207,8 +207,9 @@ class WheelRail {
   std::vector<std::unique_ptr<Slot>> spare_;  ///< slots made after a state that was gone back to
   std::vector<Slot*> active_;
   double z_ = 0;
-  double sink_ = 0;                      ///< way beyond first touch in the last solve with a force; 0: none
-  std::int64_t solves_ = 0, grown_ = 0;  ///< grown_: growths in slots that a reset took out
+  double sink_ = 0;           ///< way beyond first touch in the last solve with a force; 0: none
+  bool on_lattices_ = false;  ///< patches are solved on lattices alone
+  std::int64_t solves_ = 0;
   std::optional<Solved> solved_;
   bool derived_ = false;  ///< derivative_ belongs to the last solve
   std::array<Derivative, entries> derivative_{};

@@ -101,13 +101,12 @@ void WheelRail::differentiate(const Inputs& in, std::size_t entry, double step, 
   }
 }
 
-// Takes differences of solves, with frames that keep their shapes, for tables and conformal contacts.
+// Takes differences of solves, for tables and conformal contacts.
 void WheelRail::differentiate_by_solves(const Inputs& in, std::size_t entry, double step, Totals& rate) {
   Totals at[2];
   for (std::size_t s = 0; s < 2; ++s) {
     in_ = in;
     entry_of(entry < 6 ? in_.position : in_.velocity, entry % 6) += s == 0 ? -step : step;
-    for (const auto& slot : slot_) slot->contact.hold_shape(true);
     solve_at(in_.position.z);
     at[s] = totals({0, in_.position.y, in_.position.z - radius_});
   }

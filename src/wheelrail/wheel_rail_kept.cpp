@@ -21,7 +21,7 @@ struct WheelRail::Kept {
   std::size_t slots = 0;
   std::vector<std::size_t> active;
   double z = 0, sink = 0;
-  std::int64_t solves = 0, grown = 0;
+  std::int64_t solves = 0;
   std::optional<Solved> solved;
 };
 
@@ -45,7 +45,6 @@ void WheelRail::keep(Kept& kept) const {
   kept.z = z_;
   kept.sink = sink_;
   kept.solves = solves_;
-  kept.grown = grown_;
   kept.solved = solved_;
 }
 
@@ -76,7 +75,6 @@ void WheelRail::return_to(const Kept& kept) {
   z_ = kept.z;
   sink_ = kept.sink;
   solves_ = kept.solves;
-  grown_ = kept.grown;
   solved_ = kept.solved;
 }
 

@@ -40,12 +40,6 @@ const WheelRail::Stat WheelRail::stats[] = {
        return power;
      }},
     {"solves", [](const WheelRail& w) { return static_cast<double>(w.solves_); }},
-    {"frames_grown",
-     [](const WheelRail& w) {
-       std::int64_t n = w.grown_;
-       for (const auto& slot : w.slot_) n += slot->contact.grown();
-       return static_cast<double>(n);
-     }},
 };
 
 struct WheelRail::PatchStat {

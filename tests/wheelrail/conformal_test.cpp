@@ -134,14 +134,15 @@ TEST(conformal_pin, in_a_plate_as_in_closed_form) {
 }
 
 // CONTACT's numbers have the half-space's influence along and across the curved surface as in a plane, which does not
-// turn: the closed form above has its pressures 28 percent too high at 36 degrees.
+// turn: the closed form above has its pressures 28 percent too high at 36 degrees. Where wheels roll freely depends on
+// which nodes of a lattice lie within the contact: by 1 to 5 % on 16 x 32, 20 x 40 and 32 x 64 intervals.
 TEST_F(conformal_long, wheel_in_a_groove_beside_contact) {
   struct Reference {
     double groove, z, pitch_rate, power;
     double z_bound, slip_bound, power_bound;
   };
   for (const Reference& r : {Reference{10.25, 0.0224, -1.0002301, 83.95, 0.01, 0.05, 0.18},
-                             {10.05, 0.0174, -1.0006495, 644.4, 0.025, 0.01, 0.12}}) {
+                             {10.05, 0.0174, -1.0006495, 644.4, 0.025, 0.05, 0.12}}) {
     auto w = in_groove(r.groove);
     w->set_accuracy(0.01);
     const double rate = roll_freely(*w);
@@ -156,6 +157,7 @@ TEST_F(conformal_long, wheel_in_a_groove_beside_contact) {
 TEST_F(conformal, agrees_with_a_plane_where_normals_hardly_turn) {
   // The normals on the tread at y = 2 mm turn by less than 6 degrees.
   auto w = make();
+  w->set_accuracy(0.005);
   w->prescribe_vertical(static_cast<std::int32_t>(How::by_force), 10000);
   double total[2][6], pressure[2];
   for (const int on : {0, 1}) {
@@ -166,7 +168,7 @@ TEST_F(conformal, agrees_with_a_plane_where_normals_hardly_turn) {
   }
   expect_error("y = 2 mm: longitudinal force over mu N", (total[1][0] - total[0][0]) / (mu * 10000), 1e-3);
   expect_error("y = 2 mm: lateral force over mu N", (total[1][1] - total[0][1]) / (mu * 10000), 1e-3);
-  expect_error("y = 2 mm: largest pressure", relative(pressure[1], pressure[0]), 1e-3);
+  expect_error("y = 2 mm: largest pressure", relative(pressure[1], pressure[0]), 2e-3);  // strips: 0.14 %
   EXPECT_NE(total[1][0], total[0][0]);
 }
 
@@ -250,7 +252,7 @@ TEST_F(conformal_long, goes_through_flange_contact) {
     double f[2][6], p[2] = {};
     for (const std::size_t i : {0U, 1U}) {
       WheelRail& w = i == 0 ? *plane : *along;
-      w.set_accuracy(0.02);
+      w.set_accuracy(0.01);
       w.prescribe_vertical(static_cast<std::int32_t>(How::by_force), 10000);
       place(w, y);
       EXPECT_EQ(w.solve(), Status::ok) << y;

@@ -39,30 +39,22 @@ TEST_F(limits, overlaps_that_no_metal_bears_are_too_deep) {
   EXPECT_EQ(w->solve(), Status::ok) << "the wheel stays usable";
 }
 
-// A third patch begins to touch near y = 4.77. It carries some newtons of 33 kN on few nodes, which does not concern
-// the wheel.
-TEST_F(limits, few_nodes_of_a_patch_that_carries_nothing_are_not_told) {
+// A third patch begins to touch near y = 4.77. However little it carries, strips fit it.
+TEST_F(limits, patches_that_carry_nearly_nothing_are_solved) {
   const auto w = make();
   w->prescribe_vertical(2, 33000);
-  bool found = false;
-  for (double y = 4.765; y < 4.785 && !found; y += 0.00025) {
+  double least = 33000;
+  for (double y = 4.765; y < 4.785; y += 0.001) {
     const double position[6] = {0, y, 0, 0, 0, 0};
     w->set_position(position);
     told.clear();
-    const Status status = w->solve();
-    double least = 33000, greatest = 0;  // forces of patches with few nodes
-    for (std::int64_t k = 0; k < w->patches(); ++k) {
-      if (w->patch_stat(k, "status") != static_cast<double>(Status::coarse)) continue;
-      least = std::min(least, w->patch_stat(k, "normal_force"));
-      greatest = std::max(greatest, w->patch_stat(k, "normal_force"));
-    }
-    if (!(least < 100 && greatest < 330)) continue;
-    found = true;
-    std::printf("y %.5f: %.3g N on few nodes\n", y, greatest);
-    EXPECT_EQ(status, Status::ok);
+    EXPECT_EQ(w->solve(), Status::ok) << y;
     EXPECT_EQ(told, "");
+    for (std::int64_t k = 0; k < w->patches(); ++k)
+      if (const double force = w->patch_stat(k, "normal_force"); force > 0) least = std::min(least, force);
   }
-  EXPECT_TRUE(found);
+  report("least normal force of a patch", least);
+  EXPECT_LT(least, 330);
 }
 
 TEST_F(limits, a_wheel_within_the_rail_is_refused) {

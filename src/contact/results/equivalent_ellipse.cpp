@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "bodies/body.hpp"
 #include "contact/solution.hpp"
@@ -31,50 +32,35 @@ struct Moments {
   double load = 0, x = 0, y = 0, xx = 0, yy = 0;
 };
 
-Moments moments_of(const Solution& s) {
-  const Frame& frame = s.prepared->frame;
-  const Problem& p = s.prepared->problem;
+Moments moments_of(std::span<const LoadedPlace> place) {
   Moments m;
-  const auto each = [&](auto add) {
-    for (std::size_t k = 0; k < at(p.nodes); ++k)
-      if (s.iterate.lambda[2][k] < 0) add(-p.weight[k] * s.iterate.lambda[2][k], frame.x[k], frame.y[k]);
-  };
-  each([&](double f, double x, double y) { m.load += f, m.x += f * x, m.y += f * y; });
+  for (const LoadedPlace& p : place) m.load += p.load, m.x += p.load * p.x, m.y += p.load * p.y;
   if (!(m.load > 0)) fail(Status::err_state, "nothing carries load");
   m.x /= m.load;
   m.y /= m.load;
-  each([&](double f, double x, double y) {
-    m.xx += f * (x - m.x) * (x - m.x) / m.load;
-    m.yy += f * (y - m.y) * (y - m.y) / m.load;
-  });
+  for (const LoadedPlace& p : place) {
+    m.xx += p.load * (p.x - m.x) * (p.x - m.x) / m.load;
+    m.yy += p.load * (p.y - m.y) * (p.y - m.y) / m.load;
+  }
   return m;
 }
 
 // Fits creepages to the rigid slip by least squares, weighted by pressure. Slip is taken at points that the scheme of
 // convection chooses, a constant distance from the nodes.
-void add_slip(const Solution& s, const Moments& m, EquivalentEllipse& to) {
-  const Problem& p = s.prepared->problem;
-  const std::vector<double>&x = p.convection.slip_x, &y = p.convection.slip_y;
-  const auto each = [&](auto add) {
-    for (std::size_t k = 0; k < at(p.nodes); ++k)
-      if (s.iterate.lambda[2][k] < 0) add(k, -p.weight[k] * s.iterate.lambda[2][k] / m.load);
-  };
+void add_slip(std::span<const LoadedPlace> place, const Moments& m, EquivalentEllipse& to) {
   double mean_x = 0, mean_y = 0, turning = 0, arm = 0;
-  each([&](std::size_t k, double share) { mean_x += share * x[k], mean_y += share * y[k]; });
-  each([&](std::size_t k, double share) {
-    const auto i = static_cast<std::int64_t>(k);
-    const double s1 = p.rigid_slip1(i, s.iterate.motion), s2 = p.rigid_slip2(i, s.iterate.motion);
-    to.creepage[0] += share * s1;
-    to.creepage[1] += share * s2;
-    turning += share * ((x[k] - mean_x) * s2 - (y[k] - mean_y) * s1);
-    arm += share * ((x[k] - mean_x) * (x[k] - mean_x) + (y[k] - mean_y) * (y[k] - mean_y));
-    to.friction += share * p.law->coefficient({s.given.coefficient(p.mu, k), -s.iterate.lambda[2][k],
-                                               s.iterate.lambda[0][k], s.iterate.lambda[1][k], s1, s2});
-  });
+  for (const LoadedPlace& p : place) mean_x += p.load / m.load * p.slip_x, mean_y += p.load / m.load * p.slip_y;
+  for (const LoadedPlace& p : place) {
+    const double part = p.load / m.load, x = p.slip_x - mean_x, y = p.slip_y - mean_y;
+    to.creepage[0] += part * p.slip1;
+    to.creepage[1] += part * p.slip2;
+    turning += part * (x * p.slip2 - y * p.slip1);
+    arm += part * (x * x + y * y);
+    to.friction += part * p.friction;
+  }
   to.creepage[2] = turning / arm;
   to.creepage[0] -= to.creepage[2] * (m.y - mean_y);
   to.creepage[1] += to.creepage[2] * (m.x - mean_x);
-  for (double& c : to.creepage) c /= p.motion_scale;
 }
 
 }  // namespace
@@ -101,12 +87,9 @@ double strain_creepage(double strained, double load, double a, double b) {
   return 0.75 * greatest * b / (a + b) * strained;
 }
 
-EquivalentEllipse equivalent_ellipse(const Solution& state, double area) {
-  require_comparable(state);
-  const Moments m = moments_of(state);
+EquivalentEllipse equivalent_ellipse(std::span<const LoadedPlace> place, double area, const CommonElasticity& common) {
+  const Moments m = moments_of(place);
   EquivalentEllipse e;
-  const auto& body = state.prepared->pair.body;
-  const CommonElasticity common = common_elasticity(*body[0], *body[1]);
   e.shear = common.shear;
   e.poisson = common.poisson;
   e.strained = common.strained;
@@ -121,8 +104,27 @@ EquivalentEllipse equivalent_ellipse(const Solution& state, double area) {
   e.centre = {m.x, m.y};
   e.a = a * std::sqrt(filled);
   e.b = b * std::sqrt(filled);
-  add_slip(state, m, e);
+  add_slip(place, m, e);
   return e;
+}
+
+EquivalentEllipse equivalent_ellipse(const Solution& s, double area) {
+  require_comparable(s);
+  const Frame& frame = s.prepared->frame;
+  const Problem& p = s.prepared->problem;
+  std::vector<LoadedPlace> place;
+  for (std::size_t k = 0; k < at(p.nodes); ++k) {
+    const double normal = s.iterate.lambda[2][k];
+    if (!(normal < 0)) continue;
+    const auto i = static_cast<std::int64_t>(k);
+    const double s1 = p.rigid_slip1(i, s.iterate.motion), s2 = p.rigid_slip2(i, s.iterate.motion);
+    const double friction = p.law->coefficient(
+        {s.given.coefficient(p.mu, k), -normal, s.iterate.lambda[0][k], s.iterate.lambda[1][k], s1, s2});
+    place.push_back({-p.weight[k] * normal, frame.x[k], frame.y[k], p.convection.slip_x[k], p.convection.slip_y[k],
+                     s1 / p.motion_scale, s2 / p.motion_scale, friction});
+  }
+  const auto& body = s.prepared->pair.body;
+  return equivalent_ellipse(place, area, common_elasticity(*body[0], *body[1]));
 }
 
 }  // namespace rollcon

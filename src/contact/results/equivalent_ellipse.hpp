@@ -3,6 +3,7 @@
 /// theories (docs/tables.md).
 
 #include <array>
+#include <span>
 
 namespace rollcon {
 
@@ -31,6 +32,16 @@ struct EquivalentEllipse {
   std::array<double, 3> creepage{};
   std::array<double, 2> centre{};  ///< centre in the axes of the contact
 };
+
+/// Holds a place with its load, the place where slip is taken for it, the rigid slip there and the friction.
+struct LoadedPlace {
+  double load = 0, x = 0, y = 0;
+  double slip_x = 0, slip_y = 0, slip1 = 0, slip2 = 0;
+  double friction = 0;
+};
+
+/// Fits the ellipse to pressures over an area. err_state: nothing carries load, or pressures lie on patches apart.
+EquivalentEllipse equivalent_ellipse(std::span<const LoadedPlace> place, double area, const CommonElasticity& common);
 
 /// Fits the ellipse to the last solution, which needs no friction. err_state: nothing carries load, pressures lie on
 /// patches apart from each other, or bodies are shifted without rolling; err_unsupported: a body has a mesh, or

@@ -145,7 +145,9 @@ bool power_is_balanced(const Solution& s) {
 }
 
 double power_at_nodes(const Solution& s, Derived& d) {
-  return s.frictionless ? 0 : -work_of_slip(s, d, s.prepared->problem.cell_area);
+  // Cells of strips reach to the contact's edge, where tractions vanish.
+  const Problem& p = s.prepared->problem;
+  return s.frictionless ? 0 : -work_of_slip(s, d, s.prepared->frame.strips ? p.weight : p.cell_area);
 }
 
 }  // namespace rollcon

@@ -15,8 +15,8 @@ namespace rollcon {
 // Counts nodes where a frame of strips that ends at the contact's edge cuts the contact off. Pressures of a frame that
 // fits fall to a half or less over the last two cells of a strip; else they rise, or the bodies overlap beside it.
 static std::int64_t nodes_cut_off(const Solution& s) {
-  // The ellipse of Hertz is where the contact ends; friction of unlike bodies moves that a little.
-  if (s.prepared->placed) return 0;
+  // The ellipse of Hertz is where the contact ends, which friction of unlike bodies moves a little; strips are fitted.
+  if (s.prepared->placed || s.prepared->frame.strips) return 0;
   // Frames that fit overlap by up to 0.07 on 6 x 4 strips, 0.014 on 12 x 8: hats are 0 on the outline.
   constexpr double overlap = 0.1;  // fraction of the approach
   constexpr double rise = 0.9, least = 0.25;

@@ -212,6 +212,14 @@ std::unique_ptr<KnownGap> known_gap(const Scene& scene, const PairOfBodies& pair
   return std::make_unique<GapOfSurfaces>(scene.axes(), pair, scene.quadratic_gap());
 }
 
+void update_known_gap(const Scene& scene, const PairOfBodies& pair, std::unique_ptr<KnownGap>& gap) {
+  auto* const surfaces = dynamic_cast<GapOfSurfaces*>(gap.get());
+  if (surfaces && is_gap_known(scene, pair) && !scene.gap_grid())
+    *surfaces = GapOfSurfaces(scene.axes(), pair, scene.quadratic_gap());
+  else
+    gap = known_gap(scene, pair);
+}
+
 bool fill_known_gap(const Scene& scene, const PairOfBodies& pair, const Frame& frame, std::vector<double>& gap) {
   if (!is_gap_known(scene, pair)) return false;
   const auto above = [&](const KnownGap& known) {

@@ -41,6 +41,8 @@ class KnownGap {
 bool is_gap_known(const Scene& scene, const PairOfBodies& pair);
 /// Returns the gap as the scene is now, which refers to the bodies; null where it is not known.
 std::unique_ptr<KnownGap> known_gap(const Scene& scene, const PairOfBodies& pair);
+/// Makes that of it, without allocating where surfaces have one before.
+void update_known_gap(const Scene& scene, const PairOfBodies& pair, std::unique_ptr<KnownGap>& gap);
 /// Fills in the gap at the nodes of a frame, far apart where a body is not there; allocates nothing once `gap` has had
 /// this size. Returns false where it is not known.
 bool fill_known_gap(const Scene& scene, const PairOfBodies& pair, const Frame& frame, std::vector<double>& gap);
