@@ -100,29 +100,43 @@ struct FlatLine {
   }
 };
 
-/// Finds the root of the function next to a hint by Newton's method; finds none where the steps do not shrink to half
-/// or leave the piece.
+/// Finds the root of the function next to a hint by Newton's method, on the hint's piece or those beside it; finds none
+/// where the steps do not shrink to half.
 template <class Function>
 std::optional<ProfilePoint> crossing_near(const ProfileCurve& curve, const Function& f, SurfaceHint& hint) {
-  const double length = curve.pieces()[hint.piece].length;
+  const std::vector<ProfilePiece>& pieces = curve.pieces();
   constexpr int most = 8;
   constexpr double rounding = 1e-15;
-  double u = hint.parameter, last = length;
+  std::size_t piece = hint.piece;
+  double u = hint.parameter, length = pieces[piece].length, last = length;
+  // Goes on from where a step led to. Returns false beyond the ends of the curve.
+  const auto stay = [&] {
+    while (u > length && piece + 1 < pieces.size()) {
+      u -= length;
+      length = pieces[++piece].length;
+    }
+    while (u < 0 && piece > 0) {
+      length = pieces[--piece].length;
+      u += length;
+    }
+    return u >= 0 && u <= length;
+  };
   for (int i = 0; i < most; ++i) {
-    const ProfilePoint p = curve.at(hint.piece, u);
+    const ProfilePoint p = curve.at(piece, u);
     if (!(f.inside(p.x) > 0)) return std::nullopt;
     const double step = -f.value(p.x) / f.slope(p.x, p.d1);
     if (!(std::abs(step) <= 0.5 * last)) return std::nullopt;
-    // Newton's next step is about the square of this one.
-    if (std::abs(step) <= rounding * length || step * step <= rounding * length * last) {
-      u += step;
-      if (!(u >= 0 && u <= length)) return std::nullopt;
-      hint.parameter = u;
-      return curve.at(hint.piece, u);
-    }
+    // Newton's next step is about the square of this one; on another piece it begins anew.
+    const bool done = std::abs(step) <= rounding * length || step * step <= rounding * length * last;
     last = std::abs(step);
     u += step;
-    if (!(u >= 0 && u <= length)) return std::nullopt;
+    const std::size_t before = piece;
+    if (!stay()) return std::nullopt;
+    if (!done) continue;
+    if (piece != before) return std::nullopt;
+    hint.piece = piece;
+    hint.parameter = u;
+    return curve.at(piece, u);
   }
   return std::nullopt;
 }

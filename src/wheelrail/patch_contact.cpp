@@ -327,13 +327,10 @@ void PatchContact::stand(const WheelMotion& motion) {
 
 void PatchContact::put_frame(const LatticeSize& size, const FramePlace& place) const {
   Scene& scene = contact_->scene;
-  if (!(size == laid_) || !scene.placed()) {
-    scene.options.set_int("conformal", size.conformal ? 1 : 0);
-    scene.set_placed_frame(rectangle_mesh({}, ElementType::quad4, size.along, size.across, {-1, 1, -1, 1}), place);
-    laid_ = size;
-  } else if (!(place == scene.place())) {
-    scene.place_frame(place);
-  }
+  scene.options.set_int("conformal", size.conformal ? 1 : 0);
+  scene.set_made_frame(rectangle_mesh({}, ElementType::quad4, size.along, size.across,
+                                      {-place.length, place.length, -place.width, place.width}),
+                       true, false);
 }
 
 // Returns the box of the overlap about the middle of the axes.

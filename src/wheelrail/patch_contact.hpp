@@ -154,7 +154,6 @@ class PatchContact {
   std::shared_ptr<Contact> contact_;
   State now_;
   std::unique_ptr<StripFrames> strips_;
-  mutable LatticeSize laid_;                            ///< lattice that the contact has
   mutable bool shown_ = false;                          ///< the contact has the solution on strips at its nodes
   std::unique_ptr<std::array<StripGivens, 2>> nearby_;  ///< storage of rate()
   std::int64_t solves_ = 0;                             ///< solves so far, resets included

@@ -50,7 +50,14 @@ struct Between {
 class GapOfSurfaces final : public KnownGap {
  public:
   GapOfSurfaces(const Axes& axes, const PairOfBodies& pair, const std::optional<std::array<double, 3>>& given)
-      : axes_(axes), pair_(pair), given_(given) {}
+      : axes_(axes), pair_(pair), given_(given) {
+    constexpr double rounding = 1e-14;
+    for (std::size_t b = 0; b < 2; ++b) {
+      const Surface* const surface = pair.body[b]->surface();
+      const auto endless = surface ? surface->endless() : std::nullopt;
+      straight_[b] = endless && std::abs(dot(pair.pose[b].turn(*endless), axes.t1)) > 1 - rounding;
+    }
+  }
 
   double operator()(double x, double y) const override {
     const double gap = along(plane_point(axes_, x, y), axes_.n);
@@ -64,15 +71,25 @@ class GapOfSurfaces final : public KnownGap {
       found.slope[b] = {};
       const Surface* const surface = pair_.body[b]->surface();
       if (!surface) continue;
+      if (straight_[b] && y == last_y_) {
+        found.height[b] = last_.height[b];
+        found.slope[b] = last_.slope[b];
+        continue;
+      }
       const Pose& pose = pair_.pose[b];
       const Vec3 direction = pose.turn_back(axes_.n), from = pose.to_body(point);
       const auto met = surface->distance_near(from, direction, (b == 0 ? 1.0 : -1.0) * direction, met_[b]);
-      if (!met) return false;
+      if (!met) {
+        last_y_ = NAN;
+        return false;
+      }
       const Vec3 n = pose.turn(surface->normal_met(from + *met * direction, direction, met_[b]));
       const double steep = dot(n, axes_.n);
       found.height[b] = *met;
       found.slope[b] = {-dot(n, axes_.t1) / steep, -dot(n, axes_.t2) / steep};
     }
+    last_y_ = y;
+    last_ = found;
     return true;
   }
 
@@ -176,6 +193,9 @@ class GapOfSurfaces final : public KnownGap {
   PairOfBodies pair_;
   std::optional<std::array<double, 3>> given_;  ///< coefficients of x^2, y^2, xy
   mutable std::array<SurfaceHint, 2> met_;      ///< hints from the point before
+  std::array<bool, 2> straight_{};              ///< bodies that go on without end along t1
+  mutable double last_y_ = NAN;                 ///< y of the heights found last
+  mutable Heights last_;
 };
 
 // Fills in the gap, at(k) at node k. Frames made by the library cover holes of a body, where nothing touches.

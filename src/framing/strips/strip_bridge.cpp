@@ -113,7 +113,8 @@ void BridgedGap::at(std::span<const Vec2> point, double* value, Vec2* slope) con
   }
 }
 
-bool StripContact::bridge(const StripScene& scene, const Rectangle& box, StripCounts counts, StripSolution& solution) {
+bool StripContact::bridge(const StripScene& scene, const Rectangle& box, StripCounts counts, StripSolution& solution,
+                          bool warm) {
   BridgedGap gap;
   gap.gap = scene.gap;
   gap.neck = solution.neck;
@@ -123,7 +124,7 @@ bool StripContact::bridge(const StripScene& scene, const Rectangle& box, StripCo
   bool solved[4];
   for (int i = 0; i < 4; ++i) {
     gap.height = heights[i] * unit;
-    solved[i] = finder_.find(other, box, counts, solution.neighbour[i], false).status == StripStatus::solved;
+    solved[i] = finder_.find(other, box, counts, solution.neighbour[i], warm).status == StripStatus::solved;
   }
   // A neighbour that was not found is reached in steps from the other one of the same sign.
   constexpr int steps = 5;
@@ -143,16 +144,22 @@ bool StripContact::bridge(const StripScene& scene, const Rectangle& box, StripCo
 
 StripReport StripContact::solve(const StripScene& scene, const Rectangle& box, StripCounts counts,
                                 StripSolution& solution, bool warm) {
-  StripReport report = finder_.find(scene, box, counts, solution.strips, warm);
-  if (report.status == StripStatus::no_contact || report.status == StripStatus::beyond_friction) return report;
-  const bool solved = report.status == StripStatus::solved;
-  solution.share = solved ? trust(solution.strips).share() : 0;
+  // Neighbours that are nearby are there where the last contact had a neck.
+  const bool bridged = warm && solution.share < 1;
+  StripReport report = finder_.find(scene, box, counts, solution.strips, warm && solution.share > 0, false);
+  const auto ended = [&] {
+    return report.status == StripStatus::no_contact || report.status == StripStatus::beyond_friction;
+  };
+  if (ended()) return report;
+  // Necks explain most starts that lead nowhere; where there is none, all others are tried.
+  bool necked = find_neck(scene, report, solution);
+  if (report.status != StripStatus::solved && !necked) {
+    report = finder_.find(scene, box, counts, solution.strips, false);
+    if (ended()) return report;
+    necked = find_neck(scene, report, solution);
+  }
   if (solution.share == 1) return report;
-  // Halves of the contact come from the strips or from the probe.
-  Vec2 first, second;
-  const bool found = solved ? halves(solution.strips, first, second) : finder_.probe().halves(first, second);
-  solution.neck = found ? neck_between(*scene.gap, first, second) : Neck{};
-  if (solution.neck.wall > 0 && bridge(scene, box, counts, solution)) {
+  if (necked && bridge(scene, box, counts, solution, bridged)) {
     // Strips that were not found from the probe may be from the neighbours.
     for (const int i : {1, 2}) {
       if (solution.share > 0) break;
@@ -163,8 +170,21 @@ StripReport StripContact::solve(const StripScene& scene, const Rectangle& box, S
     report.status = StripStatus::solved;
     return report;
   }
+  if (report.status != StripStatus::solved) report = finder_.find(scene, box, counts, solution.strips, false);
   solution.share = 1;
   return report;
+}
+
+// Finds the weight of the strips, and the neck if they are not all. Returns false where there is none.
+bool StripContact::find_neck(const StripScene& scene, const StripReport& report, StripSolution& solution) const {
+  const bool solved = report.status == StripStatus::solved;
+  solution.share = solved ? trust(solution.strips).share() : 0;
+  if (solution.share == 1) return false;
+  // Halves of the contact come from the strips or from the probe.
+  Vec2 first, second;
+  const bool found = solved ? halves(solution.strips, first, second) : finder_.probe().halves(first, second);
+  solution.neck = found ? neck_between(*scene.gap, first, second) : Neck{};
+  return solution.neck.wall > 0;
 }
 
 StripTotals StripContact::totals(const StripSolution& solution) {

@@ -44,7 +44,8 @@ class StripContact {
              std::span<StripTotals> rate);
 
  private:
-  bool bridge(const StripScene& scene, const Rectangle& box, StripCounts counts, StripSolution& solution);
+  bool bridge(const StripScene& scene, const Rectangle& box, StripCounts counts, StripSolution& solution, bool warm);
+  bool find_neck(const StripScene& scene, const StripReport& report, StripSolution& solution) const;
 
   StripFinder finder_;
   std::vector<StripTotals> part_rates_;

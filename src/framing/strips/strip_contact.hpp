@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "bodies/halfspace/strip_integrals.hpp"
-#include "mesh/strip_layout.hpp"
 #include "geometry/rectangle.hpp"
 #include "geometry/vec2.hpp"
 #include "linalg/lu.hpp"
+#include "mesh/strip_layout.hpp"
 
 namespace rollcon::strips {
 

@@ -14,7 +14,7 @@ namespace {
 constexpr ProbeCells probes[] = {{8, 12}, {12, 20}, {16, 32}};
 constexpr StripCounts rough{6, 10};
 constexpr int most_without_rough = 100;             // intervals along times across; finer strips begin with rough ones
-constexpr int looks_along = 8, looks_across = 120;  // places searched for further parts
+constexpr int looks_along = 4, looks_across = 120;  // places searched for further parts
 
 /// Gives a gap that loads elsewhere widen.
 struct GapBeside : PlaneField {
@@ -253,11 +253,11 @@ bool StripFinder::more_parts(const StripScene& scene, const Rectangle& box, Stri
 }
 
 StripReport StripFinder::find(const StripScene& scene, const Rectangle& box, StripCounts counts, StripState& state,
-                              bool warm) {
+                              bool warm, bool patient) {
   const BlasThreads blas(1);  // several are slower for systems of this size
   StripReport report;
   report.status = StripStatus::unfit;
-  constexpr int attempts = static_cast<int>(std::size(probes));
+  const int attempts = patient ? static_cast<int>(std::size(probes)) : 1;
   warm = warm && state.layout.counts == counts && !state.pressure.empty();
   for (int attempt = warm ? -1 : 0; attempt < attempts; ++attempt) {
     if (attempt >= 0 && !start(scene, box, counts, attempt, state)) {

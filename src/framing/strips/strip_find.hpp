@@ -11,7 +11,9 @@ class StripFinder {
  public:
   /// Finds the contact inside of the box (length). warm: `state` is a solution nearby; with other counts it is found
   /// from nothing. unfit: strips do not fit this contact (rows with two intervals, or parts about to merge).
-  StripReport find(const StripScene& scene, const Rectangle& box, StripCounts counts, StripState& state, bool warm);
+  /// patient: all starts are tried before it is said that they do not.
+  StripReport find(const StripScene& scene, const Rectangle& box, StripCounts counts, StripState& state, bool warm,
+                   bool patient = true);
   StripSolver& solver() { return solver_; }
   const StripProbe& probe() const { return probe_; }
 
