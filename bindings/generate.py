@@ -79,7 +79,8 @@ def main():
     check, top = options.check, options.tests or ROOT
     api = table.load(ROOT / "bindings/api.toml")
     stale = 0
-    for name, text in (outputs_for_tests if options.tests else outputs)(api).items():
+    made = (outputs_for_tests if options.tests else outputs)(api)
+    for name, text in made.items():
         path = top / name
         old = path.read_text(encoding="utf-8") if path.exists() else ""
         if old == text:
@@ -92,6 +93,13 @@ def main():
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding="utf-8")
             print("wrote", name)
+    if not options.tests:  # MATLAB has a file for each function
+        for path in sorted((ROOT / "bindings/octave/+rollcon").glob("*.m")):
+            if str(path.relative_to(ROOT)) not in made:
+                stale += 1
+                print("nothing makes", path.relative_to(ROOT))
+                if not check:
+                    path.unlink()
     return 1 if check and stale else 0
 
 

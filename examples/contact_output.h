@@ -81,7 +81,7 @@ static void read_results(frame_results* r, const rollcon_contact* contact) {
   must(rollcon_contact_get_field(contact, ROLLCON_FIELD_GAP, ROLLCON_LOCAL, most, r->gap, NULL));
   must(rollcon_contact_get_field(contact, ROLLCON_FIELD_AREA, ROLLCON_LOCAL, most, r->area, NULL));
   must(rollcon_contact_get_field(contact, ROLLCON_FIELD_WEIGHT, ROLLCON_LOCAL, most, r->weight, NULL));
-  must(rollcon_contact_get_status(contact, most, r->state));
+  must(rollcon_contact_get_node_states(contact, most, r->state));
 }
 
 /* ------------------------------------------------------------------------------------- Files */

@@ -131,11 +131,11 @@ static void pressed(rollcon_context* context) {
   must(rollcon_contact_set_friction(contact, "coulomb", 1, &frictionless));
   must(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, 0.5));
   must(rollcon_contact_solve(contact));
-  must(rollcon_contact_get_body_displacements(contact, 1, 36, u, NULL));
+  must(rollcon_contact_get_body_displacements(contact, ROLLCON_BODY1, 36, u, NULL));
   printf("its corner under a ball moves by %.4f\n", u[35]);
-  must(rollcon_contact_get_body_fields_at(contact, 1, 1, inside, NULL, stress));
+  must(rollcon_contact_get_body_fields_at(contact, ROLLCON_BODY1, 1, inside, NULL, stress));
   printf("below the ball it is pressed by %.2f\n", -stress[0]);
-  must(rollcon_contact_write_body(contact, 1, "each_call.vtu"));
+  must(rollcon_contact_write_body(contact, ROLLCON_BODY1, "each_call.vtu"));
   rollcon_contact_release(contact);
   rollcon_body_release(ball);
   rollcon_body_release(bar);
@@ -176,7 +176,7 @@ static void frame(rollcon_context* context) {
   must(rollcon_body_create(context, ROLLCON_BODY_HALFSPACE, &a));
   must(rollcon_body_create(context, ROLLCON_BODY_RIGID, &b));
   must(rollcon_contact_create(context, a, b, &contact));
-  must(rollcon_contact_read_frame(contact, "each_call.inp", "patch"));
+  must(rollcon_contact_frame_from_file(contact, "each_call.inp", "patch"));
   must(rollcon_contact_get_size(contact, &nodes, &elements));
   printf("a frame of %d nodes, %d element\n", (int)nodes, (int)elements);
   rollcon_contact_release(contact);

@@ -90,8 +90,9 @@ static void friction(rollcon_contact* contact) {
   printf("through a layer %.0f N\n", force_along(contact));
   must(rollcon_contact_set_layer_yield(contact, 0, 0));
   must(rollcon_contact_set_layer(contact, 0));
-  must(rollcon_contact_set_heat(contact, 1, 50, 3.6, 20)); /* W/(m K) = N/(s K), MJ/(m^3 K) = N/(mm^2 K), degrees */
-  must(rollcon_contact_set_heat(contact, 2, 50, 3.6, 20));
+  must(rollcon_contact_set_heat(contact, ROLLCON_BODY1, 50, 3.6,
+                                20)); /* W/(m K) = N/(s K), MJ/(m^3 K) = N/(mm^2 K), degrees */
+  must(rollcon_contact_set_heat(contact, ROLLCON_BODY2, 50, 3.6, 20));
   must(rollcon_contact_get_temperatures_at(contact, 1, centre, warm));
   printf("its middle is %s\n", warm[0] > 20 ? "warmer than the rest" : "cold");
   must(rollcon_contact_set_friction(contact, "exponential", 3, falling));
@@ -115,8 +116,8 @@ static void fields(rollcon_contact* contact) {
   must(rollcon_contact_set_friction_field(contact, most_nodes, mu));
   printf("less friction by a field %.0f N\n", force_along(contact));
   must(rollcon_contact_set_friction_field(contact, 0, NULL));
-  must(rollcon_contact_set_velocity(contact, 1, rolling, none, none));
-  must(rollcon_contact_set_velocity(contact, 2, faster, none, none));
+  must(rollcon_contact_set_velocity(contact, ROLLCON_BODY1, rolling, none, none));
+  must(rollcon_contact_set_velocity(contact, ROLLCON_BODY2, faster, none, none));
   printf("creepage from velocities: force %s\n", fabs(force_along(contact)) > 1000 ? "there" : "missing");
   must(rollcon_contact_set_creep(contact, 1e-3, 0, 0));
 }
@@ -162,14 +163,14 @@ static void results(rollcon_contact* contact) {
   must(rollcon_contact_get_tilt(contact, tilt));
   must(rollcon_contact_get_sensitivity(contact, ROLLCON_LONGITUDINAL, force, moment, &approach, creep));
   printf("slope of the force by creepage %.3g N\n", -force[0]);
-  must(rollcon_contact_get_displacements_at(contact, 1, 1, xy, u));
-  must(rollcon_contact_get_stresses_at(contact, 1, 1, xyz, stress, u));
+  must(rollcon_contact_get_displacements_at(contact, ROLLCON_BODY1, 1, xy, u));
+  must(rollcon_contact_get_stresses_at(contact, ROLLCON_BODY1, 1, xyz, stress, u));
   must(rollcon_stress_invariants(1, stress, principal, &von_mises, &shear));
   printf("3 mm deep: von Mises %.0f MPa, shear %.0f MPa\n", von_mises, shear);
   must(rollcon_contact_get_fatigue_index(contact, 300, &index));
   printf("index of surface fatigue %.2f\n", index);
   must(rollcon_contact_get_wear(contact, "archard", 1, &archard, 5, across, depth, NULL));
-  must(rollcon_wear_profile(5, flat, depth, 1, 1e4, 0.01, 0, worn, NULL));
+  must(rollcon_wear_profile(5, flat, depth, ROLLCON_BODY_BELOW, 1e4, 0.01, 0, worn, NULL));
   printf("ten thousand passes wear the middle %s\n", worn[5] > 0 ? "most" : "not at all");
   must(rollcon_contact_get_history(contact, most_rows, rows, &n));
   must(rollcon_contact_get_error_function(contact, most_rows, psi, seconds, &n));

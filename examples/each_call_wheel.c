@@ -112,7 +112,7 @@ static void wheels(rollcon_context* context) {
   must(rollcon_wheelrail_solve(right));
   must(rollcon_wheelrail_get_resultant(right, ROLLCON_IN_TRACK, force, moment));
   must(rollcon_wheelrail_get_patch_axes(right, 0, origin, axes));
-  must(rollcon_wheelrail_get_profile_point(right, 1, 0, point)); /* the flange's end, in the track */
+  must(rollcon_wheelrail_get_profile_point(right, ROLLCON_WHEEL, 0, point)); /* the flange's end, in the track */
   must(rollcon_wheelrail_get_derivative(right, 1, force_rate, moment_rate, &z_rate)); /* by the lateral shift */
   printf("lateral force: %.0f N, %.0f N more per millimetre of shift\n", force[1], force_rate[1]);
   printf("on the rail %.0f N\n", fabs(force[2]));
@@ -122,10 +122,10 @@ static void wheels(rollcon_context* context) {
   must(rollcon_contact_get_equivalent_ellipse(contact, ellipse, center));
   printf("like an ellipse of %.1f by %.1f mm\n", ellipse[3], ellipse[4]);
   rollcon_contact_release(contact);
-  must(rollcon_wheelrail_save(right, 0)); /* before a step that may be tried again */
+  must(rollcon_wheelrail_snapshot(right, 0)); /* before a step that may be tried again */
   must(rollcon_wheelrail_set_rail_deviation(right, lower, still));
   must(rollcon_wheelrail_solve(right));
-  must(rollcon_wheelrail_restore(right, 0));
+  must(rollcon_wheelrail_rollback(right, 0));
   must(rollcon_wheelrail_copy(right, &copy));
   must(rollcon_wheelrail_request_cancel(copy));
   must(rollcon_wheelrail_reset(copy));

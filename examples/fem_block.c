@@ -122,7 +122,7 @@ int main(void) {
   must(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, force, NULL));
   must(rollcon_contact_get_motion(contact, &approach, creep));
   must(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, FRAME_NODES, &t[0][0]));
-  must(rollcon_contact_get_status(contact, FRAME_NODES, state));
+  must(rollcon_contact_get_node_states(contact, FRAME_NODES, state));
   for (k = 0; k < FRAME_NODES; ++k) {
     if (-t[k][2] > most) most = -t[k][2];
     ++count[state[k]];

@@ -68,7 +68,7 @@ program fem_block
   call contact%get_resultant(force, moment)
   call contact%get_motion(approach, creep)
   call contact%get_tractions(t)
-  call contact%get_status(state)
+  call contact%get_node_states(state)
   call print_integers('status', [status])
   call print_integers('block', [nodes, elements])
   call print_numbers('unknowns', [unknowns])

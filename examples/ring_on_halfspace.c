@@ -178,9 +178,9 @@ int main(int argc, char** argv) {
   must(rollcon_contact_create(context, ring, ground, &contact));
 
   /* Step 2 sets poses and frame: the zone of the ring; the gap is that of the ring's faces above the ground. */
-  must(rollcon_contact_set_pose(contact, 1, upside_down, up));
+  must(rollcon_contact_set_pose(contact, ROLLCON_BODY1, upside_down, up));
   must(rollcon_contact_set_axes(contact, origin, rolling, normal));
-  must(rollcon_contact_frame_from_body(contact, 1, 2));
+  must(rollcon_contact_frame_from_body(contact, ROLLCON_BODY1, 2));
   frame_of_tag(&r, &ring_mesh, 2);
 
   /* Step 3 sets the materials. */

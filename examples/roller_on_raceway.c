@@ -72,7 +72,7 @@ int main(void) {
     rotation[4] = rotation[8] = cos(tilt);
     rotation[7] = sin(tilt);
     rotation[5] = -rotation[7];
-    must(rollcon_contact_set_pose(contact, 2, rotation, zero));
+    must(rollcon_contact_set_pose(contact, ROLLCON_BODY2, rotation, zero));
     must(rollcon_contact_solve(contact));
     must(rollcon_contact_get_stat(contact, "max_pressure", &pressure));
     must(rollcon_contact_get_stat(contact, "contact_area", &area));

@@ -50,17 +50,17 @@ int main(void) {
   must(rollcon_contact_set_step(contact, ROLLCON_ROLLING_STEP, 0.25));
   for (k = 1; k <= 8; ++k) step(contact, "roll", 0.25 * k);
 
-  must(rollcon_contact_save_past(contact, 0, NULL, &n));
+  must(rollcon_contact_past_get(contact, 0, NULL, &n));
   past = malloc((size_t)n * sizeof *past);
   if (!past) return 1;
-  must(rollcon_contact_save_past(contact, n, past, NULL));
+  must(rollcon_contact_past_get(contact, n, past, NULL));
   for (k = 9; k <= 40; ++k) {
     if (k % 8 == 0)
       step(contact, "roll", 0.25 * k);
     else
       must(rollcon_contact_solve(contact));
   }
-  must(rollcon_contact_restore_past(contact, n, past));
+  must(rollcon_contact_past_set(contact, n, past));
   step(contact, "again", 2.25);
 
   free(past);

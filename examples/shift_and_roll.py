@@ -19,7 +19,7 @@ def step(name, rolled):
     """Solves a step and prints what moved."""
     status = contact.solve()
     _, motion = contact.motion()
-    slipping = int((contact.node_status() == rc.SLIP).sum())
+    slipping = int((contact.node_states() == rc.SLIP).sum())
     print(f"{name:8s}{status:4d}{rolled:9.2f}{motion[0]:13.5E}{slipping:6d}")
 
 
@@ -29,11 +29,11 @@ contact.set_rolling(1.0)
 contact.set_step(rc.ROLLING_STEP, 0.25)
 for k in range(1, 9):
     step("roll", 0.25 * k)
-past = contact.save_past()
+past = contact.past_get()
 for k in range(9, 41):
     if k % 8 == 0:
         step("roll", 0.25 * k)
     else:
         contact.solve()
-contact.restore_past(past)
+contact.past_set(past)
 step("again", 2.25)

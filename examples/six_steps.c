@@ -75,7 +75,7 @@ int main(void) {
   state = malloc((size_t)nodes * sizeof *state);
   if (t == NULL || state == NULL) return 1;
   must(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, nodes, t));
-  must(rollcon_contact_get_status(contact, nodes, state));
+  must(rollcon_contact_get_node_states(contact, nodes, state));
   for (i = 0; i < nodes; ++i) {
     if (-t[3 * i + 2] > most) most = -t[3 * i + 2];
     ++count[state[i]];

@@ -40,7 +40,7 @@ program six_steps
   call contact%get_resultant(force, moment)
   call contact%get_motion(approach, creep)
   call contact%get_tractions(t)
-  call contact%get_status(state)
+  call contact%get_node_states(state)
   call print_integers('status', [status])
   call print_numbers('force', force)
   call print_numbers('moment', moment)

@@ -186,8 +186,8 @@ int main(int argc, char** argv) {
     fprintf(stderr, "frame '%s': tri3, tri6, quad4 or quad8 is wanted\n", type);
     return 1;
   }
-  must(rollcon_contact_set_frame_nodes(contact, frame.nodes, &frame.x[0][0], 3, 1));
-  must(rollcon_contact_add_frame_elements(contact, frame.type, frame.elements, frame.id, 0, 1));
+  must(rollcon_contact_frame_nodes(contact, frame.nodes, &frame.x[0][0], 3, 1));
+  must(rollcon_contact_frame_add_elements(contact, frame.type, frame.elements, frame.id, 0, 1));
   must(rollcon_contact_set_gap_quadratic(contact, 1 / (2 * radius), 1 / (2 * radius), 0));
 
   /* Step 3 sets the material, first without friction. */
@@ -210,7 +210,7 @@ int main(int argc, char** argv) {
   must(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, MOST_NODES, &t[0][0]));
   must(rollcon_contact_get_field(contact, ROLLCON_FIELD_SLIP, ROLLCON_LOCAL, 2 * MOST_NODES, &slip[0][0], NULL));
   must(rollcon_contact_get_field(contact, ROLLCON_FIELD_AREA, ROLLCON_LOCAL, MOST_NODES, area, NULL));
-  must(rollcon_contact_get_status(contact, MOST_NODES, state));
+  must(rollcon_contact_get_node_states(contact, MOST_NODES, state));
   printf("elastic sphere (R %g mm, E %g MPa, nu %g) on a rigid plane; V %g mm/s\n", radius, young, poisson, speed);
   printf("frame %s: %d nodes, %d elements; %.0f nodes in contact; %s\n", type, frame.nodes, frame.elements,
          statistic("nodes_contact"), scheme);

@@ -129,10 +129,10 @@ int main(int argc, char** argv) {
   must(rollcon_contact_create(context, ring, ring, &contact));
 
   /* Step 2 sets poses and frame: the second ring stands upside down on the first, whose zone is the frame. */
-  must(rollcon_contact_set_pose(contact, 1, as_meshed, here));
-  must(rollcon_contact_set_pose(contact, 2, upside_down, above));
+  must(rollcon_contact_set_pose(contact, ROLLCON_BODY1, as_meshed, here));
+  must(rollcon_contact_set_pose(contact, ROLLCON_BODY2, upside_down, above));
   must(rollcon_contact_set_axes(contact, origin, rolling, normal));
-  must(rollcon_contact_frame_from_body(contact, 1, 2));
+  must(rollcon_contact_frame_from_body(contact, ROLLCON_BODY1, 2));
   frame_of_tag(&r, &mesh, 2);
 
   /* Step 3 sets the material. */

@@ -1,7 +1,7 @@
 ! Generated from bindings/api.toml by bindings/generate.py; do not edit.
 ! Copyright (c) the rollcon authors. BSD-3-Clause.
 !
-! The C functions of rollcon 1.0.0-rc1, argument by argument; rollcon.h documents them. Handles are
+! The C functions of rollcon 1.0.0-rc2, argument by argument; rollcon.h documents them. Handles are
 ! type(c_ptr), texts are arrays of characters ended by c_null_char. Callbacks must be bind(C)
 ! module procedures, passed by c_funloc: a contained procedure would need an executable stack.
 module rollcon_c
@@ -99,6 +99,21 @@ module rollcon_c
   ! side
   integer(c_int32_t), parameter :: rollcon_left = -1_c_int32_t
   integer(c_int32_t), parameter :: rollcon_right = 1_c_int32_t
+
+  ! body of a contact
+  integer(c_int32_t), parameter :: rollcon_body1 = 1_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_body2 = 2_c_int32_t
+
+  ! moving contact
+  integer(c_int32_t), parameter :: rollcon_contact_itself = 0_c_int32_t
+
+  ! profile of a wheel on its rail
+  integer(c_int32_t), parameter :: rollcon_wheel = 1_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_rail = 2_c_int32_t
+
+  ! inside of a profile
+  integer(c_int32_t), parameter :: rollcon_body_below = 1_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_body_above = -1_c_int32_t
 
   ! axes of the track
   integer(c_int32_t), parameter :: rollcon_in_track = 0_c_int32_t
@@ -820,8 +835,8 @@ module rollcon_c
       type(c_ptr), value :: contact
     end subroutine rollcon_contact_release
 
-    function rollcon_contact_set_frame_nodes(contact, n, x, node_stride, component_stride) &
-        result(rc) bind(C, name="rollcon_contact_set_frame_nodes")
+    function rollcon_contact_frame_nodes(contact, n, x, node_stride, component_stride) &
+        result(rc) bind(C, name="rollcon_contact_frame_nodes")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
       type(c_ptr), value :: contact
@@ -830,10 +845,10 @@ module rollcon_c
       integer(c_int64_t), value :: node_stride
       integer(c_int64_t), value :: component_stride
       integer(c_int32_t) :: rc
-    end function rollcon_contact_set_frame_nodes
+    end function rollcon_contact_frame_nodes
 
-    function rollcon_contact_add_frame_elements(contact, type, n, connectivity, index_base, tag) &
-        result(rc) bind(C, name="rollcon_contact_add_frame_elements")
+    function rollcon_contact_frame_add_elements(contact, type, n, connectivity, index_base, tag) &
+        result(rc) bind(C, name="rollcon_contact_frame_add_elements")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
       type(c_ptr), value :: contact
@@ -843,17 +858,17 @@ module rollcon_c
       integer(c_int32_t), value :: index_base
       integer(c_int32_t), value :: tag
       integer(c_int32_t) :: rc
-    end function rollcon_contact_add_frame_elements
+    end function rollcon_contact_frame_add_elements
 
-    function rollcon_contact_read_frame(contact, path, part) &
-        result(rc) bind(C, name="rollcon_contact_read_frame")
+    function rollcon_contact_frame_from_file(contact, path, part) &
+        result(rc) bind(C, name="rollcon_contact_frame_from_file")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
       type(c_ptr), value :: contact
       character(kind=c_char), intent(in) :: path(*)
       character(kind=c_char), intent(in) :: part(*)
       integer(c_int32_t) :: rc
-    end function rollcon_contact_read_frame
+    end function rollcon_contact_frame_from_file
 
     function rollcon_contact_frame_from_body(contact, which, tag) &
         result(rc) bind(C, name="rollcon_contact_frame_from_body")
@@ -1267,8 +1282,8 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_contact_repeat_step
 
-    function rollcon_contact_save_past(contact, capacity, past, n_values) &
-        result(rc) bind(C, name="rollcon_contact_save_past")
+    function rollcon_contact_past_get(contact, capacity, past, n_values) &
+        result(rc) bind(C, name="rollcon_contact_past_get")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
       type(c_ptr), value :: contact
@@ -1276,17 +1291,17 @@ module rollcon_c
       real(c_double), intent(out) :: past(*)
       integer(c_int64_t), intent(inout) :: n_values
       integer(c_int32_t) :: rc
-    end function rollcon_contact_save_past
+    end function rollcon_contact_past_get
 
-    function rollcon_contact_restore_past(contact, n, past) &
-        result(rc) bind(C, name="rollcon_contact_restore_past")
+    function rollcon_contact_past_set(contact, n, past) &
+        result(rc) bind(C, name="rollcon_contact_past_set")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
       type(c_ptr), value :: contact
       integer(c_int64_t), value :: n
       real(c_double), intent(in) :: past(*)
       integer(c_int32_t) :: rc
-    end function rollcon_contact_restore_past
+    end function rollcon_contact_past_set
 
     function rollcon_contact_reset(contact) result(rc) bind(C, name="rollcon_contact_reset")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
@@ -1329,15 +1344,15 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_field
 
-    function rollcon_contact_get_status(contact, capacity, status) &
-        result(rc) bind(C, name="rollcon_contact_get_status")
+    function rollcon_contact_get_node_states(contact, capacity, status) &
+        result(rc) bind(C, name="rollcon_contact_get_node_states")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
       type(c_ptr), value :: contact
       integer(c_int64_t), value :: capacity
       integer(c_int32_t), intent(out) :: status(*)
       integer(c_int32_t) :: rc
-    end function rollcon_contact_get_status
+    end function rollcon_contact_get_node_states
 
     function rollcon_contact_get_resultant(contact, axes, force, moment) &
         result(rc) bind(C, name="rollcon_contact_get_resultant")
@@ -1382,24 +1397,24 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_sensitivity
 
-    function rollcon_contact_get_displacements_at(contact, body, n, xy, u) &
+    function rollcon_contact_get_displacements_at(contact, which, n, xy, u) &
         result(rc) bind(C, name="rollcon_contact_get_displacements_at")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
       type(c_ptr), value :: contact
-      integer(c_int32_t), value :: body
+      integer(c_int32_t), value :: which
       integer(c_int64_t), value :: n
       real(c_double), intent(in) :: xy(*)
       real(c_double), intent(out) :: u(*)
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_displacements_at
 
-    function rollcon_contact_get_stresses_at(contact, body, n, xyz, stress, u) &
+    function rollcon_contact_get_stresses_at(contact, which, n, xyz, stress, u) &
         result(rc) bind(C, name="rollcon_contact_get_stresses_at")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
       type(c_ptr), value :: contact
-      integer(c_int32_t), value :: body
+      integer(c_int32_t), value :: which
       integer(c_int64_t), value :: n
       real(c_double), intent(in) :: xyz(*)
       real(c_double), intent(out) :: stress(*)
@@ -1407,24 +1422,24 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_stresses_at
 
-    function rollcon_contact_get_body_displacements(contact, body, capacity, u, n_values) &
+    function rollcon_contact_get_body_displacements(contact, which, capacity, u, n_values) &
         result(rc) bind(C, name="rollcon_contact_get_body_displacements")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
       type(c_ptr), value :: contact
-      integer(c_int32_t), value :: body
+      integer(c_int32_t), value :: which
       integer(c_int64_t), value :: capacity
       real(c_double), intent(out) :: u(*)
       integer(c_int64_t), intent(inout) :: n_values
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_body_displacements
 
-    function rollcon_contact_get_body_fields_at(contact, body, n, xyz, displacement, stress) &
+    function rollcon_contact_get_body_fields_at(contact, which, n, xyz, displacement, stress) &
         result(rc) bind(C, name="rollcon_contact_get_body_fields_at")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
       type(c_ptr), value :: contact
-      integer(c_int32_t), value :: body
+      integer(c_int32_t), value :: which
       integer(c_int64_t), value :: n
       real(c_double), intent(in) :: xyz(*)
       real(c_double), intent(out) :: displacement(*)
@@ -1432,12 +1447,12 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_body_fields_at
 
-    function rollcon_contact_write_body(contact, body, path) &
+    function rollcon_contact_write_body(contact, which, path) &
         result(rc) bind(C, name="rollcon_contact_write_body")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
       type(c_ptr), value :: contact
-      integer(c_int32_t), value :: body
+      integer(c_int32_t), value :: which
       character(kind=c_char), intent(in) :: path(*)
       integer(c_int32_t) :: rc
     end function rollcon_contact_write_body
@@ -1791,23 +1806,23 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_find_wear
 
-    function rollcon_wheelrail_save(wheelrail, place) &
-        result(rc) bind(C, name="rollcon_wheelrail_save")
+    function rollcon_wheelrail_snapshot(wheelrail, place) &
+        result(rc) bind(C, name="rollcon_wheelrail_snapshot")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
       type(c_ptr), value :: wheelrail
       integer(c_int32_t), value :: place
       integer(c_int32_t) :: rc
-    end function rollcon_wheelrail_save
+    end function rollcon_wheelrail_snapshot
 
-    function rollcon_wheelrail_restore(wheelrail, place) &
-        result(rc) bind(C, name="rollcon_wheelrail_restore")
+    function rollcon_wheelrail_rollback(wheelrail, place) &
+        result(rc) bind(C, name="rollcon_wheelrail_rollback")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
       type(c_ptr), value :: wheelrail
       integer(c_int32_t), value :: place
       integer(c_int32_t) :: rc
-    end function rollcon_wheelrail_restore
+    end function rollcon_wheelrail_rollback
 
     function rollcon_wheelrail_copy(wheelrail, copy) &
         result(rc) bind(C, name="rollcon_wheelrail_copy")
@@ -1884,12 +1899,12 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_stat_name
 
-    function rollcon_wheelrail_get_profile_point(wheelrail, body, share, point) &
+    function rollcon_wheelrail_get_profile_point(wheelrail, which, share, point) &
         result(rc) bind(C, name="rollcon_wheelrail_get_profile_point")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
       type(c_ptr), value :: wheelrail
-      integer(c_int32_t), value :: body
+      integer(c_int32_t), value :: which
       real(c_double), value :: share
       real(c_double), intent(out) :: point(*)
       integer(c_int32_t) :: rc

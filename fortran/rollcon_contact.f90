@@ -13,19 +13,19 @@ module rollcon_contact
 
   type, extends(rc_contact_plain) :: rc_contact
   contains
-    procedure :: set_frame_nodes
-    procedure :: set_frame_nodes_by_component
-    procedure, private :: add_frame_elements_int32
-    procedure, private :: add_frame_elements_int64
-    generic :: add_frame_elements => add_frame_elements_int32, add_frame_elements_int64
+    procedure :: frame_nodes
+    procedure :: frame_nodes_by_component
+    procedure, private :: frame_add_elements_int32
+    procedure, private :: frame_add_elements_int64
+    generic :: frame_add_elements => frame_add_elements_int32, frame_add_elements_int64
     procedure :: set_progress
     procedure :: solve_many
     procedure :: get_tractions
     procedure, private :: get_field_vectors
     procedure, private :: get_field_scalars
     generic :: get_field => get_field_vectors, get_field_scalars
-    procedure :: save_past
-    procedure :: get_status
+    procedure :: past_get
+    procedure :: get_node_states
     procedure :: get_displacements_at
     procedure :: get_stresses_at
     procedure :: get_body_displacements
@@ -40,40 +40,40 @@ module rollcon_contact
 contains
 
   !> Gives the nodes of the frame, x(3,n).
-  subroutine set_frame_nodes(self, x, stat, errmsg)
+  subroutine frame_nodes(self, x, stat, errmsg)
     class(rc_contact), intent(inout) :: self
     real(rc_real), intent(in), contiguous :: x(:, :)
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
     if (size(x, 1) /= 3) then
-      call finish(ROLLCON_ERR_ARGUMENT, self%handle(), 'rc_contact%set_frame_nodes', stat, errmsg, &
+      call finish(ROLLCON_ERR_ARGUMENT, self%handle(), 'rc_contact%frame_nodes', stat, errmsg, &
         'the first extent of x must be 3')
       return
     end if
-    call finish(rollcon_contact_set_frame_nodes(self%handle(), size(x, 2, rc_long), x, 3_rc_long, 1_rc_long), self%handle(), &
-      'rc_contact%set_frame_nodes', stat, errmsg)
+    call finish(rollcon_contact_frame_nodes(self%handle(), size(x, 2, rc_long), x, 3_rc_long, 1_rc_long), self%handle(), &
+      'rc_contact%frame_nodes', stat, errmsg)
   end subroutine
 
   !> Gives the nodes of the frame in the order x(n,3).
-  subroutine set_frame_nodes_by_component(self, x, stat, errmsg)
+  subroutine frame_nodes_by_component(self, x, stat, errmsg)
     class(rc_contact), intent(inout) :: self
     real(rc_real), intent(in), contiguous :: x(:, :)
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
     integer(rc_long) :: n
     if (size(x, 2) /= 3) then
-      call finish(ROLLCON_ERR_ARGUMENT, self%handle(), 'rc_contact%set_frame_nodes_by_component', stat, errmsg, &
+      call finish(ROLLCON_ERR_ARGUMENT, self%handle(), 'rc_contact%frame_nodes_by_component', stat, errmsg, &
         'the second extent of x must be 3')
       return
     end if
     n = size(x, 1, rc_long)
-    call finish(rollcon_contact_set_frame_nodes(self%handle(), n, x, 1_rc_long, n), self%handle(), &
-      'rc_contact%set_frame_nodes_by_component', stat, errmsg)
+    call finish(rollcon_contact_frame_nodes(self%handle(), n, x, 1_rc_long, n), self%handle(), &
+      'rc_contact%frame_nodes_by_component', stat, errmsg)
   end subroutine
 
   !> Adds elements of one type (ROLLCON_TRI3, ...): nodes(nodes per element, n), numbered from 1. The tag is 1 if
   !> absent.
-  subroutine add_frame_elements_int32(self, type, nodes, tag, stat, errmsg)
+  subroutine frame_add_elements_int32(self, type, nodes, tag, stat, errmsg)
     class(rc_contact), intent(inout) :: self
     integer(rc_int), intent(in) :: type
     integer(c_int32_t), intent(in), contiguous :: nodes(:, :)
@@ -84,22 +84,22 @@ contains
     t = 1
     if (present(tag)) t = int(tag, rc_int)
     if (nodes_of(type) /= 0 .and. size(nodes, 1) /= nodes_of(type)) then
-      call finish(ROLLCON_ERR_ARGUMENT, self%handle(), 'rc_contact%add_frame_elements', stat, errmsg, &
+      call finish(ROLLCON_ERR_ARGUMENT, self%handle(), 'rc_contact%frame_add_elements', stat, errmsg, &
         'the first extent of nodes must be the number of nodes of one element')
       return
     end if
-    call finish(rollcon_contact_add_frame_elements(self%handle(), type, size(nodes, 2, rc_long), nodes, 1_rc_int, t), &
-      self%handle(), 'rc_contact%add_frame_elements', stat, errmsg)
+    call finish(rollcon_contact_frame_add_elements(self%handle(), type, size(nodes, 2, rc_long), nodes, 1_rc_int, t), &
+      self%handle(), 'rc_contact%frame_add_elements', stat, errmsg)
   end subroutine
 
-  subroutine add_frame_elements_int64(self, type, nodes, tag, stat, errmsg)
+  subroutine frame_add_elements_int64(self, type, nodes, tag, stat, errmsg)
     class(rc_contact), intent(inout) :: self
     integer(rc_int), intent(in) :: type
     integer(c_int64_t), intent(in) :: nodes(:, :)
     integer, intent(in), optional :: tag
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call self%add_frame_elements_int32(type, narrow_ids(nodes), tag, stat, errmsg)
+    call self%frame_add_elements_int32(type, narrow_ids(nodes), tag, stat, errmsg)
   end subroutine
 
   !> Sets `progress`, a bind(C) module procedure that is called in every iteration; absent: no calls. It reads the event
@@ -289,9 +289,9 @@ contains
     call finish(status, self%handle(), 'rc_contact%get_field', stat, errmsg)
   end subroutine
 
-  !> Returns what the next step in time starts from, for restore_past: of another run, or of another contact of such
+  !> Returns what the next step in time starts from, for past_set: of another run, or of another contact of such
   !> bodies on the same frame.
-  subroutine save_past(self, past, stat, errmsg)
+  subroutine past_get(self, past, stat, errmsg)
     class(rc_contact), intent(in) :: self
     real(rc_real), allocatable, intent(out) :: past(:)
     integer, intent(out), optional :: stat
@@ -300,16 +300,16 @@ contains
     integer(rc_long) :: n
     integer(rc_int) :: status
     n = 0
-    status = rollcon_contact_save_past(self%handle(), 0_rc_long, none, n)
+    status = rollcon_contact_past_get(self%handle(), 0_rc_long, none, n)
     if (status == ROLLCON_ERR_CAPACITY) status = ROLLCON_OK
     if (status < 0) n = 0
     allocate (past(n))
-    if (status == ROLLCON_OK) status = rollcon_contact_save_past(self%handle(), n, past, n)
-    call finish(status, self%handle(), 'rc_contact%save_past', stat, errmsg)
+    if (status == ROLLCON_OK) status = rollcon_contact_past_get(self%handle(), n, past, n)
+    call finish(status, self%handle(), 'rc_contact%past_get', stat, errmsg)
   end subroutine
 
   !> Returns ROLLCON_OPEN, ROLLCON_STICK, ROLLCON_SLIP or ROLLCON_EXCLUDED at each node.
-  subroutine get_status(self, status, stat, errmsg)
+  subroutine get_node_states(self, status, stat, errmsg)
     class(rc_contact), intent(in) :: self
     integer(rc_int), allocatable, intent(out) :: status(:)
     integer, intent(out), optional :: stat
@@ -321,14 +321,14 @@ contains
     s = rollcon_contact_get_size(self%handle(), n, m)
     allocate (status(n))
     status = 0
-    if (s == ROLLCON_OK) s = rollcon_contact_get_status(self%handle(), n, status)
-    call finish(s, self%handle(), 'rc_contact%get_status', stat, errmsg)
+    if (s == ROLLCON_OK) s = rollcon_contact_get_node_states(self%handle(), n, status)
+    call finish(s, self%handle(), 'rc_contact%get_node_states', stat, errmsg)
   end subroutine
 
   !> Returns displacements u(3,n) of body 1 or 2 at points xy(2,n) of the contact surface, in local axes.
-  subroutine get_displacements_at(self, body, xy, u, stat, errmsg)
+  subroutine get_displacements_at(self, which, xy, u, stat, errmsg)
     class(rc_contact), intent(in) :: self
-    integer, intent(in) :: body
+    integer(rc_int), intent(in) :: which
     real(rc_real), intent(in), contiguous :: xy(:, :)
     real(rc_real), allocatable, intent(out) :: u(:, :)
     integer, intent(out), optional :: stat
@@ -340,7 +340,7 @@ contains
     end if
     allocate (u(3, size(xy, 2)))
     u = 0
-    call finish(rollcon_contact_get_displacements_at(self%handle(), int(body, rc_int), size(xy, 2, rc_long), xy, u), &
+    call finish(rollcon_contact_get_displacements_at(self%handle(), which, size(xy, 2, rc_long), xy, u), &
       self%handle(), 'rc_contact%get_displacements_at', stat, errmsg)
   end subroutine
 
@@ -364,9 +364,9 @@ contains
 
   !> Returns stresses stress(6,n) (s11, s22, snn, s12, s1n, s2n) and displacements u(3,n) at points xyz(3,n) inside body
   !> 1 or 2, in the contact's axes.
-  subroutine get_stresses_at(self, body, xyz, stress, u, stat, errmsg)
+  subroutine get_stresses_at(self, which, xyz, stress, u, stat, errmsg)
     class(rc_contact), intent(in) :: self
-    integer, intent(in) :: body
+    integer(rc_int), intent(in) :: which
     real(rc_real), intent(in), contiguous :: xyz(:, :)
     real(rc_real), allocatable, intent(out) :: stress(:, :)
     real(rc_real), allocatable, intent(out), optional :: u(:, :)
@@ -381,15 +381,15 @@ contains
     allocate (stress(6, size(xyz, 2)), displacement(3, size(xyz, 2)))
     stress = 0
     displacement = 0
-    call finish(rollcon_contact_get_stresses_at(self%handle(), int(body, rc_int), size(xyz, 2, rc_long), xyz, stress, &
+    call finish(rollcon_contact_get_stresses_at(self%handle(), which, size(xyz, 2, rc_long), xyz, stress, &
       displacement), self%handle(), 'rc_contact%get_stresses_at', stat, errmsg)
     if (present(u)) call move_alloc(displacement, u)
   end subroutine
 
   !> Returns displacements u(3,n) of all nodes of body 1 or 2, of finite or boundary elements, in its axes.
-  subroutine get_body_displacements(self, body, u, stat, errmsg)
+  subroutine get_body_displacements(self, which, u, stat, errmsg)
     class(rc_contact), intent(in) :: self
-    integer, intent(in) :: body
+    integer(rc_int), intent(in) :: which
     real(rc_real), allocatable, intent(out) :: u(:, :)
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
@@ -397,19 +397,19 @@ contains
     integer(rc_long) :: n
     integer(rc_int) :: status
     n = 0
-    status = rollcon_contact_get_body_displacements(self%handle(), int(body, rc_int), 0_rc_long, none, n)
+    status = rollcon_contact_get_body_displacements(self%handle(), which, 0_rc_long, none, n)
     allocate (u(3, n/3))
     u = 0
     if (status == ROLLCON_OK) &
-      status = rollcon_contact_get_body_displacements(self%handle(), int(body, rc_int), n, u, n)
+      status = rollcon_contact_get_body_displacements(self%handle(), which, n, u, n)
     call finish(status, self%handle(), 'rc_contact%get_body_displacements', stat, errmsg)
   end subroutine
 
   !> Returns displacements displacement(3,n) and stresses stress(6,n) at points xyz(3,n) inside body 1 or 2, of finite
   !> or boundary elements, in its axes.
-  subroutine get_body_fields_at(self, body, xyz, displacement, stress, stat, errmsg)
+  subroutine get_body_fields_at(self, which, xyz, displacement, stress, stat, errmsg)
     class(rc_contact), intent(in) :: self
-    integer, intent(in) :: body
+    integer(rc_int), intent(in) :: which
     real(rc_real), intent(in), contiguous :: xyz(:, :)
     real(rc_real), allocatable, intent(out) :: displacement(:, :), stress(:, :)
     integer, intent(out), optional :: stat
@@ -422,18 +422,18 @@ contains
     allocate (displacement(3, size(xyz, 2)), stress(6, size(xyz, 2)))
     displacement = 0
     stress = 0
-    call finish(rollcon_contact_get_body_fields_at(self%handle(), int(body, rc_int), size(xyz, 2, rc_long), xyz, &
+    call finish(rollcon_contact_get_body_fields_at(self%handle(), which, size(xyz, 2, rc_long), xyz, &
       displacement, stress), self%handle(), 'rc_contact%get_body_fields_at', stat, errmsg)
   end subroutine
 
   !> Writes elements of body 1 or 2 with displacements, smoothed stresses and von Mises's stress, as a VTU file.
-  subroutine write_body_vtu(self, body, path, stat, errmsg)
+  subroutine write_body_vtu(self, which, path, stat, errmsg)
     class(rc_contact), intent(in) :: self
-    integer, intent(in) :: body
+    integer(rc_int), intent(in) :: which
     character(len=*), intent(in) :: path
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_contact_write_body(self%handle(), int(body, rc_int), c_text(path)), self%handle(), &
+    call finish(rollcon_contact_write_body(self%handle(), which, c_text(path)), self%handle(), &
       'rc_contact%write_body_vtu', stat, errmsg)
   end subroutine
 

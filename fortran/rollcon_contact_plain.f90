@@ -20,7 +20,7 @@ module rollcon_contact_plain
     type(c_ptr) :: p = c_null_ptr
   contains
     procedure :: create
-    procedure :: read_frame => contact_read_frame
+    procedure :: frame_from_file => contact_frame_from_file
     procedure :: frame_from_body => contact_frame_from_body
     procedure :: frame_rectangle => contact_frame_rectangle
     procedure :: frame_ellipse => contact_frame_ellipse
@@ -47,7 +47,7 @@ module rollcon_contact_plain
     procedure :: request_cancel => contact_request_cancel
     procedure :: solve => contact_solve
     procedure :: repeat_step => contact_repeat_step
-    procedure :: restore_past => contact_restore_past
+    procedure :: past_set => contact_past_set
     procedure :: reset => contact_reset
     procedure :: get_size => contact_get_size
     procedure :: get_resultant => contact_get_resultant
@@ -253,14 +253,14 @@ contains
 
   !> Makes the surface elements of a mesh file the frame; replaces frame and all that was given for its nodes. The files
   !> are those of rollcon_body_read_mesh. Tags of elements are Gmsh's physical groups, else 0.
-  subroutine contact_read_frame(self, path, part, stat, errmsg)
+  subroutine contact_frame_from_file(self, path, part, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     character(len=*), intent(in) :: path
     character(len=*), intent(in) :: part
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_contact_read_frame(self%p, c_text(path), c_text(part)), self%p, 'rc_contact%read_frame', stat, &
-      errmsg)
+    call finish(rollcon_contact_frame_from_file(self%p, c_text(path), c_text(part)), self%p, &
+      'rc_contact%frame_from_file', stat, errmsg)
   end subroutine
 
   !> Makes the faces of a body that carry a tag the frame: replaces nodes and elements of the frame and forgets the gap
@@ -270,12 +270,12 @@ contains
   !> are turned over, so that the frame's normals point out of body 1.
   subroutine contact_frame_from_body(self, which, tag, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
-    integer, intent(in) :: which
+    integer(rc_int), intent(in) :: which
     integer, intent(in) :: tag
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_contact_frame_from_body(self%p, int(which, rc_int), int(tag, rc_int)), self%p, &
-      'rc_contact%frame_from_body', stat, errmsg)
+    call finish(rollcon_contact_frame_from_body(self%p, which, int(tag, rc_int)), self%p, 'rc_contact%frame_from_body', &
+      stat, errmsg)
   end subroutine
 
   !> Makes a rectangle in the present plane of the axes the frame: nx by ny elements of one size. Replaces nodes and
@@ -354,12 +354,12 @@ contains
   !> zero. Half-spaces ignore it: their surface is the frame's.
   subroutine contact_set_pose(self, which, rotation, translation, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
-    integer, intent(in) :: which
+    integer(rc_int), intent(in) :: which
     real(rc_real), intent(in) :: rotation(3, 3)
     real(rc_real), intent(in) :: translation(3)
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_contact_set_pose(self%p, int(which, rc_int), transpose(rotation), translation), self%p, &
+    call finish(rollcon_contact_set_pose(self%p, which, transpose(rotation), translation), self%p, &
       'rc_contact%set_pose', stat, errmsg)
   end subroutine
 
@@ -470,13 +470,13 @@ contains
   !> rollcon_contact_prescribe replaces one creepage or the spin and leaves the rest of the slip.
   subroutine contact_set_velocity(self, which, velocity, angular_velocity, point, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
-    integer, intent(in) :: which
+    integer(rc_int), intent(in) :: which
     real(rc_real), intent(in) :: velocity(3)
     real(rc_real), intent(in) :: angular_velocity(3)
     real(rc_real), intent(in) :: point(3)
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_contact_set_velocity(self%p, int(which, rc_int), velocity, angular_velocity, point), self%p, &
+    call finish(rollcon_contact_set_velocity(self%p, which, velocity, angular_velocity, point), self%p, &
       'rc_contact%set_velocity', stat, errmsg)
   end subroutine
 
@@ -598,13 +598,13 @@ contains
   !> may take up no heat.
   subroutine contact_set_heat(self, which, conductivity, heat_capacity, temperature, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
-    integer, intent(in) :: which
+    integer(rc_int), intent(in) :: which
     real(rc_real), intent(in) :: conductivity
     real(rc_real), intent(in) :: heat_capacity
     real(rc_real), intent(in) :: temperature
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_contact_set_heat(self%p, int(which, rc_int), conductivity, heat_capacity, temperature), self%p, &
+    call finish(rollcon_contact_set_heat(self%p, which, conductivity, heat_capacity, temperature), self%p, &
       'rc_contact%set_heat', stat, errmsg)
   end subroutine
 
@@ -653,16 +653,16 @@ contains
     call finish(rollcon_contact_repeat_step(self%p), self%p, 'rc_contact%repeat_step', stat, errmsg)
   end subroutine
 
-  !> Lets the next step start from what rollcon_contact_save_past gave. Prepares bodies and frame where nothing was
+  !> Lets the next step start from what rollcon_contact_past_get gave. Prepares bodies and frame where nothing was
   !> solved yet. Numbers of another frame, or that were changed, are refused and do not change the past; results of the
   !> last solve are gone.
-  subroutine contact_restore_past(self, past, stat, errmsg)
+  subroutine contact_past_set(self, past, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     real(rc_real), intent(in), contiguous :: past(:)
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_contact_restore_past(self%p, size(past, 1, rc_long), past), self%p, 'rc_contact%restore_past', &
-      stat, errmsg)
+    call finish(rollcon_contact_past_set(self%p, size(past, 1, rc_long), past), self%p, 'rc_contact%past_set', stat, &
+      errmsg)
   end subroutine
 
   !> Forgets the solution, the warm start, the iteration log and what was before a time step (bodies are at rest); keeps

@@ -1,7 +1,7 @@
 ! Generated from bindings/api.toml by bindings/generate.py; do not edit.
 ! Copyright (c) the rollcon authors. BSD-3-Clause.
 !
-! FORTRAN 77 layer of rollcon 1.0.0-rc1: plain external subroutines. Name mangling, integer width and hidden CHARACTER
+! FORTRAN 77 layer of rollcon 1.0.0-rc2: plain external subroutines. Name mangling, integer width and hidden CHARACTER
 ! lengths are those of the compiler and the options that build this file, which must be the caller's. Handles are
 ! INTEGERs > 0, the last argument is always IERR, the status. README.md lists the names beside those of rollcon.h.
 
@@ -758,7 +758,7 @@ subroutine rcnode(icon, n, x, ldx, ierr)
     call refuse(contact_of(icon), 'RCNODE: LDX is', ldx, '; allowed: 3 or more', ierr)
     return
   end if
-  ierr = rollcon_contact_set_frame_nodes(contact_of(icon), int(n, c_int64_t), x, int(ldx, c_int64_t), 1_c_int64_t)
+  ierr = rollcon_contact_frame_nodes(contact_of(icon), int(n, c_int64_t), x, int(ldx, c_int64_t), 1_c_int64_t)
 end subroutine
 
 !> Sets the nodes of the frame and forgets its elements, the gap array and the creep and friction fields.
@@ -771,7 +771,7 @@ subroutine rcnodt(icon, n, x, ldx, ierr)
     call refuse(contact_of(icon), 'RCNODT: LDX is', ldx, '; allowed: N or more', ierr)
     return
   end if
-  ierr = rollcon_contact_set_frame_nodes(contact_of(icon), int(n, c_int64_t), x, 1_c_int64_t, int(ldx, c_int64_t))
+  ierr = rollcon_contact_frame_nodes(contact_of(icon), int(n, c_int64_t), x, 1_c_int64_t, int(ldx, c_int64_t))
 end subroutine
 
 !> Adds elements of one type to the frame.
@@ -782,7 +782,7 @@ subroutine rcelem(icon, itype, n, ic, ldc, itag, ierr)
   integer(c_int32_t), allocatable :: packed(:, :)
   call pack_77(contact_of(icon), 'RCELEM', itype, n, ic, ldc, packed, ierr)
   if (ierr /= ROLLCON_OK) return
-  ierr = rollcon_contact_add_frame_elements(contact_of(icon), narrow(itype), int(n, c_int64_t), packed, &
+  ierr = rollcon_contact_frame_add_elements(contact_of(icon), narrow(itype), int(n, c_int64_t), packed, &
     1_c_int32_t, narrow(itag))
 end subroutine
 
@@ -792,7 +792,7 @@ subroutine rcfmsh(icon, path, part, ierr)
   implicit none
   integer :: icon, ierr
   character(len=*) :: path, part
-  ierr = rollcon_contact_read_frame(contact_of(icon), c_text(path), c_name(part))
+  ierr = rollcon_contact_frame_from_file(contact_of(icon), c_text(path), c_name(part))
 end subroutine
 
 !> Makes the faces of a body that carry a tag the frame.
@@ -1194,17 +1194,17 @@ subroutine rcspst(icon, maxn, past, nv, ierr)
   double precision :: past(*)
   integer(c_int64_t) :: n_values_c
   n_values_c = 0
-  ierr = rollcon_contact_save_past(contact_of(icon), int(maxn, c_int64_t), past, n_values_c)
+  ierr = rollcon_contact_past_get(contact_of(icon), int(maxn, c_int64_t), past, n_values_c)
   nv = int(n_values_c)
 end subroutine
 
-!> Lets the next step start from what rollcon_contact_save_past gave.
+!> Lets the next step start from what rollcon_contact_past_get gave.
 subroutine rcrpst(icon, n, past, ierr)
   use rollcon_f77_support
   implicit none
   integer :: icon, n, ierr
   double precision :: past(*)
-  ierr = rollcon_contact_restore_past(contact_of(icon), int(n, c_int64_t), past)
+  ierr = rollcon_contact_past_set(contact_of(icon), int(n, c_int64_t), past)
 end subroutine
 
 !> Forgets the solution, the warm start, the iteration log and what was before a time step (bodies are at rest).
@@ -1264,7 +1264,7 @@ subroutine rcnsta(icon, maxn, istatus, ierr)
   room = min(room, int(maxn, c_int64_t))
   call room_77(contact_of(icon), 'RCNSTA', int(room), whole, ierr)
   if (ierr /= ROLLCON_OK) return
-  ierr = rollcon_contact_get_status(contact_of(icon), room, whole)
+  ierr = rollcon_contact_get_node_states(contact_of(icon), room, whole)
   call give_integers(whole, istatus)
 end subroutine
 
@@ -1305,53 +1305,53 @@ subroutine rcsens(icon, iparameter, force, xmoment, approach, creep, ierr)
 end subroutine
 
 !> Returns the elastic displacement of a body at any points of the contact surface, on the frame or off it, in lo.
-subroutine rcdisp(icon, ibody, n, xy, u, ierr)
+subroutine rcdisp(icon, iwhich, n, xy, u, ierr)
   use rollcon_f77_support
   implicit none
-  integer :: icon, ibody, n, ierr
+  integer :: icon, iwhich, n, ierr
   double precision :: xy(*), u(*)
-  ierr = rollcon_contact_get_displacements_at(contact_of(icon), narrow(ibody), int(n, c_int64_t), xy, u)
+  ierr = rollcon_contact_get_displacements_at(contact_of(icon), narrow(iwhich), int(n, c_int64_t), xy, u)
 end subroutine
 
 !> Returns stresses and elastic displacements at any points inside a body, or on its surface, under the tractions.
-subroutine rcstrs(icon, ibody, n, xyz, stress, u, ierr)
+subroutine rcstrs(icon, iwhich, n, xyz, stress, u, ierr)
   use rollcon_f77_support
   implicit none
-  integer :: icon, ibody, n, ierr
+  integer :: icon, iwhich, n, ierr
   double precision :: xyz(*), stress(*), u(*)
-  ierr = rollcon_contact_get_stresses_at(contact_of(icon), narrow(ibody), int(n, c_int64_t), xyz, stress, u)
+  ierr = rollcon_contact_get_stresses_at(contact_of(icon), narrow(iwhich), int(n, c_int64_t), xyz, stress, u)
 end subroutine
 
 !> Returns displacements of all nodes of a body of finite or boundary elements under the tractions of the last so.
-subroutine rcbodu(icon, ibody, maxn, u, nv, ierr)
+subroutine rcbodu(icon, iwhich, maxn, u, nv, ierr)
   use rollcon_f77_support
   implicit none
-  integer :: icon, ibody, maxn, nv, ierr
+  integer :: icon, iwhich, maxn, nv, ierr
   double precision :: u(*)
   integer(c_int64_t) :: n_values_c
   n_values_c = 0
-  ierr = rollcon_contact_get_body_displacements(contact_of(icon), narrow(ibody), int(maxn, c_int64_t), u, &
+  ierr = rollcon_contact_get_body_displacements(contact_of(icon), narrow(iwhich), int(maxn, c_int64_t), u, &
     n_values_c)
   nv = int(n_values_c)
 end subroutine
 
 !> Returns displacements and stresses at any points inside a body of finite or boundary elements under the tracti.
-subroutine rcbfat(icon, ibody, n, xyz, displacement, stress, ierr)
+subroutine rcbfat(icon, iwhich, n, xyz, displacement, stress, ierr)
   use rollcon_f77_support
   implicit none
-  integer :: icon, ibody, n, ierr
+  integer :: icon, iwhich, n, ierr
   double precision :: xyz(*), displacement(*), stress(*)
-  ierr = rollcon_contact_get_body_fields_at(contact_of(icon), narrow(ibody), int(n, c_int64_t), xyz, displacement, &
+  ierr = rollcon_contact_get_body_fields_at(contact_of(icon), narrow(iwhich), int(n, c_int64_t), xyz, displacement, &
     stress)
 end subroutine
 
 !> Writes the elements of a body of finite or boundary elements with displacements, smoothed stresses (xx, yy, zz.
-subroutine rcwbod(icon, ibody, path, ierr)
+subroutine rcwbod(icon, iwhich, path, ierr)
   use rollcon_f77_support
   implicit none
-  integer :: icon, ibody, ierr
+  integer :: icon, iwhich, ierr
   character(len=*) :: path
-  ierr = rollcon_contact_write_body(contact_of(icon), narrow(ibody), c_text(path))
+  ierr = rollcon_contact_write_body(contact_of(icon), narrow(iwhich), c_text(path))
 end subroutine
 
 !> Returns temperatures of the surfaces of both bodies at any points of the plane of the axes by the frictional h.
@@ -1683,23 +1683,23 @@ subroutine rcwfwr(iwr, nc, positions, velocities, weights, law, n, par, ipoints,
   call give_integers(whole, istatus)
 end subroutine
 
-!> Saves what is set and the last solution at a place within the wheel, for rollcon_wheelrail_restore, because in.
+!> Takes a snapshot of what is set and of the last solution, kept at a place within the wheel, for rollcon_wheelr.
 subroutine rcwsav(iwr, iplace, ierr)
   use rollcon_f77_support
   implicit none
   integer :: iwr, iplace, ierr
-  ierr = rollcon_wheelrail_save(wheelrail_of(iwr), narrow(iplace))
+  ierr = rollcon_wheelrail_snapshot(wheelrail_of(iwr), narrow(iplace))
 end subroutine
 
-!> Goes back to what was saved.
+!> Goes back to a snapshot.
 subroutine rcwbck(iwr, iplace, ierr)
   use rollcon_f77_support
   implicit none
   integer :: iwr, iplace, ierr
-  ierr = rollcon_wheelrail_restore(wheelrail_of(iwr), narrow(iplace))
+  ierr = rollcon_wheelrail_rollback(wheelrail_of(iwr), narrow(iplace))
 end subroutine
 
-!> Makes another wheel on its rail with the same bodies, inputs and last solution, and no saved states.
+!> Makes another wheel on its rail with the same bodies, inputs and last solution, and no snapshots.
 subroutine rcwcpy(iwr, icopy, ierr)
   use rollcon_f77_support
   implicit none
@@ -1788,12 +1788,12 @@ subroutine rcwstn(i, text, ierr)
 end subroutine
 
 !> Returns where a point of the wheel's or the rail's profile stood in the last solve, in the track, for pictures.
-subroutine rcwppt(iwr, ibody, share, point, ierr)
+subroutine rcwppt(iwr, iwhich, share, point, ierr)
   use rollcon_f77_support
   implicit none
-  integer :: iwr, ibody, ierr
+  integer :: iwr, iwhich, ierr
   double precision :: share, point(2)
-  ierr = rollcon_wheelrail_get_profile_point(wheelrail_of(iwr), narrow(ibody), share, point)
+  ierr = rollcon_wheelrail_get_profile_point(wheelrail_of(iwr), narrow(iwhich), share, point)
 end subroutine
 
 !> Returns one number about a patch.

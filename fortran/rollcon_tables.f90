@@ -39,7 +39,7 @@ contains
   !> -1: at lesser z.
   subroutine rc_wear_profile(yz, rate, side, distance, most_depth, smoothing, worn, taken, stat, errmsg)
     real(rc_real), intent(in), contiguous :: yz(:, :), rate(:)
-    integer, intent(in) :: side
+    integer(rc_int), intent(in) :: side
     real(rc_real), intent(in) :: distance, most_depth, smoothing
     real(rc_real), allocatable, intent(out) :: worn(:, :)
     real(rc_real), intent(out) :: taken
@@ -53,7 +53,7 @@ contains
     end if
     allocate (worn(2, size(rate)))
     worn = 0
-    call finish(rollcon_wear_profile(size(rate, kind=rc_long), yz, rate, int(side, rc_int), distance, most_depth, &
+    call finish(rollcon_wear_profile(size(rate, kind=rc_long), yz, rate, side, distance, most_depth, &
       smoothing, worn, taken), c_null_ptr, 'rc_wear_profile', stat, errmsg)
   end subroutine
 

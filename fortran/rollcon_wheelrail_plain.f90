@@ -35,8 +35,8 @@ module rollcon_wheelrail_plain
     procedure :: set_accuracy => wheelrail_set_accuracy
     procedure :: solve => wheelrail_solve
     procedure :: request_cancel => wheelrail_request_cancel
-    procedure :: save => wheelrail_save
-    procedure :: restore => wheelrail_restore
+    procedure :: snapshot => wheelrail_snapshot
+    procedure :: rollback => wheelrail_rollback
     procedure :: reset => wheelrail_reset
     procedure :: get_patch_count => wheelrail_get_patch_count
     procedure :: get_resultant => wheelrail_get_resultant
@@ -304,25 +304,25 @@ contains
     call finish(rollcon_wheelrail_request_cancel(self%p), self%p, 'rc_wheelrail%request_cancel', stat, errmsg)
   end subroutine
 
-  !> Saves what is set and the last solution at a place within the wheel, for rollcon_wheelrail_restore, because
-  !> integrators step back. Nothing is allocated where as much was saved before.
-  subroutine wheelrail_save(self, place, stat, errmsg)
+  !> Takes a snapshot of what is set and of the last solution, kept at a place within the wheel, for
+  !> rollcon_wheelrail_rollback, because integrators step back. Nothing is allocated where as much was kept before.
+  subroutine wheelrail_snapshot(self, place, stat, errmsg)
     class(rc_wheelrail_plain), intent(inout) :: self
     integer, intent(in) :: place
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_wheelrail_save(self%p, int(place, rc_int)), self%p, 'rc_wheelrail%save', stat, errmsg)
+    call finish(rollcon_wheelrail_snapshot(self%p, int(place, rc_int)), self%p, 'rc_wheelrail%snapshot', stat, errmsg)
   end subroutine
 
-  !> Goes back to what was saved: inputs, results, and later solves are as if nothing had been done since, to the last
-  !> bit. ROLLCON_ERR_STATE: nothing was saved at this place, or track or wheelset have been set since. What was saved
+  !> Goes back to a snapshot: inputs, results, and later solves are as if nothing had been done since, to the last bit.
+  !> ROLLCON_ERR_STATE: there is no snapshot at this place, or track or wheelset have been set since. The snapshot
   !> stays. Contacts of patches that were new since then are no longer those of this wheel.
-  subroutine wheelrail_restore(self, place, stat, errmsg)
+  subroutine wheelrail_rollback(self, place, stat, errmsg)
     class(rc_wheelrail_plain), intent(inout) :: self
     integer, intent(in) :: place
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_wheelrail_restore(self%p, int(place, rc_int)), self%p, 'rc_wheelrail%restore', stat, errmsg)
+    call finish(rollcon_wheelrail_rollback(self%p, int(place, rc_int)), self%p, 'rc_wheelrail%rollback', stat, errmsg)
   end subroutine
 
   !> Forgets the solution and the warm starts; keeps what was set and all that was computed for the frames.
@@ -398,15 +398,15 @@ contains
 
   !> Returns where a point of the wheel's or the rail's profile stood in the last solve, in the track, for pictures. The
   !> wheel's profile is that in the plane of its axle, below it.
-  subroutine wheelrail_get_profile_point(self, body, share, point, stat, errmsg)
+  subroutine wheelrail_get_profile_point(self, which, share, point, stat, errmsg)
     class(rc_wheelrail_plain), intent(in) :: self
-    integer, intent(in) :: body
+    integer(rc_int), intent(in) :: which
     real(rc_real), intent(in) :: share
     real(rc_real), intent(out) :: point(2)
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
     point = 0
-    call finish(rollcon_wheelrail_get_profile_point(self%p, int(body, rc_int), share, point), self%p, &
+    call finish(rollcon_wheelrail_get_profile_point(self%p, which, share, point), self%p, &
       'rc_wheelrail%get_profile_point', stat, errmsg)
   end subroutine
 

@@ -1,5 +1,5 @@
 /*
- * rollcon 1.0.0-rc1: frictional rolling contact of elastic bodies.
+ * rollcon 1.0.0-rc2: frictional rolling contact of elastic bodies.
  *
  * Generated from bindings/api.toml by bindings/generate.py; do not edit.
  * Copyright (c) the rollcon authors. BSD-3-Clause.
@@ -36,8 +36,8 @@
 #define ROLLCON_VERSION_MAJOR 1
 #define ROLLCON_VERSION_MINOR 0
 #define ROLLCON_VERSION_PATCH 0
-#define ROLLCON_VERSION_PRERELEASE "rc1" /* "rc1" and the like; empty: a release */
-#define ROLLCON_VERSION_STRING "1.0.0-rc1"
+#define ROLLCON_VERSION_PRERELEASE "rc2" /* "rc2" and the like; empty: a release */
+#define ROLLCON_VERSION_STRING "1.0.0-rc2"
 /* Number of the binary interface: of the shared library's SONAME; for rollcon_context_create. */
 #define ROLLCON_ABI 1
 
@@ -192,6 +192,29 @@ enum {
 enum {
   ROLLCON_LEFT  = -1,   /* y < 0 */
   ROLLCON_RIGHT = 1     /* y > 0 */
+};
+
+/* The bodies of a contact. */
+enum {
+  ROLLCON_BODY1 = 1,    /* the body on which tractions and forces are those reported; n points out of it */
+  ROLLCON_BODY2 = 2     /* the other one */
+};
+
+/* What rollcon_contact_set_velocity takes besides the bodies. */
+enum {
+  ROLLCON_CONTACT_ITSELF = 0     /* the contact itself, which travels over both bodies */
+};
+
+/* The bodies of a wheel on its rail. */
+enum {
+  ROLLCON_WHEEL = 1,    /* the wheel */
+  ROLLCON_RAIL  = 2     /* the rail */
+};
+
+/* The side of a profile on which its body lies. */
+enum {
+  ROLLCON_BODY_BELOW = 1,    /* at greater z: a rail with z down */
+  ROLLCON_BODY_ABOVE = -1    /* at lesser z: a wheel with z down */
 };
 
 /* Components of the results of a wheel on its rail. */
@@ -1119,7 +1142,7 @@ ROLLCON_API void ROLLCON_CALL rollcon_contact_release(rollcon_contact *contact);
  *   component_stride  >= 1, in doubles
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MEMORY.
  */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_frame_nodes(rollcon_contact *contact,
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_frame_nodes(rollcon_contact *contact,
     int64_t n, const double *x, int64_t node_stride, int64_t component_stride);
 
 /*
@@ -1132,7 +1155,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_frame_nodes(rollcon_
  *   tag           free label of these elements, written to files
  * Also returns: ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
  */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_add_frame_elements(
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_frame_add_elements(
     rollcon_contact *contact, int32_t type, int64_t n, const int32_t *connectivity,
     int32_t index_base, int32_t tag);
 
@@ -1146,7 +1169,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_add_frame_elements(
  * Also returns: ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_IO, ROLLCON_ERR_MEMORY.
  * Source: docs/meshes.md.
  */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_read_frame(rollcon_contact *contact,
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_frame_from_file(rollcon_contact *contact,
     const char *path, const char *part);
 
 /*
@@ -1156,7 +1179,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_read_frame(rollcon_conta
  * with tri6 among these faces (tet10, the ends of wedge15) they are the corners alone, and the
  * frame's elements linear: rollcon_contact_get_size tells how many. Faces of body 2 are turned
  * over, so that the frame's normals point out of body 1.
- *   which    1 or 2: the body, prepared or not
+ *   which    ROLLCON_BODY1 or ROLLCON_BODY2, prepared or not
  *   tag      of some element of it (else ROLLCON_ERR_ARGUMENT)
  * Ownership: The faces are copied: later changes of an unprepared body do not reach the frame.
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_MESH, ROLLCON_ERR_MEMORY.
@@ -1232,7 +1255,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_frame_automatic(rollcon_
 /*
  * Says where a body with a mesh stands: x = rotation x_body + translation, at approach 0.
  * Standard: identity and zero. Half-spaces ignore it: their surface is the frame's.
- *   which        1 or 2: the body
+ *   which        ROLLCON_BODY1 or ROLLCON_BODY2
  *   rotation     [3][3]; by rows; orthonormal with determinant +1 to 1e-6 (else
  *                ROLLCON_ERR_ARGUMENT), then made exactly so
  *   translation  [3]; length
@@ -1353,7 +1376,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_step(rollcon_contact
  * two is needed. A body whose velocity is not given is at rest. What was set last counts:
  * rollcon_contact_set_creep forgets all velocities, rollcon_contact_prescribe replaces one
  * creepage or the spin and leaves the rest of the slip.
- *   which             1 or 2: the body; 0: the contact, which travels over both
+ *   which             ROLLCON_BODY1, ROLLCON_BODY2 or ROLLCON_CONTACT_ITSELF
  *   velocity          [3]; velocity of its point at `point`, length/time
  *   angular_velocity  [3]; 1/time
  *   point             [3]; in space, length
@@ -1478,7 +1501,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_friction_across(
  * Says what a body does with heat, for the surface temperatures of a solution
  * (rollcon_contact_get_temperatures_at, ROLLCON_FIELD_TEMPERATURE) and for friction that depends
  * on them. The call is needed for both bodies; one of them may take up no heat.
- *   which          1 or 2: the body
+ *   which          ROLLCON_BODY1 or ROLLCON_BODY2
  *   conductivity   >= 0, power/(length temperature)
  *   heat_capacity  >= 0, energy/(volume temperature): density times specific heat
  *   temperature    temperature far from the contact
@@ -1700,18 +1723,18 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_repeat_step(rollcon_cont
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_CAPACITY.
  * Source: docs/time.md.
  */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_save_past(const rollcon_contact *contact,
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_past_get(const rollcon_contact *contact,
     int64_t capacity, double *past, int64_t *n_values);
 
 /*
- * Lets the next step start from what rollcon_contact_save_past gave. Prepares bodies and frame
+ * Lets the next step start from what rollcon_contact_past_get gave. Prepares bodies and frame
  * where nothing was solved yet. Numbers of another frame, or that were changed, are refused and
  * do not change the past; results of the last solve are gone.
- *   past     [n]; what rollcon_contact_save_past gave
+ *   past     [n]; what rollcon_contact_past_get gave
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MESH.
  * Source: docs/time.md.
  */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_restore_past(rollcon_contact *contact,
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_past_set(rollcon_contact *contact,
     int64_t n, const double *past);
 
 /*
@@ -1766,7 +1789,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_field(const rollcon_
  *   status    [capacity], out
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_CAPACITY.
  */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_status(
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_node_states(
     const rollcon_contact *contact, int64_t capacity, int32_t *status);
 
 /*
@@ -1827,7 +1850,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_sensitivity(
 /*
  * Returns the elastic displacement of a body at any points of the contact surface, on the frame
  * or off it, in local axes (of the point, if curved).
- *   body     1 or 2
+ *   which    ROLLCON_BODY1 or ROLLCON_BODY2
  *   n        points, >= 0
  *   xy       [n][2]; positions along t1 and t2 from the origin, length
  *   u        [n][3], out; displacement (t1, t2, n), length
@@ -1835,7 +1858,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_sensitivity(
  * Source: docs/theory.md, half-spaces.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_displacements_at(
-    const rollcon_contact *contact, int32_t body, int64_t n, const double *xy, double *u);
+    const rollcon_contact *contact, int32_t which, int64_t n, const double *xy, double *u);
 
 /*
  * Returns stresses and elastic displacements at any points inside a body, or on its surface,
@@ -1848,7 +1871,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_displacements_at(
  * depth of 1e-8 of the smallest element. On a curved frame the local components of tractions act
  * on the plane of the axes, which they do in the solve, too. ROLLCON_ERR_UNSUPPORTED: another
  * kind of body; ROLLCON_ERR_ARGUMENT: a point outside of the body.
- *   body     1 or 2
+ *   which    ROLLCON_BODY1 or ROLLCON_BODY2
  *   n        points, >= 0
  *   xyz      [n][3]; positions along t1, t2 and n from the origin, length
  *   stress   [n][6], out; s11, s22, snn, s12, s1n, s2n, force/length^2; NULL: not wanted
@@ -1858,7 +1881,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_displacements_at(
  * Source: docs/theory.md, inside of half-spaces.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_stresses_at(
-    const rollcon_contact *contact, int32_t body, int64_t n, const double *xyz, double *stress,
+    const rollcon_contact *contact, int32_t which, int64_t n, const double *xyz, double *stress,
     double *u);
 
 /*
@@ -1868,7 +1891,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_stresses_at(
  * 10). The first call for a body factorises its stiffness once more, with nothing condensed;
  * contacts and solves after that use the factors (unless its option keep_factors is 0); boundary
  * elements have theirs. ROLLCON_ERR_UNSUPPORTED: another kind of body.
- *   body      1 or 2
+ *   which     ROLLCON_BODY1 or ROLLCON_BODY2
  *   capacity  doubles that fit into u; 0 asks for their number
  *   u         [capacity], out, may be NULL; displacement x y z of each node, length
  *   n_values  out, may be NULL; three for each node of the body; set after ROLLCON_ERR_CAPACITY
@@ -1878,7 +1901,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_stresses_at(
  * Source: docs/theory.md, inside of finite elements.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_body_displacements(
-    const rollcon_contact *contact, int32_t body, int64_t capacity, double *u,
+    const rollcon_contact *contact, int32_t which, int64_t capacity, double *u,
     int64_t *n_values);
 
 /*
@@ -1891,7 +1914,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_body_displacements(
  * half-spaces see rollcon_contact_get_stresses_at); ROLLCON_ERR_ARGUMENT: a point is outside, and
  * by how much of a surface of boundary elements (a millionth of the element's size beyond its
  * faces is still inside).
- *   body          1 or 2
+ *   which         ROLLCON_BODY1 or ROLLCON_BODY2
  *   n             points, >= 0
  *   xyz           [n][3]; in the body's axes, length
  *   displacement  [n][3], out; x y z, length; NULL: not wanted
@@ -1901,7 +1924,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_body_displacements(
  * Source: docs/theory.md, inside of boundary elements.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_body_fields_at(
-    const rollcon_contact *contact, int32_t body, int64_t n, const double *xyz,
+    const rollcon_contact *contact, int32_t which, int64_t n, const double *xyz,
     double *displacement, double *stress);
 
 /*
@@ -1909,14 +1932,14 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_body_fields_at(
  * stresses (xx, yy, zz, xy, yz, xz, in ParaView's order) and von Mises's stress at the nodes,
  * under the tractions of the last solve and the body's own loads, as a VTU file for ParaView and
  * meshio. The call is otherwise like rollcon_contact_get_body_fields_at.
- *   body     1 or 2
+ *   which    ROLLCON_BODY1 or ROLLCON_BODY2
  *   path     name of the file; an existing one is replaced
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_IO,
  *   ROLLCON_ERR_MEMORY.
  * Source: docs/theory.md, inside of boundary elements.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_write_body(
-    const rollcon_contact *contact, int32_t body, const char *path);
+    const rollcon_contact *contact, int32_t which, const char *path);
 
 /*
  * Returns temperatures of the surfaces of both bodies at any points of the plane of the axes by
@@ -2007,7 +2030,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_wear(const rollcon_c
  *   points      2 to 1000000
  *   yz          [points][2]; in the order of the profile, length
  *   rate        [points]; depth per distance, >= 0
- *   side        1: the body lies at greater z (a rail with z down), -1: at lesser z (a wheel)
+ *   side        ROLLCON_BODY_BELOW or ROLLCON_BODY_ABOVE
  *   distance    >= 0
  *   most_depth  > 0, length
  *   smoothing   length of waves, >= 0; 0: none
@@ -2389,29 +2412,29 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_find_wear(rollcon_whee
     double *rail, double *volumes, int32_t *status);
 
 /*
- * Saves what is set and the last solution at a place within the wheel, for
- * rollcon_wheelrail_restore, because integrators step back. Nothing is allocated where as much
- * was saved before.
+ * Takes a snapshot of what is set and of the last solution, kept at a place within the wheel, for
+ * rollcon_wheelrail_rollback, because integrators step back. Nothing is allocated where as much
+ * was kept before.
  *   place      0 to 15
  * Also returns: ROLLCON_ERR_MEMORY.
  */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_save(rollcon_wheelrail *wheelrail,
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_snapshot(rollcon_wheelrail *wheelrail,
     int32_t place);
 
 /*
- * Goes back to what was saved: inputs, results, and later solves are as if nothing had been done
- * since, to the last bit. ROLLCON_ERR_STATE: nothing was saved at this place, or track or
- * wheelset have been set since. What was saved stays. Contacts of patches that were new since
- * then are no longer those of this wheel.
+ * Goes back to a snapshot: inputs, results, and later solves are as if nothing had been done
+ * since, to the last bit. ROLLCON_ERR_STATE: there is no snapshot at this place, or track or
+ * wheelset have been set since. The snapshot stays. Contacts of patches that were new since then
+ * are no longer those of this wheel.
  *   place      0 to 15
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
  */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_restore(rollcon_wheelrail *wheelrail,
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_rollback(rollcon_wheelrail *wheelrail,
     int32_t place);
 
 /*
- * Makes another wheel on its rail with the same bodies, inputs and last solution, and no saved
- * states: both go on alike to the last bit.
+ * Makes another wheel on its rail with the same bodies, inputs and last solution, and no
+ * snapshots: both go on alike to the last bit.
  *   copy       new handle
  * Ownership: The caller owns the new handle: release it. *copy is NULL after a failure.
  * Also returns: ROLLCON_ERR_MEMORY.
@@ -2492,14 +2515,14 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_stat_name(int32_t i, i
 /*
  * Returns where a point of the wheel's or the rail's profile stood in the last solve, in the
  * track, for pictures. The wheel's profile is that in the plane of its axle, below it.
- *   body       1: wheel, 2: rail
+ *   which      ROLLCON_WHEEL or ROLLCON_RAIL
  *   share      fraction of the length of that body's profile, 0 to 1, from the end where y is
  *              less
  *   point      [2], out; y and z, length
  * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_get_profile_point(
-    const rollcon_wheelrail *wheelrail, int32_t body, double share, double *point);
+    const rollcon_wheelrail *wheelrail, int32_t which, double share, double *point);
 
 /*
  * Returns one number about a patch: position, angle, rolling radius, creepages, forces, status.

@@ -48,7 +48,7 @@ OPENING = """\
 #define ROLLCON_VERSION_MAJOR {major}
 #define ROLLCON_VERSION_MINOR {minor}
 #define ROLLCON_VERSION_PATCH {patch}
-#define ROLLCON_VERSION_PRERELEASE "{prerelease}" /* "rc1" and the like; empty: a release */
+#define ROLLCON_VERSION_PRERELEASE "{prerelease}" /* "rc2" and the like; empty: a release */
 #define ROLLCON_VERSION_STRING "{version}"
 /* Number of the binary interface: of the shared library's SONAME; for rollcon_context_create. */
 #define ROLLCON_ABI {abi}

@@ -23,6 +23,16 @@ static const enumerator names_of_body_kind[] = {
   {"body_halfspace", 3},
   {"body_rigid", 4},
   {NULL, 0}};
+static const enumerator names_of_body_of_a_contact[] = {
+  {"body1", 1},
+  {"body2", 2},
+  {NULL, 0}};
+static const enumerator names_of_body_of_a_contact_or_moving_contact[] = {
+  {"body1", 1},
+  {"body2", 2},
+  {"itself", 0},
+  {"contact_itself", 0},
+  {NULL, 0}};
 static const enumerator names_of_direction[] = {
   {"longitudinal", 1},
   {"lateral", 2},
@@ -96,6 +106,16 @@ static const enumerator names_of_how[] = {
   {"force", 2},
   {"by_motion", 1},
   {"by_force", 2},
+  {NULL, 0}};
+static const enumerator names_of_inside_of_a_profile[] = {
+  {"below", 1},
+  {"above", -1},
+  {"body_below", 1},
+  {"body_above", -1},
+  {NULL, 0}};
+static const enumerator names_of_profile_of_a_wheel_on_its_rail[] = {
+  {"wheel", 1},
+  {"rail", 2},
   {NULL, 0}};
 static const enumerator names_of_side[] = {
   {"left", -1},
@@ -842,18 +862,18 @@ static void call_contact_release(call *self) {
   rollcon_contact_release(contact);
 }
 
-static void call_contact_set_frame_nodes(call *self) {
+static void call_contact_frame_nodes(call *self) {
   int32_t rc = 0;
   int64_t n = -1;
   rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
   const double *x = take_columns(self, "x", &n);
   no_more(self);
-  rc = rollcon_contact_set_frame_nodes(contact, n, x, 1, n);
+  rc = rollcon_contact_frame_nodes(contact, n, x, 1, n);
   if (rc < 0) finish(self, rc);
   finish(self, rc);
 }
 
-static void call_contact_add_frame_elements(call *self) {
+static void call_contact_frame_add_elements(call *self) {
   int32_t rc = 0;
   int64_t n = -1;
   rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
@@ -861,18 +881,18 @@ static void call_contact_add_frame_elements(call *self) {
   const int32_t *connectivity = take_integers(self, "connectivity", &n, nodes_of_type(type));
   const int32_t tag = take_enumerator(self, "tag", no_names, 0);
   no_more(self);
-  rc = rollcon_contact_add_frame_elements(contact, type, n, connectivity, 1, tag);
+  rc = rollcon_contact_frame_add_elements(contact, type, n, connectivity, 1, tag);
   if (rc < 0) finish(self, rc);
   finish(self, rc);
 }
 
-static void call_contact_read_frame(call *self) {
+static void call_contact_frame_from_file(call *self) {
   int32_t rc = 0;
   rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
   const char *path = take_text(self, "path");
   const char *part = has_more(self) ? take_text(self, "part") : "";
   no_more(self);
-  rc = rollcon_contact_read_frame(contact, path, part);
+  rc = rollcon_contact_frame_from_file(contact, path, part);
   if (rc < 0) finish(self, rc);
   finish(self, rc);
 }
@@ -880,7 +900,7 @@ static void call_contact_read_frame(call *self) {
 static void call_contact_frame_from_body(call *self) {
   int32_t rc = 0;
   rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
-  const int32_t which = take_enumerator(self, "which", no_names, 0);
+  const int32_t which = take_enumerator(self, "which", names_of_body_of_a_contact, 0);
   const int32_t tag = take_enumerator(self, "tag", no_names, 0);
   no_more(self);
   rc = rollcon_contact_frame_from_body(contact, which, tag);
@@ -942,7 +962,7 @@ static void call_contact_frame_automatic(call *self) {
 static void call_contact_set_pose(call *self) {
   int32_t rc = 0;
   rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
-  const int32_t which = take_enumerator(self, "which", no_names, 0);
+  const int32_t which = take_enumerator(self, "which", names_of_body_of_a_contact, 0);
   int64_t rotation_rows = 3;
   const double *rotation = take_reals(self, "rotation", &rotation_rows, 3, 0);
   int64_t translation_rows = 3;
@@ -1043,7 +1063,7 @@ static void call_contact_set_step(call *self) {
 static void call_contact_set_velocity(call *self) {
   int32_t rc = 0;
   rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
-  const int32_t which = take_enumerator(self, "which", no_names, 0);
+  const int32_t which = take_enumerator(self, "which", names_of_body_of_a_contact_or_moving_contact, 0);
   int64_t velocity_rows = 3;
   const double *velocity = take_reals(self, "velocity", &velocity_rows, 0, 0);
   int64_t angular_velocity_rows = 3;
@@ -1137,7 +1157,7 @@ static void call_contact_set_friction_across(call *self) {
 static void call_contact_set_heat(call *self) {
   int32_t rc = 0;
   rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
-  const int32_t which = take_enumerator(self, "which", no_names, 0);
+  const int32_t which = take_enumerator(self, "which", names_of_body_of_a_contact, 0);
   const double conductivity = take_real(self, "conductivity");
   const double heat_capacity = take_real(self, "heat_capacity");
   const double temperature = take_real(self, "temperature");
@@ -1305,30 +1325,30 @@ static void call_contact_repeat_step(call *self) {
   finish(self, rc);
 }
 
-static void call_contact_save_past(call *self) {
+static void call_contact_past_get(call *self) {
   int32_t rc = 0;
   int64_t capacity = 0;
   int64_t need = 0;
   rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
   double *past = NULL;
   no_more(self);
-  rc = rollcon_contact_save_past(contact, capacity, past, &need);
+  rc = rollcon_contact_past_get(contact, capacity, past, &need);
   if (rc < 0) finish(self, rc);
   capacity = need;
   past = room(capacity * (1), sizeof *past);
-  rc = rollcon_contact_save_past(contact, capacity, past, &need);
+  rc = rollcon_contact_past_get(contact, capacity, past, &need);
   if (rc < 0) finish(self, rc);
   give_reals(self, past, capacity, 1);
   finish(self, rc);
 }
 
-static void call_contact_restore_past(call *self) {
+static void call_contact_past_set(call *self) {
   int32_t rc = 0;
   int64_t n = -1;
   rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
   const double *past = take_reals(self, "past", &n, 0, 0);
   no_more(self);
-  rc = rollcon_contact_restore_past(contact, n, past);
+  rc = rollcon_contact_past_set(contact, n, past);
   if (rc < 0) finish(self, rc);
   finish(self, rc);
 }
@@ -1391,7 +1411,7 @@ static void call_contact_get_field(call *self) {
   finish(self, rc);
 }
 
-static void call_contact_get_status(call *self) {
+static void call_contact_get_node_states(call *self) {
   int32_t rc = 0;
   int64_t capacity = 0;
   rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
@@ -1399,7 +1419,7 @@ static void call_contact_get_status(call *self) {
   no_more(self);
   rollcon_contact_get_size(contact, &capacity, NULL);
   status = room(capacity * (1), sizeof *status);
-  rc = rollcon_contact_get_status(contact, capacity, status);
+  rc = rollcon_contact_get_node_states(contact, capacity, status);
   if (rc < 0) finish(self, rc);
   give_integers(self, status, capacity, 0);
   finish(self, rc);
@@ -1472,12 +1492,12 @@ static void call_contact_get_displacements_at(call *self) {
   int32_t rc = 0;
   int64_t n = -1;
   rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
-  const int32_t body = take_enumerator(self, "body", no_names, 0);
+  const int32_t which = take_enumerator(self, "which", names_of_body_of_a_contact, 0);
   const double *xy = take_reals(self, "xy", &n, 2, 0);
   double *u = NULL;
   no_more(self);
   u = room(n * (3), sizeof *u);
-  rc = rollcon_contact_get_displacements_at(contact, body, n, xy, u);
+  rc = rollcon_contact_get_displacements_at(contact, which, n, xy, u);
   if (rc < 0) finish(self, rc);
   give_reals(self, u, n, 3);
   finish(self, rc);
@@ -1487,14 +1507,14 @@ static void call_contact_get_stresses_at(call *self) {
   int32_t rc = 0;
   int64_t n = -1;
   rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
-  const int32_t body = take_enumerator(self, "body", no_names, 0);
+  const int32_t which = take_enumerator(self, "which", names_of_body_of_a_contact, 0);
   const double *xyz = take_reals(self, "xyz", &n, 3, 0);
   double *stress = NULL;
   double *u = NULL;
   no_more(self);
   stress = room(n * (6), sizeof *stress);
   u = room(n * (3), sizeof *u);
-  rc = rollcon_contact_get_stresses_at(contact, body, n, xyz, stress, u);
+  rc = rollcon_contact_get_stresses_at(contact, which, n, xyz, stress, u);
   if (rc < 0) finish(self, rc);
   give_reals(self, stress, n, 6);
   give_reals(self, u, n, 3);
@@ -1506,14 +1526,14 @@ static void call_contact_get_body_displacements(call *self) {
   int64_t capacity = 0;
   int64_t need = 0;
   rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
-  const int32_t body = take_enumerator(self, "body", no_names, 0);
+  const int32_t which = take_enumerator(self, "which", names_of_body_of_a_contact, 0);
   double *u = NULL;
   no_more(self);
-  rc = rollcon_contact_get_body_displacements(contact, body, capacity, u, &need);
+  rc = rollcon_contact_get_body_displacements(contact, which, capacity, u, &need);
   if (rc < 0) finish(self, rc);
   capacity = need;
   u = room(capacity * (1), sizeof *u);
-  rc = rollcon_contact_get_body_displacements(contact, body, capacity, u, &need);
+  rc = rollcon_contact_get_body_displacements(contact, which, capacity, u, &need);
   if (rc < 0) finish(self, rc);
   give_reals(self, u, capacity, 1);
   finish(self, rc);
@@ -1523,14 +1543,14 @@ static void call_contact_get_body_fields_at(call *self) {
   int32_t rc = 0;
   int64_t n = -1;
   rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
-  const int32_t body = take_enumerator(self, "body", no_names, 0);
+  const int32_t which = take_enumerator(self, "which", names_of_body_of_a_contact, 0);
   const double *xyz = take_reals(self, "xyz", &n, 3, 0);
   double *displacement = NULL;
   double *stress = NULL;
   no_more(self);
   displacement = room(n * (3), sizeof *displacement);
   stress = room(n * (6), sizeof *stress);
-  rc = rollcon_contact_get_body_fields_at(contact, body, n, xyz, displacement, stress);
+  rc = rollcon_contact_get_body_fields_at(contact, which, n, xyz, displacement, stress);
   if (rc < 0) finish(self, rc);
   give_reals(self, displacement, n, 3);
   give_reals(self, stress, n, 6);
@@ -1540,10 +1560,10 @@ static void call_contact_get_body_fields_at(call *self) {
 static void call_contact_write_body(call *self) {
   int32_t rc = 0;
   rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
-  const int32_t body = take_enumerator(self, "body", no_names, 0);
+  const int32_t which = take_enumerator(self, "which", names_of_body_of_a_contact, 0);
   const char *path = take_text(self, "path");
   no_more(self);
-  rc = rollcon_contact_write_body(contact, body, path);
+  rc = rollcon_contact_write_body(contact, which, path);
   if (rc < 0) finish(self, rc);
   finish(self, rc);
 }
@@ -1616,7 +1636,7 @@ static void call_wear_profile(call *self) {
   const double *yz = take_reals(self, "yz", &yz_rows, 2, 0);
   int64_t rate_rows = points;
   const double *rate = take_reals(self, "rate", &rate_rows, 0, 0);
-  const int32_t side = take_enumerator(self, "side", no_names, 0);
+  const int32_t side = take_enumerator(self, "side", names_of_inside_of_a_profile, 0);
   const double distance = take_real(self, "distance");
   const double most_depth = take_real(self, "most_depth");
   const double smoothing = take_real(self, "smoothing");
@@ -1987,22 +2007,22 @@ static void call_wheelrail_find_wear(call *self) {
   finish(self, rc);
 }
 
-static void call_wheelrail_save(call *self) {
+static void call_wheelrail_snapshot(call *self) {
   int32_t rc = 0;
   rollcon_wheelrail *wheelrail = rollcon_wheelrail_from_id(take_handle(self, "wheelrail"));
   const int32_t place = take_enumerator(self, "place", no_names, 0);
   no_more(self);
-  rc = rollcon_wheelrail_save(wheelrail, place);
+  rc = rollcon_wheelrail_snapshot(wheelrail, place);
   if (rc < 0) finish(self, rc);
   finish(self, rc);
 }
 
-static void call_wheelrail_restore(call *self) {
+static void call_wheelrail_rollback(call *self) {
   int32_t rc = 0;
   rollcon_wheelrail *wheelrail = rollcon_wheelrail_from_id(take_handle(self, "wheelrail"));
   const int32_t place = take_enumerator(self, "place", no_names, 0);
   no_more(self);
-  rc = rollcon_wheelrail_restore(wheelrail, place);
+  rc = rollcon_wheelrail_rollback(wheelrail, place);
   if (rc < 0) finish(self, rc);
   finish(self, rc);
 }
@@ -2109,12 +2129,12 @@ static void call_wheelrail_stat_name(call *self) {
 static void call_wheelrail_get_profile_point(call *self) {
   int32_t rc = 0;
   rollcon_wheelrail *wheelrail = rollcon_wheelrail_from_id(take_handle(self, "wheelrail"));
-  const int32_t body = take_enumerator(self, "body", no_names, 0);
+  const int32_t which = take_enumerator(self, "which", names_of_profile_of_a_wheel_on_its_rail, 0);
   const double share = take_real(self, "share");
   double *point = NULL;
   no_more(self);
   point = room(1 * (2), sizeof *point);
-  rc = rollcon_wheelrail_get_profile_point(wheelrail, body, share, point);
+  rc = rollcon_wheelrail_get_profile_point(wheelrail, which, share, point);
   if (rc < 0) finish(self, rc);
   give_reals(self, point, 1, 2);
   finish(self, rc);
@@ -2484,9 +2504,9 @@ const entry calls[] = {
   {"body_stat_name", call_body_stat_name, 1},
   {"contact_create", call_contact_create, 1},
   {"contact_release", call_contact_release, 1},
-  {"contact_set_frame_nodes", call_contact_set_frame_nodes, 1},
-  {"contact_add_frame_elements", call_contact_add_frame_elements, 1},
-  {"contact_read_frame", call_contact_read_frame, 1},
+  {"contact_frame_nodes", call_contact_frame_nodes, 1},
+  {"contact_frame_add_elements", call_contact_frame_add_elements, 1},
+  {"contact_frame_from_file", call_contact_frame_from_file, 1},
   {"contact_frame_from_body", call_contact_frame_from_body, 1},
   {"contact_frame_rectangle", call_contact_frame_rectangle, 1},
   {"contact_frame_ellipse", call_contact_frame_ellipse, 1},
@@ -2523,13 +2543,13 @@ const entry calls[] = {
   {"contact_solve", call_contact_solve, 1},
   {"contact_solve_many", call_contact_solve_many, 2},
   {"contact_repeat_step", call_contact_repeat_step, 1},
-  {"contact_save_past", call_contact_save_past, 1},
-  {"contact_restore_past", call_contact_restore_past, 1},
+  {"contact_past_get", call_contact_past_get, 1},
+  {"contact_past_set", call_contact_past_set, 1},
   {"contact_reset", call_contact_reset, 1},
   {"contact_get_size", call_contact_get_size, 2},
   {"contact_get_tractions", call_contact_get_tractions, 1},
   {"contact_get_field", call_contact_get_field, 1},
-  {"contact_get_status", call_contact_get_status, 1},
+  {"contact_get_node_states", call_contact_get_node_states, 1},
   {"contact_get_resultant", call_contact_get_resultant, 2},
   {"contact_get_motion", call_contact_get_motion, 2},
   {"contact_get_tilt", call_contact_get_tilt, 1},
@@ -2572,8 +2592,8 @@ const entry calls[] = {
   {"wheelrail_request_cancel", call_wheelrail_request_cancel, 1},
   {"wheelrail_solve_many", call_wheelrail_solve_many, 2},
   {"wheelrail_find_wear", call_wheelrail_find_wear, 4},
-  {"wheelrail_save", call_wheelrail_save, 1},
-  {"wheelrail_restore", call_wheelrail_restore, 1},
+  {"wheelrail_snapshot", call_wheelrail_snapshot, 1},
+  {"wheelrail_rollback", call_wheelrail_rollback, 1},
   {"wheelrail_copy", call_wheelrail_copy, 1},
   {"wheelrail_reset", call_wheelrail_reset, 1},
   {"wheelrail_get_patch_count", call_wheelrail_get_patch_count, 1},

@@ -29,7 +29,7 @@ def version_text():
 
 
 def version():
-    """As PEP 440 writes it: 1.0.0rc1."""
+    """As PEP 440 writes it: 1.0.0rc2."""
     return version_text().replace("-", "")
 
 

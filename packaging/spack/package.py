@@ -6,10 +6,10 @@ class Rollcon(CMakePackage):
     """Frictional rolling contact of elastic bodies: C library with interfaces for Fortran and Python."""
 
     homepage = "https://RELEASES"
-    url = "https://RELEASES/rollcon-1.0.0-rc1.tar.xz"
+    url = "https://RELEASES/rollcon-1.0.0-rc2.tar.xz"
     license("BSD-3-Clause")
 
-    # version("1.0.0-rc1", sha256="...")  when it is published
+    # version("1.0.0-rc2", sha256="...")  when it is published
 
     variant("shared", default=True, description="Build the shared library")
     variant("fem", default=True, description="Finite-element bodies, by CHOLMOD (GPL)")

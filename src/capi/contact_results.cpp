@@ -22,8 +22,8 @@ void require_capacity(int64_t capacity) {
   require_count(capacity, "capacity");
 }
 
-void require_body_number(int32_t body) {
-  if (body != 1 && body != 2) fail(Status::err_argument, "body is %d; allowed: 1, 2", body);
+void require_body_number(int32_t which) {
+  if (which != 1 && which != 2) fail(Status::err_argument, "which is %d; allowed: 1, 2", which);
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ rollcon_status rollcon_contact_get_field(const rollcon_contact* contact, int32_t
   });
 }
 
-rollcon_status rollcon_contact_get_status(const rollcon_contact* contact, int64_t capacity, int32_t* status) {
+rollcon_status rollcon_contact_get_node_states(const rollcon_contact* contact, int64_t capacity, int32_t* status) {
   return with_contact(__func__, contact, [&](const Contact& c) {
     require_capacity(capacity);
     require_pointer(status, "status");
@@ -117,60 +117,60 @@ rollcon_status rollcon_contact_get_sensitivity(const rollcon_contact* contact, i
   });
 }
 
-rollcon_status rollcon_contact_get_displacements_at(const rollcon_contact* contact, int32_t body, int64_t n,
+rollcon_status rollcon_contact_get_displacements_at(const rollcon_contact* contact, int32_t which, int64_t n,
                                                     const double* xy, double* u) {
   return with_contact(__func__, contact, [&](const Contact& c) {
-    require_body_number(body);
+    require_body_number(which);
     require_points(n, 3);
     if (n > 0) {
       require_pointer(xy, "xy");
       require_pointer(u, "u");
     }
     require_finite_points(n, xy, 2, "xy");
-    c.displacements_at(body, n, xy, u);
+    c.displacements_at(which, n, xy, u);
     require_finite_results(n, 3, u, "u");
   });
 }
 
-rollcon_status rollcon_contact_get_stresses_at(const rollcon_contact* contact, int32_t body, int64_t n,
+rollcon_status rollcon_contact_get_stresses_at(const rollcon_contact* contact, int32_t which, int64_t n,
                                                const double* xyz, double* stress, double* u) {
   return with_contact(__func__, contact, [&](const Contact& c) {
-    require_body_number(body);
+    require_body_number(which);
     require_points(n, 6);
     if (n > 0) require_pointer(xyz, "xyz");
     require_finite_points(n, xyz, 3, "12n");
-    c.stresses_at(body, n, xyz, stress, u);
+    c.stresses_at(which, n, xyz, stress, u);
     require_finite_fields(n, u, stress);
   });
 }
 
-rollcon_status rollcon_contact_get_body_displacements(const rollcon_contact* contact, int32_t body, int64_t capacity,
+rollcon_status rollcon_contact_get_body_displacements(const rollcon_contact* contact, int32_t which, int64_t capacity,
                                                       double* u, int64_t* n_values) {
   return with_contact(__func__, contact, [&](const Contact& c) {
-    require_body_number(body);
-    if (wants_copy(c.body_displacements(body, nullptr), capacity, u, "u", n_values, "doubles"))
-      c.body_displacements(body, u);
+    require_body_number(which);
+    if (wants_copy(c.body_displacements(which, nullptr), capacity, u, "u", n_values, "doubles"))
+      c.body_displacements(which, u);
   });
 }
 
-rollcon_status rollcon_contact_get_body_fields_at(const rollcon_contact* contact, int32_t body, int64_t n,
+rollcon_status rollcon_contact_get_body_fields_at(const rollcon_contact* contact, int32_t which, int64_t n,
                                                   const double* xyz, double* displacement, double* stress) {
   return with_contact(__func__, contact, [&](const Contact& c) {
-    require_body_number(body);
+    require_body_number(which);
     require_points(n, 6);
     if (n > 0) require_pointer(xyz, "xyz");
     require_finite_points(n, xyz, 3, "xyz");
-    c.body_fields_at(body, n, xyz, displacement, stress);
+    c.body_fields_at(which, n, xyz, displacement, stress);
     require_finite_fields(n, displacement, stress);
   });
 }
 
-rollcon_status rollcon_contact_write_body(const rollcon_contact* contact, int32_t body, const char* path) {
+rollcon_status rollcon_contact_write_body(const rollcon_contact* contact, int32_t which, const char* path) {
   return with_contact(__func__, contact, [&](const Contact& c) {
-    require_body_number(body);
+    require_body_number(which);
     require_pointer(path, "path");
     if (*path == '\0') fail(Status::err_argument, "path is empty");
-    c.write_body(body, path);
+    c.write_body(which, path);
   });
 }
 

@@ -44,7 +44,7 @@ void require_room(std::int64_t along, std::int64_t across) {
 
 }  // namespace
 
-rollcon_status rollcon_contact_read_frame(rollcon_contact* contact, const char* path, const char* part) {
+rollcon_status rollcon_contact_frame_from_file(rollcon_contact* contact, const char* path, const char* part) {
   return with_contact(__func__, contact, [&](Contact& self) {
     require_pointer(path, "path");
     require_pointer(part, "part");
@@ -52,7 +52,7 @@ rollcon_status rollcon_contact_read_frame(rollcon_contact* contact, const char* 
     if (!file.told.empty()) self.solver->host.context->log(LogLevel::warning, "%s: %s", path, file.told.c_str());
     SurfaceMesh mesh = mesh_of_nodes(file.nodes(), file.node.data()->data(), 3, 1, 0);
     each_run(file, [&](int32_t type, int64_t n, const int32_t* nodes, int32_t tag) {
-      append_elements(mesh, type, n, nodes, 0, tag, "frame", "rollcon_contact_read_frame");
+      append_elements(mesh, type, n, nodes, 0, tag, "frame", "rollcon_contact_frame_from_file");
     });
     self.scene.set_made_frame(std::move(mesh), false, true);
   });

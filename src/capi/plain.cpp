@@ -194,14 +194,14 @@ rollcon_status rollcon_body_revolve_profile(rollcon_body *body, const double *or
   });
 }
 
-rollcon_status rollcon_contact_set_frame_nodes(rollcon_contact *contact, int64_t n,
-    const double *x, int64_t node_stride, int64_t component_stride) {
+rollcon_status rollcon_contact_frame_nodes(rollcon_contact *contact, int64_t n, const double *x,
+    int64_t node_stride, int64_t component_stride) {
   return with_contact(__func__, contact, [&](Contact& self) {
     self.scene.set_frame_nodes(n, x, node_stride, component_stride);
   });
 }
 
-rollcon_status rollcon_contact_add_frame_elements(rollcon_contact *contact, int32_t type,
+rollcon_status rollcon_contact_frame_add_elements(rollcon_contact *contact, int32_t type,
     int64_t n, const int32_t *connectivity, int32_t index_base, int32_t tag) {
   return with_contact(__func__, contact, [&](Contact& self) {
     self.scene.add_frame_elements(type, n, connectivity, index_base, tag);
@@ -390,8 +390,7 @@ rollcon_status rollcon_contact_repeat_step(rollcon_contact *contact) {
   });
 }
 
-rollcon_status rollcon_contact_restore_past(rollcon_contact *contact, int64_t n,
-    const double *past) {
+rollcon_status rollcon_contact_past_set(rollcon_contact *contact, int64_t n, const double *past) {
   return with_contact(__func__, contact, [&](Contact& self) {
     self.restore_past(n, past);
   });
@@ -501,13 +500,13 @@ rollcon_status rollcon_wheelrail_solve(rollcon_wheelrail *wheelrail) {
   });
 }
 
-rollcon_status rollcon_wheelrail_save(rollcon_wheelrail *wheelrail, int32_t place) {
+rollcon_status rollcon_wheelrail_snapshot(rollcon_wheelrail *wheelrail, int32_t place) {
   return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
     self.save(place);
   });
 }
 
-rollcon_status rollcon_wheelrail_restore(rollcon_wheelrail *wheelrail, int32_t place) {
+rollcon_status rollcon_wheelrail_rollback(rollcon_wheelrail *wheelrail, int32_t place) {
   return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
     self.restore(place);
   });

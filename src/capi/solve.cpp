@@ -90,8 +90,8 @@ rollcon_status rollcon_contact_request_cancel(rollcon_contact* contact) {
   return with_shared(__func__, Kind::contact, contact, [](Object& object) { object.contact->request_cancel(); });
 }
 
-rollcon_status rollcon_contact_save_past(const rollcon_contact* contact, int64_t capacity, double* past,
-                                         int64_t* n_values) {
+rollcon_status rollcon_contact_past_get(const rollcon_contact* contact, int64_t capacity, double* past,
+                                        int64_t* n_values) {
   return with_contact(__func__, contact, [&](const Contact& c) {
     if (wants_copy(c.save_past(0, nullptr), capacity, past, "past", n_values, "doubles")) c.save_past(capacity, past);
   });

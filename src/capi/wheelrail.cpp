@@ -117,11 +117,11 @@ rollcon_status rollcon_wheelrail_get_patch_axes(const rollcon_wheelrail* wheelra
   });
 }
 
-rollcon_status rollcon_wheelrail_get_profile_point(const rollcon_wheelrail* wheelrail, int32_t body, double share,
+rollcon_status rollcon_wheelrail_get_profile_point(const rollcon_wheelrail* wheelrail, int32_t which, double share,
                                                    double* point) {
   return with_wheelrail(__func__, wheelrail, [&](const WheelRail& w) {
     require_pointer(point, "point");
-    const auto x = w.profile_point(body, share);
+    const auto x = w.profile_point(which, share);
     std::copy(x.begin(), x.end(), point);
   });
 }

@@ -60,8 +60,7 @@ void Contact::frame_from_body(std::int32_t which, std::int32_t tag) {
   Body& body = which == 1 ? *body1_ : *body2_;
   const SurfaceMesh surface = body.surface_copy();
   if (surface.nodes() == 0)
-    fail(Status::err_state, "body %d has no mesh: the frame needs one of its own (rollcon_contact_set_frame_nodes)",
-         which);
+    fail(Status::err_state, "body %d has no mesh: the frame needs one of its own (rollcon_contact_frame_nodes)", which);
   if (surface.elements() == 0)
     fail(Status::err_state,
          "body %d has no %selements whose faces could be the frame: call rollcon_body_add_elements "

@@ -45,7 +45,7 @@ void require_own_frame(const Scene& scene) {
   if (!scene.frame_given())
     fail(Status::err_state,
          "the library makes the frame of this contact anew for every load: what was before a time step is saved on a "
-         "frame that stays; call rollcon_contact_frame_ellipse, rollcon_contact_set_frame_nodes, ...");
+         "frame that stays; call rollcon_contact_frame_ellipse, rollcon_contact_frame_nodes, ...");
 }
 
 }  // namespace
@@ -87,7 +87,7 @@ void Contact::restore_past(std::int64_t count, const double* from) {
   require_finite(count, 1, from, "past", 0);
   const auto given = static_cast<std::size_t>(count);
   if (given < numbers_for(0) || from[0] != magic)
-    fail(Status::err_argument, "past does not begin as what rollcon_contact_save_past gives");
+    fail(Status::err_argument, "past does not begin as what rollcon_contact_past_get gives");
   if (from[1] != version)
     fail(Status::err_argument, "past is of version %g; this library reads version %g", from[1], version);
   if (from[2] != static_cast<double>(given))

@@ -309,7 +309,7 @@ class AutomaticFrames final : public FrameMaker {
       fail(Status::err_state,
            "no frame was given: the library makes one where the gap is known between nodes, too "
            "(rollcon_contact_set_gap_quadratic, rollcon_contact_set_gap_grid, profiles of the bodies); else call "
-           "rollcon_contact_frame_ellipse, rollcon_contact_set_frame_nodes or rollcon_contact_frame_from_body");
+           "rollcon_contact_frame_ellipse, rollcon_contact_frame_nodes or rollcon_contact_frame_from_body");
     const Load& normal = scene.load(Direction::normal);
     pair = fine.pair();
     Found now{scene.revision.gap, contact_modulus(pair), normal.how, normal.value};

@@ -100,7 +100,7 @@ void WheelRail::restore(std::int32_t place) {
   require_place(place);
   const auto k = static_cast<std::size_t>(place);
   if (kept_.size() <= k || !kept_[k] || !kept_[k]->used)
-    fail(Status::err_state, "nothing was saved at place %d: call rollcon_wheelrail_save first", place);
+    fail(Status::err_state, "nothing was saved at place %d: call rollcon_wheelrail_snapshot first", place);
   if (track_ && wheelset_given_) follow_bodies();
   if (kept_[k]->dimensions != dimensions_)
     fail(Status::err_state,

@@ -150,7 +150,7 @@ Axes WheelRail::patch_axes(std::int64_t patch) const {
 std::array<double, 2> WheelRail::profile_point(std::int32_t body, double share) const {
   require_solved();
   require_finite(share, "share");
-  if (body != 1 && body != 2) fail(Status::err_argument, "body is %d; allowed: 1 (wheel), 2 (rail)", body);
+  if (body != 1 && body != 2) fail(Status::err_argument, "which is %d; allowed: 1 (wheel), 2 (rail)", body);
   const ProfileCurve& curve = *(body == 1 ? given_wheel_ : given_rail_)->profile();
   if (!(share >= 0 && share <= 1)) fail(Status::err_argument, "share is %g; allowed: 0 to 1", share);
   const Vec2 at = curve.at(share * curve.length()).x;

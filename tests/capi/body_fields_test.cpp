@@ -158,7 +158,7 @@ TEST_F(body_fields, refuse_what_they_cannot_give) {
   contact = press_ball(context, block, ball, frame, 20);
   std::int64_t n = 0;
   EXPECT_FAILS(rollcon_contact_get_body_displacements(contact, 2, 0, nullptr, &n), UNSUPPORTED, "body 2 is a rigid");
-  EXPECT_FAILS(rollcon_contact_get_body_displacements(contact, 3, 0, nullptr, &n), ARGUMENT, "body is 3");
+  EXPECT_FAILS(rollcon_contact_get_body_displacements(contact, 3, 0, nullptr, &n), ARGUMENT, "which is 3");
   EXPECT_FAILS(rollcon_contact_get_body_displacements(contact, 1, 5, u.data(), &n), CAPACITY, "capacity is 5");
   EXPECT_FAILS(rollcon_body_get_node_stresses(ball, mesh.nodes(), nullptr, s.data()), UNSUPPORTED, "rigid");
   EXPECT_FAILS(rollcon_body_get_node_stresses(block, 7, nullptr, s.data()), ARGUMENT, "nodes is 7");

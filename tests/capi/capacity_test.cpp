@@ -90,8 +90,8 @@ TEST_F(capacity, tractions_status_and_history) {
   EXPECT_OK(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, frame.nodes, t.data()));
   EXPECT_EQ(t.back(), -777);
   std::vector<std::int32_t> s(static_cast<std::size_t>(frame.nodes) + 1, -777);
-  EXPECT_FAILS(rollcon_contact_get_status(contact, frame.nodes - 1, s.data()), CAPACITY, "169");
-  EXPECT_OK(rollcon_contact_get_status(contact, frame.nodes, s.data()));
+  EXPECT_FAILS(rollcon_contact_get_node_states(contact, frame.nodes - 1, s.data()), CAPACITY, "169");
+  EXPECT_OK(rollcon_contact_get_node_states(contact, frame.nodes, s.data()));
   EXPECT_EQ(s.back(), -777);
 
   std::int64_t rows = 0, again = 0;

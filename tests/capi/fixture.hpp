@@ -48,8 +48,8 @@ inline SquareFrame moved(SquareFrame f, double x, double y, double z) {
 }
 
 inline void give_frame(rollcon_contact* c, const SquareFrame& f) {
-  ASSERT_OK(rollcon_contact_set_frame_nodes(c, f.nodes, f.x.data(), 3, 1));
-  ASSERT_OK(rollcon_contact_add_frame_elements(c, ROLLCON_QUAD4, f.elements, f.connectivity.data(), 0, 0));
+  ASSERT_OK(rollcon_contact_frame_nodes(c, f.nodes, f.x.data(), 3, 1));
+  ASSERT_OK(rollcon_contact_frame_add_elements(c, ROLLCON_QUAD4, f.elements, f.connectivity.data(), 0, 0));
 }
 
 /// Gives everything that a solve needs; gross sliding is far.
@@ -229,11 +229,11 @@ class Api : public ::testing::Test {
   }
 
   std::int32_t set_nodes(const SquareFrame& f) {
-    return rollcon_contact_set_frame_nodes(contact, f.nodes, f.x.data(), 3, 1);
+    return rollcon_contact_frame_nodes(contact, f.nodes, f.x.data(), 3, 1);
   }
 
   std::int32_t add_elements(const SquareFrame& f) {
-    return rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, f.elements, f.connectivity.data(), 0, 0);
+    return rollcon_contact_frame_add_elements(contact, ROLLCON_QUAD4, f.elements, f.connectivity.data(), 0, 0);
   }
 
   void set_frame() { give_frame(contact, frame); }

@@ -92,7 +92,7 @@ TEST_F(floating_point, hosts_that_trap_survive_every_call) {
   }
   EXPECT_SURVIVES(set_scene());
   EXPECT_SURVIVES(rollcon_body_set_elastic(body2, 0, nan, nan));
-  EXPECT_SURVIVES(rollcon_contact_set_frame_nodes(contact2, 1, bad, 3, 1));
+  EXPECT_SURVIVES(rollcon_contact_frame_nodes(contact2, 1, bad, 3, 1));
   EXPECT_SURVIVES(rollcon_contact_set_axes(contact, origin, bad, origin));
   EXPECT_SURVIVES(rollcon_contact_set_gap_quadratic(contact, nan, 0.01, 0));
   EXPECT_SURVIVES(rollcon_contact_set_gap(contact, n, gap.data()));
@@ -124,7 +124,7 @@ TEST_F(floating_point, hosts_that_trap_survive_every_call) {
   EXPECT_SURVIVES(rollcon_contact_get_tractions(contact, ROLLCON_GLOBAL, n, v.data()));
   for (std::int32_t f = ROLLCON_FIELD_POINT; f <= ROLLCON_FIELD_WEIGHT; ++f)
     EXPECT_SURVIVES(rollcon_contact_get_field(contact, f, ROLLCON_GLOBAL, 3 * n, v.data(), &i64));
-  EXPECT_SURVIVES(rollcon_contact_get_status(contact, n, status.data()));
+  EXPECT_SURVIVES(rollcon_contact_get_node_states(contact, n, status.data()));
   EXPECT_SURVIVES(rollcon_contact_get_resultant(contact, ROLLCON_GLOBAL, v.data(), v.data() + 3));
   EXPECT_SURVIVES(rollcon_contact_get_motion(contact, v.data(), v.data() + 1));
   for (std::int32_t p = ROLLCON_LONGITUDINAL; p <= ROLLCON_FRICTION; ++p)

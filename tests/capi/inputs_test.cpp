@@ -56,15 +56,15 @@ TEST_F(inputs, context_settings) {
 TEST_F(inputs, frame_nodes) {
   expect_bad_nodes_refused(
       [&](auto n, const double* x, auto stride, auto component) {
-        return rollcon_contact_set_frame_nodes(contact, n, x, stride, component);
+        return rollcon_contact_frame_nodes(contact, n, x, stride, component);
       },
-      "rollcon_contact_set_frame_nodes", frame.x);
+      "rollcon_contact_frame_nodes", frame.x);
 }
 
 TEST_F(inputs, refused_nodes_leave_the_frame_as_it_was) {
   set_frame();
   std::vector<double> bad = {0, 0, not_a_number};
-  EXPECT_EQ(rollcon_contact_set_frame_nodes(contact, 1, bad.data(), 3, 1), ROLLCON_ERR_NONFINITE);
+  EXPECT_EQ(rollcon_contact_frame_nodes(contact, 1, bad.data(), 3, 1), ROLLCON_ERR_NONFINITE);
   std::int64_t nodes = 0, elements = 0;
   ASSERT_OK(rollcon_contact_get_size(contact, &nodes, &elements));
   EXPECT_EQ(nodes, frame.nodes);
@@ -90,7 +90,7 @@ TEST_F(inputs, strided_nodes_are_those_of_packed_ones) {
   };
   for (const Layout& layout :
        {Layout{frame.x.data(), 3, 1}, Layout{by_columns.data(), 1, n}, Layout{padded.data(), 5, 1}}) {
-    ASSERT_OK(rollcon_contact_set_frame_nodes(contact, n, layout.x, layout.node, layout.component));
+    ASSERT_OK(rollcon_contact_frame_nodes(contact, n, layout.x, layout.node, layout.component));
     ASSERT_OK(add_elements(frame));
     ASSERT_OK(rollcon_contact_solve(contact));
     ASSERT_OK(rollcon_contact_get_field(contact, ROLLCON_FIELD_POINT, ROLLCON_GLOBAL, 3 * n, found.data(), nullptr));
@@ -99,9 +99,9 @@ TEST_F(inputs, strided_nodes_are_those_of_packed_ones) {
 }
 
 TEST_F(inputs, frame_elements) {
-  const char* call = "rollcon_contact_add_frame_elements";
+  const char* call = "rollcon_contact_frame_add_elements";
   const auto give = [&](auto type, std::int64_t n, const std::int32_t* ids, auto base) {
-    return rollcon_contact_add_frame_elements(contact, type, n, ids, base, 0);
+    return rollcon_contact_frame_add_elements(contact, type, n, ids, base, 0);
   };
   const std::vector<std::int32_t> quads{0, 1, 14, 13, 1, 2, 15, 14};
   EXPECT_EQ(give(ROLLCON_QUAD4, 1, quads.data(), 0), ROLLCON_ERR_STATE);
@@ -209,10 +209,10 @@ TEST_F(inputs, arguments_of_results) {
   for (const std::int32_t field : {0, 14, -1})
     EXPECT_FAILS(rollcon_contact_get_field(contact, field, ROLLCON_LOCAL, 1, v.data(), &n), ARGUMENT, "field",
                  "1 to 13");
-  EXPECT_FAILS(rollcon_contact_get_status(contact, frame.nodes, nullptr), ARGUMENT, "status is NULL");
+  EXPECT_FAILS(rollcon_contact_get_node_states(contact, frame.nodes, nullptr), ARGUMENT, "status is NULL");
   EXPECT_FAILS(rollcon_contact_get_resultant(contact, 7, v.data(), nullptr), ARGUMENT, "axes is 7");
   const double points[4] = {0, 0, 0, not_a_number};
-  EXPECT_FAILS(rollcon_contact_get_displacements_at(contact, 3, 1, points, v.data()), ARGUMENT, "body is 3");
+  EXPECT_FAILS(rollcon_contact_get_displacements_at(contact, 3, 1, points, v.data()), ARGUMENT, "which is 3");
   EXPECT_FAILS(rollcon_contact_get_displacements_at(contact, 1, -1, points, v.data()), ARGUMENT, "n is -1");
   EXPECT_FAILS(rollcon_contact_get_displacements_at(contact, 1, INT64_MAX, points, v.data()), ARGUMENT,
                "address space");
@@ -221,7 +221,7 @@ TEST_F(inputs, arguments_of_results) {
   EXPECT_FAILS(rollcon_contact_get_displacements_at(contact, 1, 2, points, v.data()), NONFINITE,
                "coordinate y of point 1");
   const double inside[6] = {0, 0, -1, 0, 0, not_a_number}, outside[6] = {0, 0, -1, 0, 0, 0.5};
-  EXPECT_FAILS(rollcon_contact_get_stresses_at(contact, 0, 1, inside, v.data(), nullptr), ARGUMENT, "body is 0");
+  EXPECT_FAILS(rollcon_contact_get_stresses_at(contact, 0, 1, inside, v.data(), nullptr), ARGUMENT, "which is 0");
   EXPECT_FAILS(rollcon_contact_get_stresses_at(contact, 1, -1, inside, v.data(), nullptr), ARGUMENT, "n is -1");
   EXPECT_FAILS(rollcon_contact_get_stresses_at(contact, 1, INT64_MAX, inside, v.data(), nullptr), ARGUMENT,
                "address space");

@@ -183,10 +183,10 @@ TEST_F(mesh_file, makes_a_frame_that_solves_as_one_that_was_given) {
   double force[2][3];
   for (int from_file = 0; from_file < 2; ++from_file) {
     if (from_file == 1) {
-      ASSERT_OK(rollcon_contact_read_frame(contact, path.c_str(), "SURFACE 1"));
+      ASSERT_OK(rollcon_contact_frame_from_file(contact, path.c_str(), "SURFACE 1"));
     } else {
-      ASSERT_OK(rollcon_contact_set_frame_nodes(contact, n * n, x.data(), 3, 1));
-      ASSERT_OK(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, (n - 1) * (n - 1), quads.data(), 0, 0));
+      ASSERT_OK(rollcon_contact_frame_nodes(contact, n * n, x.data(), 3, 1));
+      ASSERT_OK(rollcon_contact_frame_add_elements(contact, ROLLCON_QUAD4, (n - 1) * (n - 1), quads.data(), 0, 0));
     }
     ASSERT_OK(rollcon_contact_set_gap_quadratic(contact, 0.5, 0.5, 0));
     ASSERT_GE(rollcon_contact_solve(contact), 0) << rollcon_last_error();
@@ -194,7 +194,7 @@ TEST_F(mesh_file, makes_a_frame_that_solves_as_one_that_was_given) {
   }
   EXPECT_EQ(force[0][2], force[1][2]);
   EXPECT_NE(force[0][2], 0);
-  EXPECT_FAILS(rollcon_contact_read_frame(contact, from_gmsh("tet4.msh").c_str(), "bar"), MESH,
+  EXPECT_FAILS(rollcon_contact_frame_from_file(contact, from_gmsh("tet4.msh").c_str(), "bar"), MESH,
                "group bar has no surface elements");
   std::remove(path.c_str());
 }

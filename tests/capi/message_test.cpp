@@ -80,7 +80,7 @@ TEST_F(message, numbers_of_elements_say_from_where_they_count) {
     for (std::int32_t& id : based.connectivity) id += base;
     ASSERT_OK(set_nodes(frame));
     for (const auto& [n, ids] : {std::pair{frame.elements, &based.connectivity}, std::pair{std::int64_t{1}, &twice}})
-      ASSERT_OK(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, n, ids->data(), base, 0));
+      ASSERT_OK(rollcon_contact_frame_add_elements(contact, ROLLCON_QUAD4, n, ids->data(), base, 0));
     const std::string pair = "elements " + std::to_string(2 + base) + " and " + std::to_string(frame.elements + base) +
                              " (counting from " + std::to_string(base) + ")";
     EXPECT_FAILS(rollcon_contact_solve(contact), MESH, pair);

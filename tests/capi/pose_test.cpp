@@ -70,7 +70,7 @@ TEST_F(pose, frames_from_bodies_are_their_tagged_faces) {
   const double other[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
   ASSERT_OK(rollcon_body_set_nodes(body, 3, other, 3, 1));
   expect_frame(9, 4);
-  ASSERT_OK(rollcon_contact_set_frame_nodes(pair, 3, other, 3, 1));
+  ASSERT_OK(rollcon_contact_frame_nodes(pair, 3, other, 3, 1));
   expect_frame(3, 0);
 }
 

@@ -85,7 +85,7 @@ class ProcedureScene : public Api {
     r.gap = field(ROLLCON_FIELD_GAP, 1);
     r.slip = field(ROLLCON_FIELD_SLIP, 2);
     r.state.resize(static_cast<std::size_t>(frame.nodes));
-    EXPECT_OK(rollcon_contact_get_status(contact, frame.nodes, r.state.data()));
+    EXPECT_OK(rollcon_contact_get_node_states(contact, frame.nodes, r.state.data()));
     EXPECT_OK(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, r.force, r.moment));
     EXPECT_OK(rollcon_contact_get_motion(contact, &r.approach, r.creep));
     r.iterations = stat("iterations");

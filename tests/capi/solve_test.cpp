@@ -28,7 +28,7 @@ TEST_F(solve, results_before_a_solve_are_a_state_error) {
   for (int round = 0; round < 3; ++round) {
     EXPECT_FAILS(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, 1000, v), STATE, "solve");
     EXPECT_FAILS(rollcon_contact_get_field(contact, ROLLCON_FIELD_GAP, ROLLCON_LOCAL, 0, nullptr, &n), STATE, "solve");
-    EXPECT_FAILS(rollcon_contact_get_status(contact, 1000, &s), STATE, "solve");
+    EXPECT_FAILS(rollcon_contact_get_node_states(contact, 1000, &s), STATE, "solve");
     EXPECT_FAILS(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, v, nullptr), STATE, "solve");
     EXPECT_FAILS(rollcon_contact_get_motion(contact, v, nullptr), STATE, "solve");
     EXPECT_FAILS(rollcon_contact_get_displacements_at(contact, 1, 1, point, v), STATE, "solve");
@@ -119,8 +119,8 @@ TEST_F(solve, bad_elements_are_mesh_errors_that_name_the_element) {
     set_scene();
     ASSERT_OK(set_nodes(frame));
     const std::int32_t good[4] = {3, 4, 17, 16};
-    ASSERT_OK(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, 1, good, 1, 0));
-    ASSERT_OK(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, 1, c.quad, 1, 0));
+    ASSERT_OK(rollcon_contact_frame_add_elements(contact, ROLLCON_QUAD4, 1, good, 1, 0));
+    ASSERT_OK(rollcon_contact_frame_add_elements(contact, ROLLCON_QUAD4, 1, c.quad, 1, 0));
     EXPECT_FAILS(rollcon_contact_solve(contact), MESH, c.text);
   }
 }

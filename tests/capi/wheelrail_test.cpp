@@ -227,14 +227,14 @@ TEST_F(wheelrail, states_copies_and_lists) {
   double kept[3], now[3], totals[2][9];
   std::int32_t status[2] = {9, 9};
   ASSERT_OK(rollcon_wheelrail_get_resultant(right, ROLLCON_IN_TRACK, kept, nullptr));
-  EXPECT_FAILS(rollcon_wheelrail_restore(right, 0), STATE, "rollcon_wheelrail_save");
-  EXPECT_FAILS(rollcon_wheelrail_save(right, 16), ARGUMENT, "place is 16", "0 to 15");
-  ASSERT_OK(rollcon_wheelrail_save(right, 0));
+  EXPECT_FAILS(rollcon_wheelrail_rollback(right, 0), STATE, "rollcon_wheelrail_snapshot");
+  EXPECT_FAILS(rollcon_wheelrail_snapshot(right, 16), ARGUMENT, "place is 16", "0 to 15");
+  ASSERT_OK(rollcon_wheelrail_snapshot(right, 0));
   rollcon_wheelrail* copy = nullptr;
   ASSERT_OK(rollcon_wheelrail_copy(right, &copy));
   ASSERT_OK(rollcon_wheelrail_set_position(right, position[1]));
   ASSERT_OK(rollcon_wheelrail_solve(right));
-  ASSERT_OK(rollcon_wheelrail_restore(right, 0));
+  ASSERT_OK(rollcon_wheelrail_rollback(right, 0));
   for (const rollcon_wheelrail* w : {right, copy}) {
     ASSERT_OK(rollcon_wheelrail_get_resultant(w, ROLLCON_IN_TRACK, now, nullptr));
     EXPECT_EQ(std::memcmp(now, kept, sizeof now), 0);

@@ -116,7 +116,7 @@ TEST(frame_from_body, refusals_and_replacement) {
   contact.frame_from_body(1, 6);
   const std::int32_t quad[4] = {0, 1, 2, 3};
   expect_refused([&] { scene.add_frame_elements(214, 1, quad, 0, 1); }, Status::err_state,
-                 "rollcon_contact_set_frame_nodes");
+                 "rollcon_contact_frame_nodes");
   const SurfaceMesh own =
       frames::rectangle(ElementType::quad4, frames::uniform_lines(0, 1, 1), frames::uniform_lines(0, 1, 1));
   scene.set_frame_nodes(4, own.node[0].data(), 3, 1);

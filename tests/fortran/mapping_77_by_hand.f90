@@ -154,7 +154,7 @@ contains
     call rcfree(dead, ierr)
     call says('RCFREE: IH is no live handle', 'null', ROLLCON_ERR_HANDLE)
     call rcelem(icon, 999, 1, ids, 0, 1, ierr)  ! the library says what it does not know
-    call told('contact_add_frame_elements', 'contact1 999 1 [] 1 1', ierr)
+    call told('contact_frame_add_elements', 'contact1 999 1 [] 1 1', ierr)
   end subroutine
 
   !> Tests names in any case, paths unchanged, texts cut and padded.

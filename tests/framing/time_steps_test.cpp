@@ -62,7 +62,7 @@ TEST(time_steps_on_made_frames_long, load_that_changes) {
   expect_error("a repeated step", steps.solution().force[0] / b[0] - 1, 1e-8);
   // The saved past lies on a frame that stays.
   std::int64_t n = 0;
-  EXPECT_EQ(rollcon_contact_save_past(steps.handle(), 0, nullptr, &n), ROLLCON_ERR_STATE);
+  EXPECT_EQ(rollcon_contact_past_get(steps.handle(), 0, nullptr, &n), ROLLCON_ERR_STATE);
 }
 
 // A step in which the bodies do not touch is one of both frames of the pair; the next one starts from rest.

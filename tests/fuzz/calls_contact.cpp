@@ -53,7 +53,7 @@ void set_frame_nodes(World& w) {
   std::vector<double> x = w.in.reals(static_cast<std::size_t>(3 * used));
   if (packed && !w.in.one_in(4))
     for (std::size_t i = 2; i < x.size(); i += 3) x[i] = 0;
-  FUZZ_CALL(w, rollcon_contact_set_frame_nodes, w.contact(), n, maybe_null(w.in, x), packed ? 3 : 1, packed ? 1 : used);
+  FUZZ_CALL(w, rollcon_contact_frame_nodes, w.contact(), n, maybe_null(w.in, x), packed ? 3 : 1, packed ? 1 : used);
 }
 
 /// Gives a lattice, perhaps with some of its nodes moved.
@@ -66,7 +66,7 @@ void give_lattice(World& w) {
     for (int i = 0; i < n; ++i) x.insert(x.end(), {width * i / (n - 1), width * j / (m - 1), z});
   for (int moved = w.in.below(3); moved > 0; --moved)
     x[static_cast<std::size_t>(w.in.byte()) % x.size()] += w.in.real() / 8;
-  FUZZ_CALL(w, rollcon_contact_set_frame_nodes, c, n * m, x.data(), 3, 1);
+  FUZZ_CALL(w, rollcon_contact_frame_nodes, c, n * m, x.data(), 3, 1);
   std::vector<std::int32_t> element;
   const bool triangles = w.in.one_in(3);
   for (int j = 0; j + 1 < m; ++j)
@@ -77,7 +77,7 @@ void give_lattice(World& w) {
       else
         element.insert(element.end(), {a, a + 1, a + n + 1, a + n});
     }
-  FUZZ_CALL(w, rollcon_contact_add_frame_elements, c, triangles ? ROLLCON_TRI3 : ROLLCON_QUAD4,
+  FUZZ_CALL(w, rollcon_contact_frame_add_elements, c, triangles ? ROLLCON_TRI3 : ROLLCON_QUAD4,
             static_cast<std::int64_t>(element.size()) / (triangles ? 3 : 4), element.data(), 0, 0);
 }
 
@@ -86,7 +86,7 @@ void add_frame_elements(World& w) {
   const std::int32_t type = element_type(w.in);
   const std::int64_t n = array_size(w.in, 4);
   const std::vector<std::int32_t> connectivity = ids(w.in, n > 0 ? n * nodes_of_type(type) : 0, nodes_of(c));
-  FUZZ_CALL(w, rollcon_contact_add_frame_elements, c, type, n, maybe_null(w.in, connectivity),
+  FUZZ_CALL(w, rollcon_contact_frame_add_elements, c, type, n, maybe_null(w.in, connectivity),
             w.in.one_in(8) ? w.in.integer32() : 0, w.in.integer32());
 }
 

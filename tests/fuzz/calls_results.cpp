@@ -40,7 +40,7 @@ void tractions(World& w) {
 void status(World& w) {
   const rollcon_contact* c = w.contact();
   ask_rows<std::int32_t>(w, nodes_of(c), 1, [&](std::int64_t fit, std::int32_t* out) {
-    return FUZZ_CALL(w, rollcon_contact_get_status, c, fit, out);
+    return FUZZ_CALL(w, rollcon_contact_get_node_states, c, fit, out);
   });
 }
 

@@ -171,8 +171,8 @@ void bring_into_contact(World& w, rollcon_context* context, rollcon_body* body) 
     for (int j = 0; j < 3; ++j)
       for (int i = 0; i < 3; ++i) x.insert(x.end(), {width * i / 2, width * j / 2, 1});
     const std::int32_t quads[] = {0, 1, 4, 3, 1, 2, 5, 4, 3, 4, 7, 6, 4, 5, 8, 7};
-    FUZZ_CALL(w, rollcon_contact_set_frame_nodes, contact, 9, x.data(), 3, 1);
-    FUZZ_CALL(w, rollcon_contact_add_frame_elements, contact, ROLLCON_QUAD4, 4, quads, 0, 0);
+    FUZZ_CALL(w, rollcon_contact_frame_nodes, contact, 9, x.data(), 3, 1);
+    FUZZ_CALL(w, rollcon_contact_frame_add_elements, contact, ROLLCON_QUAD4, 4, quads, 0, 0);
   } else {
     FUZZ_CALL(w, rollcon_contact_frame_from_body, contact, first ? 1 : 2, w.in.one_in(4) ? w.in.below(8) : 6);
   }
@@ -222,12 +222,12 @@ void try_frame(World& w) {
   box.element = top;
   for (std::size_t i = 2; i < box.x.size(); i += 3) box.x[i] -= 1;
   spoil(w.in, box);
-  FUZZ_CALL(w, rollcon_contact_set_frame_nodes, contact, box.nodes(), box.x.data(), 3, 1);
-  FUZZ_CALL(w, rollcon_contact_add_frame_elements, contact, box.type, box.elements(), box.element.data(), 0, 0);
+  FUZZ_CALL(w, rollcon_contact_frame_nodes, contact, box.nodes(), box.x.data(), 3, 1);
+  FUZZ_CALL(w, rollcon_contact_frame_add_elements, contact, box.type, box.elements(), box.element.data(), 0, 0);
   if (w.in.one_in(4)) {
     const std::int32_t type = element_types[w.in.below(5)];
     const std::vector<std::int32_t> nodes = ids(w.in, nodes_of_type(type), box.nodes());
-    FUZZ_CALL(w, rollcon_contact_add_frame_elements, contact, type, 1, nodes.data(), 0, 1);
+    FUZZ_CALL(w, rollcon_contact_frame_add_elements, contact, type, 1, nodes.data(), 0, 1);
   }
   if (w.in.one_in(3)) {
     static const char* const values[] = {"dense", "table", "fft"};

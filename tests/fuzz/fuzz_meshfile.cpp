@@ -123,7 +123,7 @@ void read_body(World& w, rollcon_context* context, const std::string& path, cons
 void read_frame(World& w, const std::string& path, const char* part) {
   make_bodies(w, 1);
   rollcon_contact* contact = w.contacts.at(0).handle;
-  if (FUZZ_CALL(w, rollcon_contact_read_frame, contact, path.c_str(), part) != ROLLCON_OK) return;
+  if (FUZZ_CALL(w, rollcon_contact_frame_from_file, contact, path.c_str(), part) != ROLLCON_OK) return;
   std::int64_t nodes = 0, elements = 0;
   FUZZ_CALL(w, rollcon_contact_get_size, contact, &nodes, &elements);
   require(nodes > 0 && elements > 0, "a frame of nothing");

@@ -33,8 +33,8 @@ void set_frame(rollcon_contact* contact, double z) {
       const int corner = j * (n + 1) + i;
       element.insert(element.end(), {corner, corner + 1, corner + n + 2, corner + n + 1});
     }
-  rollcon_contact_set_frame_nodes(contact, (n + 1) * (n + 1), x.data(), 3, 1);
-  rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, n * n, element.data(), 0, 0);
+  rollcon_contact_frame_nodes(contact, (n + 1) * (n + 1), x.data(), 3, 1);
+  rollcon_contact_frame_add_elements(contact, ROLLCON_QUAD4, n * n, element.data(), 0, 0);
 }
 
 struct OptionValue {
@@ -172,7 +172,7 @@ std::int32_t solve_and_check(World& world, rollcon_contact* contact) {
   if (!solved(status)) return status;
   // Nodes of no element may have any gap and slip.
   std::vector<std::int32_t> state(static_cast<std::size_t>(nodes));
-  rollcon_contact_get_status(contact, nodes, state.data());
+  rollcon_contact_get_node_states(contact, nodes, state.data());
   for (const std::int32_t which : {ROLLCON_FIELD_GAP, ROLLCON_FIELD_SLIP, ROLLCON_FIELD_RIGID_SLIP}) {
     const std::size_t width = which == ROLLCON_FIELD_GAP ? 1 : 3;
     Output<double> field(3 * nodes);

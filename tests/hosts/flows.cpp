@@ -76,8 +76,8 @@ void roll_sphere(Caller& call, Handles& h, int per_edge) {
   CALL(rollcon_body_create, h.context, ROLLCON_BODY_HALFSPACE, &h.body);
   CALL(rollcon_body_set_elastic, h.body, 0, 1e4, 0.3);
   CALL(rollcon_contact_create, h.context, h.body, h.plane, &h.contact);
-  CALL(rollcon_contact_set_frame_nodes, h.contact, frame.nodes, frame.x.data(), 3, 1);
-  CALL(rollcon_contact_add_frame_elements, h.contact, ROLLCON_QUAD4, frame.elements, frame.connectivity.data(), 0, 0);
+  CALL(rollcon_contact_frame_nodes, h.contact, frame.nodes, frame.x.data(), 3, 1);
+  CALL(rollcon_contact_frame_add_elements, h.contact, ROLLCON_QUAD4, frame.elements, frame.connectivity.data(), 0, 0);
   CALL(rollcon_contact_set_gap_quadratic, h.contact, 0.01, 0.01, 0);
   CALL(rollcon_contact_set_friction, h.contact, "coulomb", 1, &friction);
   CALL(rollcon_contact_set_rolling, h.contact, 10);

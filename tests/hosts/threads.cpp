@@ -152,7 +152,7 @@ class Busy final : public Caller {
       ++answers[rollcon_contact_set_real(c, "tolerance", -1)];
       ++answers[rollcon_contact_get_tractions(c, ROLLCON_LOCAL, 1000, v.data())];
       ++answers[rollcon_contact_get_resultant(c, ROLLCON_LOCAL, v.data(), nullptr)];
-      ++answers[rollcon_contact_add_frame_elements(c, -1, 1, nullptr, 0, 0)];
+      ++answers[rollcon_contact_frame_add_elements(c, -1, 1, nullptr, 0, 0)];
     }
   }
 

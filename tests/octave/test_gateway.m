@@ -65,7 +65,7 @@ inside = hypot(x(:, 1), x(:, 2)) < 0.7 * radius;
 p0 = 1.5 * exact / (pi * radius^2);
 p = p0 * sqrt(1 - (x(inside, 1).^2 + x(inside, 2).^2) / radius^2);
 within('Hertz: pressures where they belong', max(abs(-t(inside, 3) - p)) / p0, 0.01);
-states = rollcon.contact_get_status(contact);
+states = rollcon.contact_get_node_states(contact);
 assert(numel(states), 41^2);
 assert(sum(states ~= 0), sum(t(:, 3) < 0));
 

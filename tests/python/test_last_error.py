@@ -38,8 +38,8 @@ class LastError(Scene):
         self.assertEqual(body.kind, rc.BODY_HALFSPACE)
         self.assertEqual(rc.Body(self.context, "BODY_RIGID").kind, rc.BODY_RIGID)
         contact = rc.Contact(self.context, self.sphere, self.plane)
-        contact.set_frame_nodes([[0, 0], [1, 0], [1, 1], [0, 1]])
-        contact.add_frame_elements("quad4", [[0, 1, 2, 3]])
+        contact.frame_nodes([[0, 0], [1, 0], [1, 1], [0, 1]])
+        contact.frame_add_elements("quad4", [[0, 1, 2, 3]])
         contact.frame_rectangle("quad4", 8, 8, -1.3, 1.3, -1.3, 1.3)
         contact.set_gap_quadratic(0.01, 0.01)
         contact.set_friction(0.1)
@@ -55,7 +55,7 @@ class LastError(Scene):
         self.raises(ValueError, ["direction is 'upwards'", "longitudinal, lateral, normal, spin"],
                     contact.prescribe, "upwards", "by_force", 1)
         self.raises(ValueError, ["element_type is 'quad5'", "quad4"],
-                    contact.add_frame_elements, "quad5", [[0, 1, 2, 3]])
+                    contact.frame_add_elements, "quad5", [[0, 1, 2, 3]])
         self.raises(ValueError, ["kind is 'steel'", "fem, bem"], rc.Body, self.context, "steel")
         self.raises(ValueError, ["tag is 'rim'", "a number"], contact.frame_from_body, 1, "rim")
         self.raises(TypeError, ["how must be an integer, not 2.5"],

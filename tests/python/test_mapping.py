@@ -88,7 +88,7 @@ class Mapping(MappingCase):
     def test_meshes(self):
         wide = np.zeros((2, 8))
         wide[:, 2:5] = X
-        for owner, name, kind in ((self.body, "set_nodes", "body"), (self.contact, "set_frame_nodes", "contact")):
+        for owner, name, kind in ((self.body, "set_nodes", "body"), (self.contact, "frame_nodes", "contact")):
             for x in (X, np.asfortranarray(X), wide[:, 2:5], X[::-1].copy()[::-1], X.tolist(), X.astype(">f8")):
                 getattr(owner, name)(x)
                 self.told(f"{kind}_{name}", f"{kind}1 2 {WRITTEN}")
@@ -97,7 +97,7 @@ class Mapping(MappingCase):
             self.refuses("shape", getattr(owner, name), np.zeros((4, 5)))
             self.fails(getattr(owner, name), X)
         ids = [[1, 2, 3], [4, 5, 6]]
-        for owner, name, kind in ((self.body, "add_elements", "body"), (self.contact, "add_frame_elements", "contact")):
+        for owner, name, kind in ((self.body, "add_elements", "body"), (self.contact, "frame_add_elements", "contact")):
             add = getattr(owner, name)
             add("tri3", ids, 9, 5)
             self.told(f"{kind}_{name}", f"{kind}1 203 2 [1 2 3 4 5 6] 5 9")
@@ -208,10 +208,10 @@ class Mapping(MappingCase):
         check(contact.tractions(), (3, 3), 300.5, "contact_get_tractions", "contact1 0 3 room")
         check(contact.field("slip", rc.GLOBAL), (3, 2), 400.5, "contact_get_field", "contact1 4 1 6 room room")
         check(contact.field(rc.FIELD_SLIP), (3, 2), 400.5, "contact_get_field", "contact1 4 0 6 room room")
-        past = contact.save_past()
-        self.told("contact_save_past", f"contact1 {past.size} room room")
-        check(contact.node_status(), (3,), 200, "contact_get_status", "contact1 3 room")
-        self.assertEqual(contact.node_status().dtype, np.int32)
+        past = contact.past_get()
+        self.told("contact_past_get", f"contact1 {past.size} room room")
+        check(contact.node_states(), (3,), 200, "contact_get_node_states", "contact1 3 room")
+        self.assertEqual(contact.node_states().dtype, np.int32)
         check(contact.displacements_at(2, X[:, :2]), (2, 3), 400.5, "contact_get_displacements_at",
               "contact1 2 2 [1.5 2.5 4.5 5.5] room")
         self.refuses("shape", contact.displacements_at, 2, X)
@@ -250,7 +250,7 @@ class Mapping(MappingCase):
         self.told("contact_get_error_function", "contact1 2 room room room")
         for function, arguments in ((self.body.displacements, ()), (self.body.node_stresses, ()),
                                     (contact.tractions, ()), (contact.field, (1,)),
-                                    (contact.node_status, ()), (contact.history, ()), (contact.error_function, ()),
+                                    (contact.node_states, ()), (contact.history, ()), (contact.error_function, ()),
                                     (contact.displacements_at, (1, X[:, :2])), (contact.solve, ()),
                                     (contact.temperatures_at, (X[:, :2],)), (contact.stresses_at, (1, X)),
                                     (rc.stress_invariants, (np.hstack([X, X]),)),

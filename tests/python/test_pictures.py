@@ -37,7 +37,7 @@ class Pictures(Scene):
         values = self.drawn.plot_pressure().collections[0].get_array()
         self.assertAlmostEqual(values.max(), self.drawn.field("pressure").max())
         lines = self.drawn.plot_tractions().lines
-        state = self.drawn.node_status()
+        state = self.drawn.node_states()
         self.assertEqual([len(line.get_xdata()) for line in lines], [(state == s).sum() for s in (rc.STICK, rc.SLIP)])
 
     def test_section(self):

@@ -132,8 +132,8 @@ def faces_that_look_away(flipped):
         quads = [[4 * j + i, 4 * j + i + 1, 4 * j + i + 5, 4 * j + i + 4] for j in range(3) for i in range(3)]
         for k in flipped:
             quads[k] = quads[k][::-1]
-        contact.set_frame_nodes(x)
-        contact.add_frame_elements("quad4", quads)
+        contact.frame_nodes(x)
+        contact.frame_add_elements("quad4", quads)
         contact.set_gap_quadratic(0.01, 0.01)
         contact.set_friction(0)
         contact.prescribe("normal", "by_motion", 0.01)

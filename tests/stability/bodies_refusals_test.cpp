@@ -48,8 +48,8 @@ class Told {
     EXPECT_EQ(rollcon_body_create(context_, ROLLCON_BODY_RIGID, &ball), ROLLCON_OK);
     EXPECT_EQ(rollcon_contact_create(context_, body_, ball, &contact), ROLLCON_OK);
     if (frame) {
-      rollcon_contact_set_frame_nodes(contact, frame->nodes(), frame->node[0].data(), 3, 1);
-      rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, frame->elements(), frame->connectivity.data(), 0, 0);
+      rollcon_contact_frame_nodes(contact, frame->nodes(), frame->node[0].data(), 3, 1);
+      rollcon_contact_frame_add_elements(contact, ROLLCON_QUAD4, frame->elements(), frame->connectivity.data(), 0, 0);
     } else {
       rollcon_contact_frame_from_body(contact, 1, 6);
     }

@@ -28,7 +28,7 @@ struct Results {
     traction.resize(static_cast<std::size_t>(3 * n));
     state.resize(static_cast<std::size_t>(n));
     must(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, n, traction.data()), "get_tractions");
-    must(rollcon_contact_get_status(contact, n, state.data()), "get_status");
+    must(rollcon_contact_get_node_states(contact, n, state.data()), "get_status");
     must(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, force, moment), "get_resultant");
     must(rollcon_contact_get_motion(contact, &approach, creep), "get_motion");
     const auto field = [&](std::int32_t which, std::int64_t components) {

@@ -137,9 +137,9 @@ std::int32_t RollingPair::check(std::int32_t status, const char* what) const {
 }
 
 RollingPair& RollingPair::frame(const SurfaceMesh& mesh) {
-  check(rollcon_contact_set_frame_nodes(contact_, mesh.nodes(), mesh.node[0].data(), 3, 1), "set_frame_nodes");
+  check(rollcon_contact_frame_nodes(contact_, mesh.nodes(), mesh.node[0].data(), 3, 1), "set_frame_nodes");
   for_runs(mesh, [&](std::int32_t type, std::int32_t tag, std::int64_t count, const std::int32_t* connectivity) {
-    check(rollcon_contact_add_frame_elements(contact_, type, count, connectivity, 0, tag), "add_frame_elements");
+    check(rollcon_contact_frame_add_elements(contact_, type, count, connectivity, 0, tag), "add_frame_elements");
   });
   return *this;
 }
@@ -257,7 +257,7 @@ Solution RollingPair::solution() const {
   s.slip.resize(nodes);
   s.state.resize(nodes);
   check(rollcon_contact_get_tractions(contact_, ROLLCON_LOCAL, n, s.traction[0].data()), "get_tractions");
-  check(rollcon_contact_get_status(contact_, n, s.state.data()), "get_status");
+  check(rollcon_contact_get_node_states(contact_, n, s.state.data()), "get_status");
   check(rollcon_contact_get_resultant(contact_, ROLLCON_LOCAL, s.force.data(), s.moment.data()), "get_resultant");
   check(rollcon_contact_get_motion(contact_, &s.approach, s.creep.data()), "get_motion");
   const std::vector<double> point = field(ROLLCON_FIELD_POINT, 3);

@@ -9,7 +9,7 @@ function varargout = contact_frame_from_body(varargin)
 % frame's normals point out of body 1.
 %
 %   contact (contact)
-%   which (int32): 1 or 2: the body, prepared or not
+%   which (int32, name or number: body of a contact): BODY1 or BODY2, prepared or not
 %   tag (int32): of some element of it (else ERR_ARGUMENT)
 %
 % Nodes, elements and rows count from 1. Failures are errors rollcon:ERR_..., caveats are warnings.

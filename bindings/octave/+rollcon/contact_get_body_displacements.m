@@ -1,5 +1,5 @@
 function varargout = contact_get_body_displacements(varargin)
-% CONTACT_GET_BODY_DISPLACEMENTS  u = rollcon.contact_get_body_displacements(contact, body)
+% CONTACT_GET_BODY_DISPLACEMENTS  u = rollcon.contact_get_body_displacements(contact, which)
 %
 % Returns displacements of all nodes of a body of finite or boundary elements under the tractions of
 % the last solve and the body's own loads, in the body's axes. Under a frame of its own finer than the
@@ -9,7 +9,7 @@ function varargout = contact_get_body_displacements(varargin)
 % ERR_UNSUPPORTED: another kind of body.
 %
 %   contact (contact)
-%   body (int32): 1 or 2
+%   which (int32, name or number: body of a contact): BODY1 or BODY2
 % Results:
 %   u: displacement x y z of each node, length
 %

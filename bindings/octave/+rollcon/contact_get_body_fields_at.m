@@ -1,6 +1,6 @@
 function varargout = contact_get_body_fields_at(varargin)
 % CONTACT_GET_BODY_FIELDS_AT  [displacement, stress] = rollcon.contact_get_body_fields_at(contact,
-%     body, xyz)
+%     which, xyz)
 %
 % Returns displacements and stresses at any points inside a body of finite or boundary elements under
 % the tractions of the last solve and the body's own loads, in the body's axes; tension is positive.
@@ -12,7 +12,7 @@ function varargout = contact_get_body_fields_at(varargin)
 % boundary elements (a millionth of the element's size beyond its faces is still inside).
 %
 %   contact (contact)
-%   body (int32): 1 or 2
+%   which (int32, name or number: body of a contact): BODY1 or BODY2
 %   xyz(n,3) (real): in the body's axes, length
 % Results:
 %   displacement: x y z, length; []: not wanted

@@ -1,5 +1,5 @@
 function varargout = contact_get_stresses_at(varargin)
-% CONTACT_GET_STRESSES_AT  [stress, u] = rollcon.contact_get_stresses_at(contact, body, xyz)
+% CONTACT_GET_STRESSES_AT  [stress, u] = rollcon.contact_get_stresses_at(contact, which, xyz)
 %
 % Returns stresses and elastic displacements at any points inside a body, or on its surface, under the
 % tractions of the last solve (those of rollcon.contact_get_tractions, interpolated by the frame's
@@ -13,7 +13,7 @@ function varargout = contact_get_stresses_at(varargin)
 % the body.
 %
 %   contact (contact)
-%   body (int32): 1 or 2
+%   which (int32, name or number: body of a contact): BODY1 or BODY2
 %   xyz(n,3) (real): positions along t1, t2 and n from the origin, length
 % Results:
 %   stress: s11, s22, snn, s12, s1n, s2n, force/length^2; []: not wanted

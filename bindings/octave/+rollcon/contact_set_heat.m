@@ -6,7 +6,7 @@ function varargout = contact_set_heat(varargin)
 % call is needed for both bodies; one of them may take up no heat.
 %
 %   contact (contact)
-%   which (int32): 1 or 2: the body
+%   which (int32, name or number: body of a contact): BODY1 or BODY2
 %   conductivity (real): >= 0, power/(length temperature)
 %   heat_capacity (real): >= 0, energy/(volume temperature): density times specific heat
 %   temperature (real): temperature far from the contact

@@ -5,7 +5,7 @@ function varargout = contact_set_pose(varargin)
 % identity and zero. Half-spaces ignore it: their surface is the frame's.
 %
 %   contact (contact)
-%   which (int32): 1 or 2: the body
+%   which (int32, name or number: body of a contact): BODY1 or BODY2
 %   rotation(3,3) (real): by rows; orthonormal with determinant +1 to 1e-6 (else ERR_ARGUMENT), then
 %   made exactly so
 %   translation(3) (real): length

@@ -13,7 +13,7 @@ function varargout = contact_set_velocity(varargin)
 % rest of the slip.
 %
 %   contact (contact)
-%   which (int32): 1 or 2: the body; 0: the contact, which travels over both
+%   which (int32, name or number: body of a contact or moving contact): BODY1, BODY2 or CONTACT_ITSELF
 %   velocity(3) (real): velocity of its point at `point`, length/time
 %   angular_velocity(3) (real): 1/time
 %   point(3) (real): in space, length

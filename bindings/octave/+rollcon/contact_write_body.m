@@ -1,5 +1,5 @@
 function varargout = contact_write_body(varargin)
-% CONTACT_WRITE_BODY  rollcon.contact_write_body(contact, body, path)
+% CONTACT_WRITE_BODY  rollcon.contact_write_body(contact, which, path)
 %
 % Writes the elements of a body of finite or boundary elements with displacements, smoothed stresses
 % (xx, yy, zz, xy, yz, xz, in ParaView's order) and von Mises's stress at the nodes, under the
@@ -7,7 +7,7 @@ function varargout = contact_write_body(varargin)
 % call is otherwise like rollcon.contact_get_body_fields_at.
 %
 %   contact (contact)
-%   body (int32): 1 or 2
+%   which (int32, name or number: body of a contact): BODY1 or BODY2
 %   path (name of a file): name of the file; an existing one is replaced
 %
 % Nodes, elements and rows count from 1. Failures are errors rollcon:ERR_..., caveats are warnings.

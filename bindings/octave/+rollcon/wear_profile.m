@@ -10,7 +10,7 @@ function varargout = wear_profile(varargin)
 %   points (int64): 2 to 1000000
 %   yz(points,2) (real): in the order of the profile, length
 %   rate(points) (real): depth per distance, >= 0
-%   side (int32): 1: the body lies at greater z (a rail with z down), -1: at lesser z (a wheel)
+%   side (int32, name or number: inside of a profile): BODY_BELOW or BODY_ABOVE
 %   distance (real): >= 0
 %   most_depth (real): > 0, length
 %   smoothing (real): length of waves, >= 0; 0: none

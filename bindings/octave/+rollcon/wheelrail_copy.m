@@ -1,7 +1,7 @@
 function varargout = wheelrail_copy(varargin)
 % WHEELRAIL_COPY  copy = rollcon.wheelrail_copy(wheelrail)
 %
-% Makes another wheel on its rail with the same bodies, inputs and last solution, and no saved states:
+% Makes another wheel on its rail with the same bodies, inputs and last solution, and no snapshots:
 % both go on alike to the last bit.
 %
 %   wheelrail (wheelrail)

@@ -21,7 +21,7 @@ from .wear import wear_profile
 from .wheelrail import (WheelRail, conicity, contact_points, nonlinearity_parameter,
                         rolling_radii_coefficient)
 
-__version__ = _api.VERSION_TEXT.replace("-", "")  # in the form of PEP 440: 1.0.0rc1
+__version__ = _api.VERSION_TEXT.replace("-", "")  # in the form of PEP 440: 1.0.0rc2
 __all__ = [name for name, value in vars(_api).items() if name.isupper() and isinstance(value, int)]
 __all__ += ["Body", "Contact", "Context", "RollconError", "Status", "Table", "WheelRail", "body_option_table", "body_stat_names",
             "build_info", "conicity", "contact_points", "has_feature", "last_caveat", "last_error", "library_path",

@@ -1,5 +1,5 @@
 # Generated from bindings/api.toml by bindings/generate.py; do not edit.
-"""The C interface of rollcon 1.0.0-rc1 for ctypes: enumerators, callback types, prototypes.
+"""The C interface of rollcon 1.0.0-rc2 for ctypes: enumerators, callback types, prototypes.
 
 Handles are c_void_p, arrays are pointers; None passes NULL.
 """
@@ -7,7 +7,7 @@ Handles are c_void_p, arrays are pointers; None passes NULL.
 from ctypes import CFUNCTYPE, POINTER, c_char_p, c_double, c_int32, c_int64, c_void_p
 
 VERSION = (1, 0, 0)
-VERSION_TEXT = "1.0.0-rc1"
+VERSION_TEXT = "1.0.0-rc2"
 ABI = 1
 
 # status
@@ -97,6 +97,21 @@ FIELD_TEMPERATURE = 13
 # side
 LEFT = -1
 RIGHT = 1
+
+# body of a contact
+BODY1 = 1
+BODY2 = 2
+
+# moving contact
+CONTACT_ITSELF = 0
+
+# profile of a wheel on its rail
+WHEEL = 1
+RAIL = 2
+
+# inside of a profile
+BODY_BELOW = 1
+BODY_ABOVE = -1
 
 # axes of the track
 IN_TRACK = 0
@@ -266,13 +281,13 @@ FUNCTIONS = {
     "rollcon_contact_create": (c_int32, [c_void_p, c_void_p, c_void_p, POINTER(c_void_p)]),
     "rollcon_contact_retain": (c_int32, [c_void_p]),
     "rollcon_contact_release": (None, [c_void_p]),
-    "rollcon_contact_set_frame_nodes": (c_int32, [
+    "rollcon_contact_frame_nodes": (c_int32, [
         c_void_p, c_int64, POINTER(c_double),
         c_int64, c_int64]),
-    "rollcon_contact_add_frame_elements": (c_int32, [
+    "rollcon_contact_frame_add_elements": (c_int32, [
         c_void_p, c_int32, c_int64,
         POINTER(c_int32), c_int32, c_int32]),
-    "rollcon_contact_read_frame": (c_int32, [c_void_p, c_char_p, c_char_p]),
+    "rollcon_contact_frame_from_file": (c_int32, [c_void_p, c_char_p, c_char_p]),
     "rollcon_contact_frame_from_body": (c_int32, [c_void_p, c_int32, c_int32]),
     "rollcon_contact_frame_rectangle": (c_int32, [
         c_void_p, c_int32, c_int32, c_int32,
@@ -328,17 +343,15 @@ FUNCTIONS = {
         c_void_p, c_char_p, c_int64, POINTER(c_double), c_char_p,
         c_int64, POINTER(c_double), POINTER(c_int64), POINTER(c_int32)]),
     "rollcon_contact_repeat_step": (c_int32, [c_void_p]),
-    "rollcon_contact_save_past": (c_int32, [
-        c_void_p, c_int64,
-        POINTER(c_double), POINTER(c_int64)]),
-    "rollcon_contact_restore_past": (c_int32, [c_void_p, c_int64, POINTER(c_double)]),
+    "rollcon_contact_past_get": (c_int32, [c_void_p, c_int64, POINTER(c_double), POINTER(c_int64)]),
+    "rollcon_contact_past_set": (c_int32, [c_void_p, c_int64, POINTER(c_double)]),
     "rollcon_contact_reset": (c_int32, [c_void_p]),
     "rollcon_contact_get_size": (c_int32, [c_void_p, POINTER(c_int64), POINTER(c_int64)]),
     "rollcon_contact_get_tractions": (c_int32, [c_void_p, c_int32, c_int64, POINTER(c_double)]),
     "rollcon_contact_get_field": (c_int32, [
         c_void_p, c_int32, c_int32,
         c_int64, POINTER(c_double), POINTER(c_int64)]),
-    "rollcon_contact_get_status": (c_int32, [c_void_p, c_int64, POINTER(c_int32)]),
+    "rollcon_contact_get_node_states": (c_int32, [c_void_p, c_int64, POINTER(c_int32)]),
     "rollcon_contact_get_resultant": (c_int32, [
         c_void_p, c_int32,
         POINTER(c_double), POINTER(c_double)]),
@@ -416,8 +429,8 @@ FUNCTIONS = {
     "rollcon_wheelrail_find_wear": (c_int32, [
         c_void_p, c_int64, POINTER(c_double), POINTER(c_double), POINTER(c_double), c_char_p, c_int32,
         POINTER(c_double), c_int64, POINTER(c_double), POINTER(c_double), POINTER(c_double), POINTER(c_int32)]),
-    "rollcon_wheelrail_save": (c_int32, [c_void_p, c_int32]),
-    "rollcon_wheelrail_restore": (c_int32, [c_void_p, c_int32]),
+    "rollcon_wheelrail_snapshot": (c_int32, [c_void_p, c_int32]),
+    "rollcon_wheelrail_rollback": (c_int32, [c_void_p, c_int32]),
     "rollcon_wheelrail_copy": (c_int32, [c_void_p, POINTER(c_void_p)]),
     "rollcon_wheelrail_reset": (c_int32, [c_void_p]),
     "rollcon_wheelrail_get_patch_count": (c_int32, [c_void_p, POINTER(c_int64)]),
@@ -512,6 +525,10 @@ ENUMERATORS = {
         11, "field_weight": 12, "field_temperature": 13
     },
     "side": {"left": -1, "right": 1},
+    "body of a contact": {"body1": 1, "body2": 2},
+    "moving contact": {"itself": 0, "contact_itself": 0},
+    "profile of a wheel on its rail": {"wheel": 1, "rail": 2},
+    "inside of a profile": {"below": 1, "above": -1, "body_below": 1, "body_above": -1},
     "axes of the track": {"track": 0, "wheelset": 1, "in_track": 0, "in_wheelset": 1},
     "node status": {"open": 0, "stick": 1, "slip": 2, "excluded": 3},
     "step": {"steady": 0, "rolling_step": 1, "shift_step": 2},
@@ -638,15 +655,17 @@ ARGUMENTS = {
     "rollcon_contact_create": [("context", ""), ("body1", ""), ("body2", ""), ("contact", "")],
     "rollcon_contact_retain": [("contact", "")],
     "rollcon_contact_release": [("contact", "")],
-    "rollcon_contact_set_frame_nodes": [
+    "rollcon_contact_frame_nodes": [
         ("contact", ""), ("n", ""), ("x", ""), ("node_stride", ""), ("component_stride", "")
     ],
-    "rollcon_contact_add_frame_elements": [
+    "rollcon_contact_frame_add_elements": [
         ("contact", ""), ("type", "element type"), ("n", ""), ("connectivity", ""), ("index_base",
         ""), ("tag", "")
     ],
-    "rollcon_contact_read_frame": [("contact", ""), ("path", ""), ("part", "")],
-    "rollcon_contact_frame_from_body": [("contact", ""), ("which", ""), ("tag", "")],
+    "rollcon_contact_frame_from_file": [("contact", ""), ("path", ""), ("part", "")],
+    "rollcon_contact_frame_from_body": [
+        ("contact", ""), ("which", "body of a contact"), ("tag", "")
+    ],
     "rollcon_contact_frame_rectangle": [
         ("contact", ""), ("type", "element type"), ("nx", ""), ("ny", ""), ("x_least", ""),
         ("x_greatest", ""), ("y_least", ""), ("y_greatest", "")
@@ -657,7 +676,7 @@ ARGUMENTS = {
     "rollcon_contact_frame_strips": [("contact", ""), ("along", ""), ("n", ""), ("lines", "")],
     "rollcon_contact_frame_automatic": [("contact", "")],
     "rollcon_contact_set_pose": [
-        ("contact", ""), ("which", ""), ("rotation", ""), ("translation", "")
+        ("contact", ""), ("which", "body of a contact"), ("rotation", ""), ("translation", "")
     ],
     "rollcon_contact_set_axes": [("contact", ""), ("origin", ""), ("rolling", ""), ("normal", "")],
     "rollcon_contact_set_gap": [("contact", ""), ("n", ""), ("gap", "")],
@@ -672,7 +691,8 @@ ARGUMENTS = {
     ],
     "rollcon_contact_set_step": [("contact", ""), ("kind", "step"), ("dt", "")],
     "rollcon_contact_set_velocity": [
-        ("contact", ""), ("which", ""), ("velocity", ""), ("angular_velocity", ""), ("point", "")
+        ("contact", ""), ("which", "body of a contact or moving contact"), ("velocity", ""),
+        ("angular_velocity", ""), ("point", "")
     ],
     "rollcon_contact_set_creep_field": [("contact", ""), ("n", ""), ("slip", "")],
     "rollcon_contact_prescribe": [
@@ -684,8 +704,8 @@ ARGUMENTS = {
     "rollcon_contact_set_layer_yield": [("contact", ""), ("stress", ""), ("hardening", "")],
     "rollcon_contact_set_friction_across": [("contact", ""), ("n", ""), ("points", "")],
     "rollcon_contact_set_heat": [
-        ("contact", ""), ("which", ""), ("conductivity", ""), ("heat_capacity", ""),
-        ("temperature", "")
+        ("contact", ""), ("which", "body of a contact"), ("conductivity", ""), ("heat_capacity",
+        ""), ("temperature", "")
     ],
     "rollcon_contact_set_friction_field": [("contact", ""), ("n", ""), ("mu", "")],
     "rollcon_contact_set_int": [("contact", ""), ("name", ""), ("value", "")],
@@ -712,10 +732,8 @@ ARGUMENTS = {
         ("capacity", ""), ("results", ""), ("n_results", ""), ("status", "")
     ],
     "rollcon_contact_repeat_step": [("contact", "")],
-    "rollcon_contact_save_past": [
-        ("contact", ""), ("capacity", ""), ("past", ""), ("n_values", "")
-    ],
-    "rollcon_contact_restore_past": [("contact", ""), ("n", ""), ("past", "")],
+    "rollcon_contact_past_get": [("contact", ""), ("capacity", ""), ("past", ""), ("n_values", "")],
+    "rollcon_contact_past_set": [("contact", ""), ("n", ""), ("past", "")],
     "rollcon_contact_reset": [("contact", "")],
     "rollcon_contact_get_size": [("contact", ""), ("nodes", ""), ("elements", "")],
     "rollcon_contact_get_tractions": [
@@ -725,7 +743,7 @@ ARGUMENTS = {
         ("contact", ""), ("field", "field"), ("axes", "axes"), ("capacity", ""), ("v", ""),
         ("n_values", "")
     ],
-    "rollcon_contact_get_status": [("contact", ""), ("capacity", ""), ("status", "")],
+    "rollcon_contact_get_node_states": [("contact", ""), ("capacity", ""), ("status", "")],
     "rollcon_contact_get_resultant": [
         ("contact", ""), ("axes", "axes"), ("force", ""), ("moment", "")
     ],
@@ -736,19 +754,21 @@ ARGUMENTS = {
         ("approach", ""), ("creep", "")
     ],
     "rollcon_contact_get_displacements_at": [
-        ("contact", ""), ("body", ""), ("n", ""), ("xy", ""), ("u", "")
+        ("contact", ""), ("which", "body of a contact"), ("n", ""), ("xy", ""), ("u", "")
     ],
     "rollcon_contact_get_stresses_at": [
-        ("contact", ""), ("body", ""), ("n", ""), ("xyz", ""), ("stress", ""), ("u", "")
+        ("contact", ""), ("which", "body of a contact"), ("n", ""), ("xyz", ""), ("stress", ""),
+        ("u", "")
     ],
     "rollcon_contact_get_body_displacements": [
-        ("contact", ""), ("body", ""), ("capacity", ""), ("u", ""), ("n_values", "")
-    ],
-    "rollcon_contact_get_body_fields_at": [
-        ("contact", ""), ("body", ""), ("n", ""), ("xyz", ""), ("displacement", ""), ("stress",
+        ("contact", ""), ("which", "body of a contact"), ("capacity", ""), ("u", ""), ("n_values",
         "")
     ],
-    "rollcon_contact_write_body": [("contact", ""), ("body", ""), ("path", "")],
+    "rollcon_contact_get_body_fields_at": [
+        ("contact", ""), ("which", "body of a contact"), ("n", ""), ("xyz", ""), ("displacement",
+        ""), ("stress", "")
+    ],
+    "rollcon_contact_write_body": [("contact", ""), ("which", "body of a contact"), ("path", "")],
     "rollcon_contact_get_temperatures_at": [
         ("contact", ""), ("n", ""), ("xy", ""), ("temperature", "")
     ],
@@ -759,8 +779,8 @@ ARGUMENTS = {
         ("depth", ""), ("volume", "")
     ],
     "rollcon_wear_profile": [
-        ("points", ""), ("yz", ""), ("rate", ""), ("side", ""), ("distance", ""), ("most_depth",
-        ""), ("smoothing", ""), ("worn", ""), ("taken", "")
+        ("points", ""), ("yz", ""), ("rate", ""), ("side", "inside of a profile"), ("distance",
+        ""), ("most_depth", ""), ("smoothing", ""), ("worn", ""), ("taken", "")
     ],
     "rollcon_stress_invariants": [
         ("n", ""), ("stress", ""), ("principal", ""), ("von_mises", ""), ("shear", "")
@@ -810,8 +830,8 @@ ARGUMENTS = {
         ""), ("law", ""), ("n", ""), ("parameters", ""), ("points", ""), ("wheel", ""), ("rail",
         ""), ("volumes", ""), ("status", "")
     ],
-    "rollcon_wheelrail_save": [("wheelrail", ""), ("place", "")],
-    "rollcon_wheelrail_restore": [("wheelrail", ""), ("place", "")],
+    "rollcon_wheelrail_snapshot": [("wheelrail", ""), ("place", "")],
+    "rollcon_wheelrail_rollback": [("wheelrail", ""), ("place", "")],
     "rollcon_wheelrail_copy": [("wheelrail", ""), ("copy", "")],
     "rollcon_wheelrail_reset": [("wheelrail", "")],
     "rollcon_wheelrail_get_patch_count": [("wheelrail", ""), ("patches", "")],
@@ -825,7 +845,8 @@ ARGUMENTS = {
     "rollcon_wheelrail_stat_count": [],
     "rollcon_wheelrail_stat_name": [("i", ""), ("capacity", ""), ("text", ""), ("needed", "")],
     "rollcon_wheelrail_get_profile_point": [
-        ("wheelrail", ""), ("body", ""), ("share", ""), ("point", "")
+        ("wheelrail", ""), ("which", "profile of a wheel on its rail"), ("share", ""), ("point",
+        "")
     ],
     "rollcon_wheelrail_get_patch_stat": [
         ("wheelrail", ""), ("patch", ""), ("name", ""), ("value", "")

@@ -334,7 +334,7 @@ class BodyPlain:
 
 class ContactPlain:
 
-    def read_frame(self, path: str | PathLike, part: str = "") -> None:
+    def frame_from_file(self, path: str | PathLike, part: str = "") -> None:
         """Makes the surface elements of a mesh file the frame; replaces frame and all that was
         given for its nodes. The files are those of read_mesh(). Tags of elements are Gmsh's
         physical groups, else 0.
@@ -342,9 +342,9 @@ class ContactPlain:
         path: name of the file, which ends in .msh or .inp.
         part: name of a group (in any case): only its elements; "": those of the whole file.
         """
-        self._call("read_frame", c_path(path), c_text(part, "part"))
+        self._call("frame_from_file", c_path(path), c_text(part, "part"))
 
-    def frame_from_body(self, which: int, tag: int) -> None:
+    def frame_from_body(self, which: int | str, tag: int) -> None:
         """Makes the faces of a body that carry a tag the frame: replaces nodes and elements of
         the frame and forgets the gap array and the creep and friction fields. Its nodes are those
         of the faces, in the order of their ids in the body, and follow the body's pose. For
@@ -352,7 +352,7 @@ class ContactPlain:
         the corners alone, and the frame's elements linear: size() tells how many. Faces of body 2
         are turned over, so that the frame's normals point out of body 1.
 
-        which: 1 or 2: the body, prepared or not.
+        which: BODY1 or BODY2, prepared or not.
         tag: of some element of it (else ERR_ARGUMENT).
         """
         self._call("frame_from_body", which, tag)
@@ -505,7 +505,7 @@ class ContactPlain:
         """
         self._call("set_step", kind, dt)
 
-    def set_velocity(self, which: int, velocity: ArrayLike, angular_velocity: ArrayLike,
+    def set_velocity(self, which: int | str, velocity: ArrayLike, angular_velocity: ArrayLike,
                      point: ArrayLike) -> None:
         """Says how a body or the contact itself moves: its point at x has the velocity v + omega
         x (x - point). Creepages and spin then follow from the velocities of both bodies; motion()
@@ -516,7 +516,7 @@ class ContactPlain:
         whose velocity is not given is at rest. What was set last counts: set_creep() forgets all
         velocities, prescribe() replaces one creepage or the spin and leaves the rest of the slip.
 
-        which: 1 or 2: the body; 0: the contact, which travels over both.
+        which: BODY1, BODY2 or CONTACT_ITSELF.
         velocity: velocity of its point at `point`, length/time.
         angular_velocity: 1/time.
         point: in space, length.
@@ -607,13 +607,13 @@ class ContactPlain:
             points, points_at = reals(points, 2)
         self._call("set_friction_across", len(points), points_at)
 
-    def set_heat(self, which: int, conductivity: float, heat_capacity: float,
+    def set_heat(self, which: int | str, conductivity: float, heat_capacity: float,
                  temperature: float) -> None:
         """Says what a body does with heat, for the surface temperatures of a solution
         (temperatures_at(), FIELD_TEMPERATURE) and for friction that depends on them. The call is
         needed for both bodies; one of them may take up no heat.
 
-        which: 1 or 2: the body.
+        which: BODY1 or BODY2.
         conductivity: >= 0, power/(length temperature).
         heat_capacity: >= 0, energy/(volume temperature): density times specific heat.
         temperature: temperature far from the contact.
@@ -646,15 +646,15 @@ class ContactPlain:
         """
         self._call("repeat_step")
 
-    def restore_past(self, past: ArrayLike) -> None:
-        """Lets the next step start from what save_past() gave. Prepares bodies and frame where
+    def past_set(self, past: ArrayLike) -> None:
+        """Lets the next step start from what past_get() gave. Prepares bodies and frame where
         nothing was solved yet. Numbers of another frame, or that were changed, are refused and do
         not change the past; results of the last solve are gone.
 
-        past: what rollcon_contact_save_past gave.
+        past: what rollcon_contact_past_get gave.
         """
         past, past_at = reals(past)
-        self._call("restore_past", len(past), past_at)
+        self._call("past_set", len(past), past_at)
 
     def reset(self) -> None:
         """Forgets the solution, the warm start, the iteration log and what was before a time step
@@ -944,23 +944,24 @@ class WheelrailPlain:
         """
         self._call("request_cancel")
 
-    def save(self, place: int) -> None:
-        """Saves what is set and the last solution at a place within the wheel, for restore(),
-        because integrators step back. Nothing is allocated where as much was saved before.
+    def snapshot(self, place: int) -> None:
+        """Takes a snapshot of what is set and of the last solution, kept at a place within the
+        wheel, for rollback(), because integrators step back. Nothing is allocated where as much
+        was kept before.
 
         place: 0 to 15.
         """
-        self._call("save", place)
+        self._call("snapshot", place)
 
-    def restore(self, place: int) -> None:
-        """Goes back to what was saved: inputs, results, and later solves are as if nothing had
-        been done since, to the last bit. ERR_STATE: nothing was saved at this place, or track or
-        wheelset have been set since. What was saved stays. Contacts of patches that were new
-        since then are no longer those of this wheel.
+    def rollback(self, place: int) -> None:
+        """Goes back to a snapshot: inputs, results, and later solves are as if nothing had been
+        done since, to the last bit. ERR_STATE: there is no snapshot at this place, or track or
+        wheelset have been set since. The snapshot stays. Contacts of patches that were new since
+        then are no longer those of this wheel.
 
         place: 0 to 15.
         """
-        self._call("restore", place)
+        self._call("rollback", place)
 
     def reset(self) -> None:
         """Forgets the solution and the warm starts; keeps what was set and all that was computed
@@ -1015,17 +1016,17 @@ class WheelrailPlain:
         self._call("get_stat", c_text(name, "name"), byref(value))
         return value.value
 
-    def profile_point(self, body: int, share: float) -> ndarray:
+    def profile_point(self, which: int | str, share: float) -> ndarray:
         """Returns where a point of the wheel's or the rail's profile stood in the last solve, in
         the track, for pictures. The wheel's profile is that in the plane of its axle, below it.
 
-        body: 1: wheel, 2: rail.
+        which: WHEEL or RAIL.
         share: fraction of the length of that body's profile, 0 to 1, from the end where y is
           less.
         point: y and z, length.
         """
         point, point_at = room(2)
-        self._call("get_profile_point", body, share, point_at)
+        self._call("get_profile_point", which, share, point_at)
         return point
 
     def patch_stat(self, patch: int, name: str) -> float:

@@ -104,18 +104,18 @@ class Contact(Settings, ContactPlain, Handle):
 
     # ------------------------------------------------------------------ frame, gap and axes
 
-    def set_frame_nodes(self, x: ArrayLike) -> None:
+    def frame_nodes(self, x: ArrayLike) -> None:
         """Gives nodes x[n, 3] (or x[n, 2]: z = 0); any strides of float64 pass without a copy."""
         x, layout = nodes(x)
-        self._call("set_frame_nodes", *layout)
+        self._call("frame_nodes", *layout)
 
-    def add_frame_elements(self, element_type: int | str, connectivity: ArrayLike, tag: int = 1,
+    def frame_add_elements(self, element_type: int | str, connectivity: ArrayLike, tag: int = 1,
                            index_base: int = 0) -> None:
         """Adds elements of one type: connectivity[n, nodes per element]."""
         element_type, ids, address = elements(element_type, connectivity)
-        self._call("add_frame_elements", element_type, len(ids), address, index_base, tag)
+        self._call("frame_add_elements", element_type, len(ids), address, index_base, tag)
 
-    def set_pose(self, which: int, rotation: ArrayLike = ((1, 0, 0), (0, 1, 0), (0, 0, 1)),
+    def set_pose(self, which: int | str, rotation: ArrayLike = ((1, 0, 0), (0, 1, 0), (0, 0, 1)),
                  translation: ArrayLike = (0, 0, 0)) -> None:
         """Says where body 1 or 2 stands: x = rotation @ x_body + translation."""
         (r, pr), (t, pt) = reals(rotation, 3), vector(translation)
@@ -216,34 +216,34 @@ class Contact(Settings, ContactPlain, Handle):
         self._call("get_field", field, axes, v.size, address, byref(need))
         return v if v.size == count else v.reshape(count, -1)
 
-    def save_past(self) -> np.ndarray:
-        """Returns what the next step in time starts from, [n], for restore_past of this or another contact."""
+    def past_get(self) -> np.ndarray:
+        """Returns what the next step in time starts from, [n], for past_set of this or another contact."""
         need = c_int64()
-        self._call("save_past", 0, None, byref(need))
+        self._call("past_get", 0, None, byref(need))
         past, address = room(need.value)
-        self._call("save_past", past.size, address, byref(need))
+        self._call("past_get", past.size, address, byref(need))
         return past
 
-    def node_status(self) -> np.ndarray:
+    def node_states(self) -> np.ndarray:
         """Returns OPEN, STICK, SLIP or EXCLUDED at each node."""
         status, address = room(self.size[0], dtype=np.int32)
-        self._call("get_status", status.size, address)
+        self._call("get_node_states", status.size, address)
         return status
 
-    def displacements_at(self, body: int, xy: ArrayLike) -> np.ndarray:
+    def displacements_at(self, which: int | str, xy: ArrayLike) -> np.ndarray:
         """Returns displacements [n, 3] of body 1 or 2 at points xy[n, 2] of the contact surface."""
         xy, points = reals(xy, 2)
         u, address = room(len(xy), 3)
-        self._call("get_displacements_at", body, len(xy), points, address)
+        self._call("get_displacements_at", which, len(xy), points, address)
         return u
 
-    def stresses_at(self, body: int, xyz: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
+    def stresses_at(self, which: int | str, xyz: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
         """Returns stresses [n, 6] (s11, s22, snn, s12, s1n, s2n) and displacements [n, 3] at points xyz[n, 3] inside
         body 1 (n <= 0) or body 2 (n >= 0), a half-space, in the contact's axes."""
         xyz, points = reals(xyz, 3)
         stress, first = room(len(xyz), 6)
         u, second = room(len(xyz), 3)
-        self._call("get_stresses_at", body, len(xyz), points, first, second)
+        self._call("get_stresses_at", which, len(xyz), points, first, second)
         return stress, u
 
     def wear(self, law: str, parameters: ArrayLike, y: ArrayLike) -> tuple[np.ndarray, float]:
@@ -256,27 +256,27 @@ class Contact(Settings, ContactPlain, Handle):
         self._call("get_wear", c_text(law, "law"), parameters.size, given, len(y), places, address, byref(volume))
         return depth, volume.value
 
-    def body_displacements(self, body: int) -> np.ndarray:
+    def body_displacements(self, which: int | str) -> np.ndarray:
         """Returns displacements [nodes, 3] of all nodes of body 1 or 2, of finite or boundary elements, in its axes."""
         need = c_int64()
-        self._call("get_body_displacements", body, 0, None, byref(need))
+        self._call("get_body_displacements", which, 0, None, byref(need))
         u, address = room(need.value // 3, 3)
-        self._call("get_body_displacements", body, u.size, address, byref(need))
+        self._call("get_body_displacements", which, u.size, address, byref(need))
         return u
 
-    def body_fields_at(self, body: int, xyz: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
+    def body_fields_at(self, which: int | str, xyz: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
         """Returns displacements [n, 3] and stresses [n, 6] (s11, s22, s33, s12, s13, s23) at points xyz[n, 3] inside
         body 1 or 2, of finite or boundary elements, in its axes."""
         xyz, points = reals(xyz, 3)
         displacement, first = room(len(xyz), 3)
         stress, second = room(len(xyz), 6)
-        self._call("get_body_fields_at", body, len(xyz), points, first, second)
+        self._call("get_body_fields_at", which, len(xyz), points, first, second)
         return displacement, stress
 
-    def write_body(self, body: int, path: str | os.PathLike) -> None:
+    def write_body(self, which: int | str, path: str | os.PathLike) -> None:
         """Writes elements of body 1 or 2 with displacements, smoothed stresses and von Mises's stress, as a VTU
         file."""
-        self._call("write_body", body, c_path(path))
+        self._call("write_body", which, c_path(path))
 
     def temperatures_at(self, xy: ArrayLike) -> np.ndarray:
         """Returns temperatures [n, 2] of the surfaces of bodies 1 and 2 at points xy[n, 2] of the plane of the axes."""

@@ -26,7 +26,7 @@ def _axes(ax, **options):
 def _nodes(contact):
     """Returns x, y of the nodes in the contact's axes, and what is in contact."""
     point = contact.field("point")
-    state = contact.node_status()
+    state = contact.node_states()
     if not len(state):
         raise ValueError("nothing to draw: the contact has no nodes; solve it first")
     return point[:, 0], point[:, 1], (state == _api.STICK) | (state == _api.SLIP), state

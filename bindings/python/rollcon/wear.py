@@ -13,11 +13,11 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 
-def wear_profile(yz: ArrayLike, rate: ArrayLike, side: int, distance: float, most_depth: float,
+def wear_profile(yz: ArrayLike, rate: ArrayLike, side: int | str, distance: float, most_depth: float,
                  smoothing: float = 0) -> tuple[np.ndarray, float]:
     """Wears points yz[n, 2] of a profile by rate[n], depth per distance, along the normal: returns the worn points,
-    and how much of the distance was taken so that none is worn deeper than most_depth. side 1: the body lies at
-    greater z (a rail), -1: at lesser z (a wheel). smoothing: waves of that length keep one half."""
+    and how much of the distance was taken so that none is worn deeper than most_depth. side: BODY_BELOW, the body lies
+    at greater z (a rail), or BODY_ABOVE (a wheel). smoothing: waves of that length keep one half."""
     yz, given = reals(yz, 2)
     rate, rates = reals(rate)
     if len(rate) != len(yz):

@@ -148,7 +148,7 @@ void repeat_step(StepHistory& h) {
   if (!h.can_repeat)
     fail(Status::err_state,
          "there is no step to repeat: none was made since the contact was, or since rollcon_contact_reset, "
-         "rollcon_contact_restore_past or rollcon_contact_repeat_step");
+         "rollcon_contact_past_set or rollcon_contact_repeat_step");
   std::swap(h.last, h.before);
   h.can_repeat = h.iterate_is_last = false;
 }

@@ -39,7 +39,7 @@ void Scene::require_frame_size(std::int64_t n, const char* what) const {
   require_count(n, "n");
   if (!frame_given_ || mesh_.nodes() == 0)
     fail(Status::err_state,
-         "%s is given node by node, and the frame has no nodes yet: call rollcon_contact_set_frame_nodes, "
+         "%s is given node by node, and the frame has no nodes yet: call rollcon_contact_frame_nodes, "
          "rollcon_contact_frame_ellipse, ... before",
          what);
   if (n != mesh_.nodes())
@@ -309,9 +309,9 @@ void Scene::set_friction_field(std::int64_t n, const double* mu) {
 void Scene::require_complete(bool has_surface) const {
   if (mesh_.nodes() == 0)
     fail(Status::err_state,
-         "the frame has no nodes: rollcon_contact_set_frame_nodes or "
+         "the frame has no nodes: rollcon_contact_frame_nodes or "
          "rollcon_contact_frame_from_body");
-  if (mesh_.elements() == 0) fail(Status::err_state, "the frame has no elements: rollcon_contact_add_frame_elements");
+  if (mesh_.elements() == 0) fail(Status::err_state, "the frame has no elements: rollcon_contact_frame_add_elements");
   if (!has_gap() && !has_surface)
     fail(Status::err_state,
          "no gap was given and no body has a mesh or a profile to compute it from: rollcon_contact_set_gap, "

@@ -129,11 +129,11 @@ void Scene::replace_frame(SurfaceMesh mesh, FrameSource source) {
 void Scene::add_frame_elements(std::int32_t type, std::int64_t n, const std::int32_t* connectivity,
                                std::int32_t index_base, std::int32_t tag) {
   if (ends_at_edge_)
-    fail(Status::err_state, "the frame was made by the library: rollcon_contact_set_frame_nodes starts another one");
+    fail(Status::err_state, "the frame was made by the library: rollcon_contact_frame_nodes starts another one");
   if (frame_source_.body >= 0)
-    fail(Status::err_state, "the frame was taken from body %d: rollcon_contact_set_frame_nodes starts another one",
+    fail(Status::err_state, "the frame was taken from body %d: rollcon_contact_frame_nodes starts another one",
          frame_source_.body + 1);
-  append_elements(mesh_, type, n, connectivity, index_base, tag, "frame", "rollcon_contact_set_frame_nodes");
+  append_elements(mesh_, type, n, connectivity, index_base, tag, "frame", "rollcon_contact_frame_nodes");
   if (n > 0) ++revision.mesh;
 }
 

@@ -1,5 +1,5 @@
-function varargout = contact_add_frame_elements(varargin)
-% CONTACT_ADD_FRAME_ELEMENTS  rollcon.contact_add_frame_elements(contact, type, connectivity, tag)
+function varargout = contact_frame_add_elements(varargin)
+% CONTACT_FRAME_ADD_ELEMENTS  rollcon.contact_frame_add_elements(contact, type, connectivity, tag)
 %
 % Adds elements of one type to the frame. Types may be mixed by several calls. Shapes are checked by
 % the solve (ERR_MESH there).
@@ -11,5 +11,5 @@ function varargout = contact_add_frame_elements(varargin)
 %
 % Nodes, elements and rows count from 1. Failures are errors rollcon:ERR_..., caveats are warnings.
 % Generated from bindings/api.toml; do not edit.
-rollcon_mex('contact_add_frame_elements', varargin{:});
+rollcon_mex('contact_frame_add_elements', varargin{:});
 end

@@ -1,5 +1,5 @@
-function varargout = contact_set_frame_nodes(varargin)
-% CONTACT_SET_FRAME_NODES  rollcon.contact_set_frame_nodes(contact, x)
+function varargout = contact_frame_nodes(varargin)
+% CONTACT_FRAME_NODES  rollcon.contact_frame_nodes(contact, x)
 %
 % Sets the nodes of the frame and forgets its elements, the gap array and the creep and friction
 % fields. Component j of node i is x[i * node_stride + j * component_stride]: packed x[n][3] has
@@ -10,5 +10,5 @@ function varargout = contact_set_frame_nodes(varargin)
 %
 % Nodes, elements and rows count from 1. Failures are errors rollcon:ERR_..., caveats are warnings.
 % Generated from bindings/api.toml; do not edit.
-rollcon_mex('contact_set_frame_nodes', varargin{:});
+rollcon_mex('contact_frame_nodes', varargin{:});
 end

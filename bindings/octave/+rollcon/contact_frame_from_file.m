@@ -1,5 +1,5 @@
-function varargout = contact_read_frame(varargin)
-% CONTACT_READ_FRAME  rollcon.contact_read_frame(contact, path, part)
+function varargout = contact_frame_from_file(varargin)
+% CONTACT_FRAME_FROM_FILE  rollcon.contact_frame_from_file(contact, path, part)
 %
 % Makes the surface elements of a mesh file the frame; replaces frame and all that was given for its
 % nodes. The files are those of rollcon.body_read_mesh. Tags of elements are Gmsh's physical groups,
@@ -12,5 +12,5 @@ function varargout = contact_read_frame(varargin)
 %
 % Nodes, elements and rows count from 1. Failures are errors rollcon:ERR_..., caveats are warnings.
 % Generated from bindings/api.toml; do not edit.
-rollcon_mex('contact_read_frame', varargin{:});
+rollcon_mex('contact_frame_from_file', varargin{:});
 end
