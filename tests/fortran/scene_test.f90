@@ -148,7 +148,7 @@ contains
     call contact%solve()
     call contact%get_resultant(coulomb, moment)
     do i = 1, 2
-      call contact%set_heat(i, 50.0_rc_real, 3.5_rc_real, 0.0_rc_real)
+      call contact%set_heat(int(i, rc_int), 50.0_rc_real, 3.5_rc_real, 0.0_rc_real)
     end do
     do i = 1, 10
       select case (i)
