@@ -98,7 +98,7 @@ TEST_F(wheelrail, profiles_stand_where_the_patch_is) {
                  above[0] * std::cos(patch_stat(w, "angle")) / patch_stat(w, "overlap") - 1, 0.01);
     double p[2] = {5, 5};
     EXPECT_EQ(rollcon_wheelrail_get_profile_point(w, 3, 0, p), ROLLCON_ERR_ARGUMENT);
-    EXPECT_STREQ(rollcon_last_error(), "rollcon_wheelrail_get_profile_point: body is 3; allowed: 1 (wheel), 2 (rail)");
+    EXPECT_STREQ(rollcon_last_error(), "rollcon_wheelrail_get_profile_point: which is 3; allowed: 1 (wheel), 2 (rail)");
     EXPECT_EQ(rollcon_wheelrail_get_profile_point(w, 2, -1, p), ROLLCON_ERR_ARGUMENT);
     EXPECT_EQ(rollcon_wheelrail_get_profile_point(w, 2, NAN, p), ROLLCON_ERR_NONFINITE);
     EXPECT_EQ(p[0], 5);
