@@ -46,6 +46,7 @@ def outputs(api):
     programs = [(path.name, path.read_text(encoding="utf-8")) for path in sorted((ROOT / "examples").glob("*.c"))]
     made = {
         "include/rollcon.h": c_header.write(api),
+        "include/rollcon_layers.h": c_header.write_layers(api),
         "src/capi/api_tables.hpp": cpp_tables.write(api),
         "src/capi/plain.cpp": capi_plain.write(api),
         "cmake/rollcon.map": symbol_map.write(api),

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "rollcon.h"
+#include "rollcon_layers.h"
 
 static const double frictionless = 0;
 

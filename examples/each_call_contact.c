@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "rollcon.h"
+#include "rollcon_layers.h"
 
 enum { nx = 24, ny = 20, most_nodes = (nx + 1) * (ny + 1), most_rows = 200 };
 

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "rollcon.h"
+#include "rollcon_layers.h"
 
 static int32_t must(int32_t status) {
   if (status >= 0) return status;

@@ -226,15 +226,6 @@ module rollcon_c
       type(c_ptr) :: rc
     end function rollcon_last_caveat
 
-    function rollcon_report(handle, status, message) result(rc) bind(C, name="rollcon_report")
-      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
-      implicit none
-      type(c_ptr), value :: handle
-      integer(c_int32_t), value :: status
-      character(kind=c_char), intent(in) :: message(*)
-      integer(c_int32_t) :: rc
-    end function rollcon_report
-
     function rollcon_context_create(header_abi, context) &
         result(rc) bind(C, name="rollcon_context_create")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
@@ -243,13 +234,6 @@ module rollcon_c
       type(c_ptr), intent(out) :: context
       integer(c_int32_t) :: rc
     end function rollcon_context_create
-
-    function rollcon_context_retain(context) result(rc) bind(C, name="rollcon_context_retain")
-      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
-      implicit none
-      type(c_ptr), value :: context
-      integer(c_int32_t) :: rc
-    end function rollcon_context_retain
 
     subroutine rollcon_context_release(context) bind(C, name="rollcon_context_release")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
@@ -301,13 +285,6 @@ module rollcon_c
       type(c_ptr), intent(out) :: body
       integer(c_int32_t) :: rc
     end function rollcon_body_create
-
-    function rollcon_body_retain(body) result(rc) bind(C, name="rollcon_body_retain")
-      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
-      implicit none
-      type(c_ptr), value :: body
-      integer(c_int32_t) :: rc
-    end function rollcon_body_retain
 
     subroutine rollcon_body_release(body) bind(C, name="rollcon_body_release")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
@@ -821,13 +798,6 @@ module rollcon_c
       type(c_ptr), intent(out) :: contact
       integer(c_int32_t) :: rc
     end function rollcon_contact_create
-
-    function rollcon_contact_retain(contact) result(rc) bind(C, name="rollcon_contact_retain")
-      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
-      implicit none
-      type(c_ptr), value :: contact
-      integer(c_int32_t) :: rc
-    end function rollcon_contact_retain
 
     subroutine rollcon_contact_release(contact) bind(C, name="rollcon_contact_release")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
@@ -1612,13 +1582,6 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_create
 
-    function rollcon_wheelrail_retain(wheelrail) result(rc) bind(C, name="rollcon_wheelrail_retain")
-      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
-      implicit none
-      type(c_ptr), value :: wheelrail
-      integer(c_int32_t) :: rc
-    end function rollcon_wheelrail_retain
-
     subroutine rollcon_wheelrail_release(wheelrail) bind(C, name="rollcon_wheelrail_release")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
@@ -1985,6 +1948,50 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_find_conicity
 
+    function rollcon_report(handle, status, message) result(rc) bind(C, name="rollcon_report")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: handle
+      integer(c_int32_t), value :: status
+      character(kind=c_char), intent(in) :: message(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_report
+
+    function rollcon_context_retain(context) result(rc) bind(C, name="rollcon_context_retain")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: context
+      integer(c_int32_t) :: rc
+    end function rollcon_context_retain
+
+    function rollcon_body_retain(body) result(rc) bind(C, name="rollcon_body_retain")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int32_t) :: rc
+    end function rollcon_body_retain
+
+    function rollcon_contact_retain(contact) result(rc) bind(C, name="rollcon_contact_retain")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_retain
+
+    function rollcon_wheelrail_retain(wheelrail) result(rc) bind(C, name="rollcon_wheelrail_retain")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_retain
+
+    function rollcon_table_retain(table) result(rc) bind(C, name="rollcon_table_retain")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: table
+      integer(c_int32_t) :: rc
+    end function rollcon_table_retain
+
     function rollcon_id_of(handle) result(rc) bind(C, name="rollcon_id_of")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
@@ -2034,13 +2041,6 @@ module rollcon_c
       type(c_ptr), intent(out) :: table
       integer(c_int32_t) :: rc
     end function rollcon_table_create
-
-    function rollcon_table_retain(table) result(rc) bind(C, name="rollcon_table_retain")
-      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
-      implicit none
-      type(c_ptr), value :: table
-      integer(c_int32_t) :: rc
-    end function rollcon_table_retain
 
     subroutine rollcon_table_release(table) bind(C, name="rollcon_table_release")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr

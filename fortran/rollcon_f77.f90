@@ -69,27 +69,6 @@ subroutine rcinit(ictx, ierr)
   if (ierr == ROLLCON_OK) ictx = rollcon_id_of(p)
 end subroutine
 
-!> Adds a reference.
-subroutine rckeep(ih, ierr)
-  use rollcon_f77_support
-  implicit none
-  integer :: ih, ierr
-  select case (kind_of(ih))
-  case (of_context)
-    ierr = rollcon_context_retain(context_of(ih))
-  case (of_body)
-    ierr = rollcon_body_retain(body_of(ih))
-  case (of_contact)
-    ierr = rollcon_contact_retain(contact_of(ih))
-  case (of_wheelrail)
-    ierr = rollcon_wheelrail_retain(wheelrail_of(ih))
-  case (of_table)
-    ierr = rollcon_table_retain(table_of(ih))
-  case default
-    call no_handle('RCKEEP', ih, ierr)
-  end select
-end subroutine
-
 !> Drops a reference. The handle becomes 0.
 subroutine rcfree(ih, ierr)
   use rollcon_f77_support
@@ -1874,6 +1853,27 @@ subroutine rcwcnc(ileft, iright, n, amplitude, conicity, wavelength, ierr)
   double precision :: amplitude(*), conicity(*), wavelength(*)
   ierr = rollcon_wheelrail_find_conicity(wheelrail_of(ileft), wheelrail_of(iright), int(n, c_int64_t), amplitude, &
     conicity, wavelength)
+end subroutine
+
+!> Adds a reference.
+subroutine rckeep(ih, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ih, ierr
+  select case (kind_of(ih))
+  case (of_context)
+    ierr = rollcon_context_retain(context_of(ih))
+  case (of_body)
+    ierr = rollcon_body_retain(body_of(ih))
+  case (of_contact)
+    ierr = rollcon_contact_retain(contact_of(ih))
+  case (of_wheelrail)
+    ierr = rollcon_wheelrail_retain(wheelrail_of(ih))
+  case (of_table)
+    ierr = rollcon_table_retain(table_of(ih))
+  case default
+    call no_handle('RCKEEP', ih, ierr)
+  end select
 end subroutine
 
 !> Makes a table without samples.

@@ -345,18 +345,6 @@ ROLLCON_API const char *ROLLCON_CALL rollcon_last_error(void);
  */
 ROLLCON_API const char *ROLLCON_CALL rollcon_last_caveat(void);
 
-/*
- * Makes a text the thread's last error and tells log and latch of the object's context, as a
- * failing function does; it serves layers over this interface that check arguments of their own.
- * Returns the status.
- *   handle   may be NULL; object that the caller was given; others: no log, no latch
- *   status   < 0; others stand for ROLLCON_ERR_ARGUMENT
- *   message  may be NULL; "name of the function: what is wrong"
- * Threads: any.
- */
-ROLLCON_API int32_t ROLLCON_CALL rollcon_report(const void *handle, int32_t status,
-    const char *message);
-
 /* ----------------------------------------------------------------------------------- Context */
 /* Owns the log sink, the thread budget and the latch. Different contexts are independent. */
 
@@ -371,12 +359,6 @@ ROLLCON_API int32_t ROLLCON_CALL rollcon_report(const void *handle, int32_t stat
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_context_create(int32_t header_abi,
     rollcon_context **context);
-
-/*
- * Adds a reference.
- * Threads: any.
- */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_context_retain(rollcon_context *context);
 
 /*
  * Drops a reference; the handle is dead after the last one. Bodies and contacts made from the
@@ -444,12 +426,6 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_context_check(const rollcon_cont
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_create(rollcon_context *context,
     int32_t kind, rollcon_body **body);
-
-/*
- * Adds a reference.
- * Threads: any.
- */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_retain(rollcon_body *body);
 
 /*
  * Drops a reference; the handle is dead after the last one. Contacts keep their bodies alive.
@@ -1118,12 +1094,6 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_stat_name(int32_t i, int64_
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_create(rollcon_context *context,
     rollcon_body *body1, rollcon_body *body2, rollcon_contact **contact);
-
-/*
- * Adds a reference.
- * Threads: any.
- */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_retain(rollcon_contact *contact);
 
 /*
  * Drops a reference; the handle is dead after the last one. NULL and dead handles are ignored.
@@ -2163,12 +2133,6 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_create(rollcon_context
     rollcon_body *wheel, rollcon_body *rail, int32_t side, rollcon_wheelrail **wheelrail);
 
 /*
- * Adds a reference.
- * Threads: any.
- */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_retain(rollcon_wheelrail *wheelrail);
-
-/*
  * Drops a reference; the handle is dead after the last one. Contacts of its patches live on. NULL
  * and dead handles are ignored.
  *   wheelrail  may be NULL
@@ -2619,52 +2583,6 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_find_conicity(rollcon_
     rollcon_wheelrail *right, int64_t n, const double *amplitude, double *conicity,
     double *wavelength);
 
-/* ----------------------------------------------------------------------- Handles as integers */
-/* These functions serve languages without pointers (the FORTRAN 77 layer). Neither direction
-   changes reference counts. */
-
-/*
- * Returns the positive number of a handle; 0 for NULL and for handles that are not alive.
- *   handle  may be NULL; of any kind
- * Threads: any.
- */
-ROLLCON_API int32_t ROLLCON_CALL rollcon_id_of(const void *handle);
-
-/*
- * Returns the handle with this number; NULL for 0. It is not checked here: its use is
- * (ROLLCON_ERR_HANDLE).
- * Threads: any.
- */
-ROLLCON_API rollcon_context *ROLLCON_CALL rollcon_context_from_id(int32_t id);
-
-/*
- * Returns the handle with this number; NULL for 0. It is not checked here: its use is
- * (ROLLCON_ERR_HANDLE).
- * Threads: any.
- */
-ROLLCON_API rollcon_body *ROLLCON_CALL rollcon_body_from_id(int32_t id);
-
-/*
- * Returns the handle with this number; NULL for 0. It is not checked here: its use is
- * (ROLLCON_ERR_HANDLE).
- * Threads: any.
- */
-ROLLCON_API rollcon_contact *ROLLCON_CALL rollcon_contact_from_id(int32_t id);
-
-/*
- * Returns the handle with this number; NULL for 0. It is not checked here: its use is
- * (ROLLCON_ERR_HANDLE).
- * Threads: any.
- */
-ROLLCON_API rollcon_wheelrail *ROLLCON_CALL rollcon_wheelrail_from_id(int32_t id);
-
-/*
- * Returns the handle with this number; NULL for 0. It is not checked here: its use is
- * (ROLLCON_ERR_HANDLE).
- * Threads: any.
- */
-ROLLCON_API rollcon_table *ROLLCON_CALL rollcon_table_from_id(int32_t id);
-
 /* ------------------------------------------------------------------------ Creep-force tables */
 /* A table gives forces and spin moment of Hertzian steady rolling, from solved cases, in about a
    microsecond. What a table is given or makes stays: once it is there, any number of threads
@@ -2681,12 +2599,6 @@ ROLLCON_API rollcon_table *ROLLCON_CALL rollcon_table_from_id(int32_t id);
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_create(rollcon_context *context,
     rollcon_table **table);
-
-/*
- * Adds a reference.
- * Threads: any.
- */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_retain(rollcon_table *table);
 
 /*
  * Drops a reference; the handle is dead after the last one. NULL and dead handles are ignored.

@@ -1,4 +1,4 @@
-"""Writes include/rollcon.h: prototypes, enumerators and their documentation."""
+"""Writes the headers in include/: prototypes, enumerators and their documentation."""
 
 import textwrap
 
@@ -82,6 +82,23 @@ extern "C" {{
 {handles}
 /* Only inside a progress callback. */
 typedef struct rollcon_event rollcon_event;
+"""
+
+LAYERS = """\
+/*
+ * rollcon {version}: what layers over rollcon.h need.
+ *
+ * Generated from bindings/api.toml by bindings/generate.py; do not edit.
+ * Copyright (c) the rollcon authors. BSD-3-Clause.
+ */
+#ifndef ROLLCON_LAYERS_H
+#define ROLLCON_LAYERS_H
+
+#include <rollcon.h>
+
+#ifdef __cplusplus
+extern "C" {{
+#endif
 """
 
 CLOSING = """
@@ -208,7 +225,18 @@ def write(table):
                           abi=table.abi)]
     out += [enum_block(enum) for enum in table.enums]
     out += [callback_block(callback) for callback in table.callbacks]
+    return "".join(out) + prototypes(table, "rollcon.h") + CLOSING
+
+
+def write_layers(table):
+    return LAYERS.format(version=table.version_text) + prototypes(table, "rollcon_layers.h") + CLOSING
+
+
+def prototypes(table, header):
+    out = []
     for group in table.groups:
+        if group.header != header:
+            continue
         rule = "-" * max(4, WIDTH - 8 - len(group.title))
         out.append(f"\n/* {rule} {group.title} */\n")
         out.append("/* " + paragraph(group.doc, "   ").lstrip() + " */\n")
@@ -216,4 +244,4 @@ def write(table):
             head = f"ROLLCON_API {return_type(function.returns)}ROLLCON_CALL {function.name}"
             out.append("\n" + function_comment(function) + "\n" +
                        declaration(head, function.args) + "\n")
-    return "".join(out) + CLOSING
+    return "".join(out)

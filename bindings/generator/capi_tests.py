@@ -8,7 +8,7 @@ OPENING = """\
 /// One call of every function with an object: check(name, whether any thread may call it at any
 /// time, status). Their other arguments are harmless and no more.
 
-#include <rollcon.h>
+#include <rollcon_layers.h>
 
 #include <cstdint>
 

@@ -1,4 +1,4 @@
-"""Writes tests/bindings/recorded_calls.c: every function of rollcon.h, written down instead of done (see record.h
+"""Writes tests/bindings/recorded_calls.c: every function of the headers, written down instead of done (see record.h
 there).
 
 `arguments` says what each writes, and so what the tests of the layers expect.
@@ -12,7 +12,7 @@ from generator.table import HANDLES
 OPENING = """\
 /* Generated from bindings/api.toml by bindings/generate.py; do not edit. */
 #include "record.h"
-#include "rollcon.h"
+#include "rollcon_layers.h"
 
 /* clang-format off */
 """

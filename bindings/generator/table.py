@@ -79,6 +79,7 @@ class Group:
     title: str
     doc: str
     functions: list
+    header: str  # file in include/ that declares them
 
 
 @dataclass
@@ -189,7 +190,8 @@ def load(path):
     statuses = {name.removeprefix("ROLLCON_") for name, _, _ in enums[0].values}
     callbacks = [Callback("rollcon_" + c["name"], c["returns"], c["doc"],
                           parse_arguments(c["args"], c["name"])) for c in raw["callback"]]
-    groups = [Group(g["title"], g["doc"], [parse_function(f, statuses) for f in g["function"]])
+    groups = [Group(g["title"], g["doc"], [parse_function(f, statuses) for f in g["function"]],
+                    g.get("header", "rollcon.h"))
               for g in raw["group"]]
     features = [(f["name"], f["built"], f["doc"]) for f in raw["feature"]]
     table = Table(tuple(raw["library"]["version"]), raw["library"]["prerelease"], raw["library"]["abi"], features,

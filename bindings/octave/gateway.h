@@ -1,12 +1,12 @@
 /* Declares what the calls of the gateway have in common: values of MATLAB and Octave become those of C, and back.
-   rollcon_calls.c has a function for each one of rollcon.h. */
+   rollcon_calls.c has a function for each one of rollcon_layers.h. */
 #ifndef ROLLCON_OCTAVE_GATEWAY_H
 #define ROLLCON_OCTAVE_GATEWAY_H
 
 #include <mex.h>
 #include <stdint.h>
 
-#include "rollcon.h"
+#include "rollcon_layers.h"
 
 /* Holds one call: what is left of the arguments, and the results so far. */
 typedef struct call {

@@ -12,7 +12,7 @@
 
 #include "bodies/body.hpp"
 #include "contact/contact.hpp"
-#include "rollcon.h"
+#include "rollcon_layers.h"
 #include "support/context.hpp"
 #include "tables/force_table.hpp"
 #include "wheelrail/wheel_rail.hpp"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Compiles the public header alone, in two translation units of one program, under every standard a caller may use:
+# Compiles the public headers alone, in two translation units of one program, under every standard a caller may use:
 # header_matrix.sh <include folder> <work folder> <c compiler> <c++ compiler>
 set -euo pipefail
 include=$1 work=$2 cc=$3 cxx=$4
@@ -13,10 +13,12 @@ done
 rm -rf "$work"
 mkdir -p "$work"
 cd "$work"
-printf '#include <rollcon.h>\n' >unit.c
+printf '#include <rollcon_layers.h>\n' >unit.c
 cat >main.c <<'PROGRAM'
 #include <rollcon.h>
+#include <rollcon_layers.h>
 #include <rollcon.h>
+#include <rollcon_layers.h>
 int main(void) { return ROLLCON_OK; }
 PROGRAM
 cp unit.c unit.cpp
@@ -34,4 +36,4 @@ for standard in c++98 c++03 c++11 c++14 c++17 c++20; do
   "./program-$standard"
   count=$((count + 1))
 done
-echo "rollcon.h: $count standards, $cc and $cxx"
+echo "rollcon.h and rollcon_layers.h: $count standards, $cc and $cxx"

@@ -2,7 +2,7 @@
 /// Puts a sphere on a rigid plane through the public interface: the scene of the tests in this room.
 
 #include <gtest/gtest.h>
-#include <rollcon.h>
+#include <rollcon_layers.h>
 
 #include <algorithm>
 #include <array>

@@ -13,11 +13,10 @@ namespace {
 
 using StatusesOf = std::map<std::string, std::set<std::int32_t>>;
 
-/// Reads "Also returns:" of the comment before each declaration of the header, and what its opening says of all
+/// Reads "Also returns:" of the comment before each declaration of a header, and what the opening of rollcon.h says of all
 /// functions.
-StatusesOf read_header() {
-  StatusesOf all;
-  std::ifstream file(ROLLCON_HEADER);
+void read_header(const char* path, StatusesOf& all) {
+  std::ifstream file(path);
   std::map<std::string, std::int32_t> number;  // number of every enumerator
   std::set<std::int32_t> listed;
   bool in_list = false, any_thread = false;
@@ -55,7 +54,13 @@ StatusesOf read_header() {
     all[line.substr(begin, line.find('(') - begin)] = listed;
     listed.clear();
   }
-  require(all.size() > 60, "the header '" ROLLCON_HEADER "' lists too few functions");
+}
+
+StatusesOf read_headers() {
+  StatusesOf all;
+  read_header(ROLLCON_INCLUDE "rollcon.h", all);
+  require(all.size() > 60, "the header in '" ROLLCON_INCLUDE "' lists too few functions");
+  read_header(ROLLCON_INCLUDE "rollcon_layers.h", all);
   return all;
 }
 
@@ -68,7 +73,7 @@ void require(bool good, const std::string& what) {
 }
 
 std::int32_t checked(const char* function, const rollcon_context* context, std::int32_t status) {
-  static const StatusesOf documented = read_header();
+  static const StatusesOf documented = read_headers();
   const auto found = documented.find(function);
   require(found != documented.end(), std::string(function) + " is not in the header");
   const std::string text = rollcon_last_error();

@@ -1,7 +1,7 @@
 #pragma once
 /// Holds the handles of one input, alive and dead, and the number of references it owns.
 
-#include <rollcon.h>
+#include <rollcon_layers.h>
 
 #include <string>
 #include <tuple>

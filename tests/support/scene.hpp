@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "mesh/frame.hpp"
-#include "rollcon.h"
+#include "rollcon_layers.h"
 #include "support/closed_forms.hpp"
 #include "support/volume_meshes.hpp"
 

@@ -190,16 +190,13 @@ FUNCTIONS = {
     "rollcon_status_string": (c_char_p, [c_int32]),
     "rollcon_last_error": (c_char_p, []),
     "rollcon_last_caveat": (c_char_p, []),
-    "rollcon_report": (c_int32, [c_void_p, c_int32, c_char_p]),
     "rollcon_context_create": (c_int32, [c_int32, POINTER(c_void_p)]),
-    "rollcon_context_retain": (c_int32, [c_void_p]),
     "rollcon_context_release": (None, [c_void_p]),
     "rollcon_context_set_log": (c_int32, [c_void_p, c_int32, log_fn, c_void_p]),
     "rollcon_context_set_threads": (c_int32, [c_void_p, c_int32]),
     "rollcon_context_set_latch": (c_int32, [c_void_p, c_int32]),
     "rollcon_context_check": (c_int32, [c_void_p]),
     "rollcon_body_create": (c_int32, [c_void_p, c_int32, POINTER(c_void_p)]),
-    "rollcon_body_retain": (c_int32, [c_void_p]),
     "rollcon_body_release": (None, [c_void_p]),
     "rollcon_body_set_elastic": (c_int32, [c_void_p, c_int32, c_double, c_double]),
     "rollcon_body_prepare": (c_int32, [c_void_p]),
@@ -279,7 +276,6 @@ FUNCTIONS = {
     "rollcon_body_stat_count": (c_int32, []),
     "rollcon_body_stat_name": (c_int32, [c_int32, c_int64, c_char_p, POINTER(c_int64)]),
     "rollcon_contact_create": (c_int32, [c_void_p, c_void_p, c_void_p, POINTER(c_void_p)]),
-    "rollcon_contact_retain": (c_int32, [c_void_p]),
     "rollcon_contact_release": (None, [c_void_p]),
     "rollcon_contact_frame_nodes": (c_int32, [
         c_void_p, c_int64, POINTER(c_double),
@@ -403,7 +399,6 @@ FUNCTIONS = {
     "rollcon_wheelrail_create": (c_int32, [
         c_void_p, c_void_p, c_void_p,
         c_int32, POINTER(c_void_p)]),
-    "rollcon_wheelrail_retain": (c_int32, [c_void_p]),
     "rollcon_wheelrail_release": (None, [c_void_p]),
     "rollcon_wheelrail_set_track": (c_int32, [c_void_p, c_double, c_double, c_double]),
     "rollcon_wheelrail_set_wheelset": (c_int32, [c_void_p, c_double, c_double, c_double]),
@@ -459,6 +454,12 @@ FUNCTIONS = {
     "rollcon_wheelrail_find_conicity": (c_int32, [
         c_void_p, c_void_p, c_int64,
         POINTER(c_double), POINTER(c_double), POINTER(c_double)]),
+    "rollcon_report": (c_int32, [c_void_p, c_int32, c_char_p]),
+    "rollcon_context_retain": (c_int32, [c_void_p]),
+    "rollcon_body_retain": (c_int32, [c_void_p]),
+    "rollcon_contact_retain": (c_int32, [c_void_p]),
+    "rollcon_wheelrail_retain": (c_int32, [c_void_p]),
+    "rollcon_table_retain": (c_int32, [c_void_p]),
     "rollcon_id_of": (c_int32, [c_void_p]),
     "rollcon_context_from_id": (c_void_p, [c_int32]),
     "rollcon_body_from_id": (c_void_p, [c_int32]),
@@ -466,7 +467,6 @@ FUNCTIONS = {
     "rollcon_wheelrail_from_id": (c_void_p, [c_int32]),
     "rollcon_table_from_id": (c_void_p, [c_int32]),
     "rollcon_table_create": (c_int32, [c_void_p, POINTER(c_void_p)]),
-    "rollcon_table_retain": (c_int32, [c_void_p]),
     "rollcon_table_release": (None, [c_void_p]),
     "rollcon_table_load": (c_int32, [c_void_p, c_char_p, POINTER(c_void_p)]),
     "rollcon_table_standard": (c_int32, [c_void_p, POINTER(c_void_p)]),
@@ -557,9 +557,7 @@ ARGUMENTS = {
     "rollcon_status_string": [("status", "")],
     "rollcon_last_error": [],
     "rollcon_last_caveat": [],
-    "rollcon_report": [("handle", ""), ("status", ""), ("message", "")],
     "rollcon_context_create": [("header_abi", ""), ("context", "")],
-    "rollcon_context_retain": [("context", "")],
     "rollcon_context_release": [("context", "")],
     "rollcon_context_set_log": [
         ("context", ""), ("max_level", "log level"), ("fn", ""), ("user", "")
@@ -568,7 +566,6 @@ ARGUMENTS = {
     "rollcon_context_set_latch": [("context", ""), ("on", "")],
     "rollcon_context_check": [("context", "")],
     "rollcon_body_create": [("context", ""), ("kind", "body kind"), ("body", "")],
-    "rollcon_body_retain": [("body", "")],
     "rollcon_body_release": [("body", "")],
     "rollcon_body_set_elastic": [("body", ""), ("tag", ""), ("young", ""), ("poisson", "")],
     "rollcon_body_prepare": [("body", "")],
@@ -653,7 +650,6 @@ ARGUMENTS = {
     "rollcon_body_stat_count": [],
     "rollcon_body_stat_name": [("i", ""), ("capacity", ""), ("text", ""), ("needed", "")],
     "rollcon_contact_create": [("context", ""), ("body1", ""), ("body2", ""), ("contact", "")],
-    "rollcon_contact_retain": [("contact", "")],
     "rollcon_contact_release": [("contact", "")],
     "rollcon_contact_frame_nodes": [
         ("contact", ""), ("n", ""), ("x", ""), ("node_stride", ""), ("component_stride", "")
@@ -799,7 +795,6 @@ ARGUMENTS = {
     "rollcon_wheelrail_create": [
         ("context", ""), ("wheel", ""), ("rail", ""), ("side", "side"), ("wheelrail", "")
     ],
-    "rollcon_wheelrail_retain": [("wheelrail", "")],
     "rollcon_wheelrail_release": [("wheelrail", "")],
     "rollcon_wheelrail_set_track": [
         ("wheelrail", ""), ("gauge", ""), ("gauge_height", ""), ("cant", "")
@@ -866,6 +861,12 @@ ARGUMENTS = {
         ("left", ""), ("right", ""), ("n", ""), ("amplitude", ""), ("conicity", ""),
         ("wavelength", "")
     ],
+    "rollcon_report": [("handle", ""), ("status", ""), ("message", "")],
+    "rollcon_context_retain": [("context", "")],
+    "rollcon_body_retain": [("body", "")],
+    "rollcon_contact_retain": [("contact", "")],
+    "rollcon_wheelrail_retain": [("wheelrail", "")],
+    "rollcon_table_retain": [("table", "")],
     "rollcon_id_of": [("handle", "")],
     "rollcon_context_from_id": [("id", "")],
     "rollcon_body_from_id": [("id", "")],
@@ -873,7 +874,6 @@ ARGUMENTS = {
     "rollcon_wheelrail_from_id": [("id", "")],
     "rollcon_table_from_id": [("id", "")],
     "rollcon_table_create": [("context", ""), ("table", "")],
-    "rollcon_table_retain": [("table", "")],
     "rollcon_table_release": [("table", "")],
     "rollcon_table_load": [("context", ""), ("path", ""), ("table", "")],
     "rollcon_table_standard": [("context", ""), ("table", "")],
