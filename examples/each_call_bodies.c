@@ -145,11 +145,10 @@ static void tables_of_bodies(void) {
   int32_t type;
   double low, high, standard;
   char text[400];
-  if (rollcon_body_option_count() < 1 || rollcon_body_stat_count() < 1) exit(1);
-  must(rollcon_body_option_info(0, sizeof text, text, &type, &low, &high, &standard));
+  if (rollcon_option_count(ROLLCON_OF_BODY) < 1 || rollcon_stat_count(ROLLCON_OF_BODY) < 1) exit(1);
+  must(rollcon_option_info(ROLLCON_OF_BODY, 0, sizeof text, text, NULL, NULL, &type, &low, &high, &standard));
   printf("first option %s, %g to %g, standard %g\n", text, low, high, standard);
-  must(rollcon_body_option_doc(0, sizeof text, text, NULL));
-  must(rollcon_body_stat_name(0, sizeof text, text, NULL));
+  must(rollcon_stat_info(ROLLCON_OF_BODY, 0, sizeof text, text, NULL, NULL, NULL));
   printf("first statistic %s\n", text);
 }
 

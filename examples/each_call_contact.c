@@ -126,19 +126,18 @@ static void options(rollcon_contact* contact) {
   int64_t most;
   int32_t type;
   double tolerance, low, high, standard;
-  char text[400];
+  char text[400], doc[400];
   must(rollcon_contact_set_int(contact, "max_iterations", 80));
   must(rollcon_contact_set_real(contact, "tolerance", 1e-9));
   must(rollcon_contact_get_int(contact, "max_iterations", &most));
   must(rollcon_contact_get_real(contact, "tolerance", &tolerance));
   must(rollcon_contact_get_str(contact, "operators", sizeof text, text, NULL));
   printf("at most %d iterations to %.0e, operators %s\n", (int)most, tolerance, text);
-  if (rollcon_option_count() < 1 || rollcon_stat_count() < 1) exit(1);
-  must(rollcon_option_info(0, sizeof text, text, &type, &low, &high, &standard));
+  if (rollcon_option_count(ROLLCON_OF_CONTACT) < 1 || rollcon_stat_count(ROLLCON_OF_CONTACT) < 1) exit(1);
+  must(rollcon_option_info(ROLLCON_OF_CONTACT, 0, sizeof text, text, NULL, NULL, &type, &low, &high, &standard));
   printf("first option %s\n", text);
-  must(rollcon_option_doc(0, sizeof text, text, NULL));
-  must(rollcon_stat_name(0, sizeof text, text, NULL));
-  printf("first statistic %s\n", text);
+  must(rollcon_stat_info(ROLLCON_OF_CONTACT, 0, sizeof text, text, doc, NULL, NULL));
+  printf("first statistic %s: %s\n", text, doc);
 }
 
 static void watching(rollcon_contact* contact) {

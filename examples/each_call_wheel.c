@@ -162,10 +162,10 @@ static void wheels(rollcon_context* context) {
   must(rollcon_wheelrail_find_contact_points(left, right, 2, shift, points));
   must(rollcon_wheelrail_find_conicity(left, right, 2, amplitude, conicity, wavelength));
   printf("conicity %.3f at 2 mm, %.3f at 4 mm\n", conicity[0], conicity[1]);
-  if (rollcon_wheelrail_stat_count() < 1 || rollcon_wheelrail_patch_stat_count() < 1) exit(1);
-  must(rollcon_wheelrail_stat_name(0, sizeof text, text, NULL));
+  if (rollcon_stat_count(ROLLCON_OF_WHEELRAIL) < 1 || rollcon_stat_count(ROLLCON_OF_PATCH) < 1) exit(1);
+  must(rollcon_stat_info(ROLLCON_OF_WHEELRAIL, 0, sizeof text, text, NULL, NULL, NULL));
   printf("first statistic %s\n", text);
-  must(rollcon_wheelrail_patch_stat_name(0, sizeof text, text, NULL));
+  must(rollcon_stat_info(ROLLCON_OF_PATCH, 0, sizeof text, text, NULL, NULL, NULL));
   printf("first statistic of a patch %s\n", text);
   rollcon_wheelrail_release(left);
   rollcon_wheelrail_release(right);

@@ -142,7 +142,7 @@ contains
     p = self%p
   end function
 
-  !> A setting by name; rc_body_option_info lists them.
+  !> A setting by name; rc_option_info lists them.
   subroutine set_option_int32(self, name, value, stat, errmsg)
     class(rc_body_plain), intent(inout) :: self
     character(len=*), intent(in) :: name
@@ -153,7 +153,7 @@ contains
       'rc_body%set', stat, errmsg)
   end subroutine
 
-  !> A setting by name; rc_body_option_info lists them.
+  !> A setting by name; rc_option_info lists them.
   subroutine set_option_int64(self, name, value, stat, errmsg)
     class(rc_body_plain), intent(inout) :: self
     character(len=*), intent(in) :: name
@@ -164,7 +164,7 @@ contains
       'rc_body%set', stat, errmsg)
   end subroutine
 
-  !> A setting by name; rc_body_option_info lists them.
+  !> A setting by name; rc_option_info lists them.
   subroutine set_option_real(self, name, value, stat, errmsg)
     class(rc_body_plain), intent(inout) :: self
     character(len=*), intent(in) :: name
@@ -175,7 +175,7 @@ contains
       'rc_body%set', stat, errmsg)
   end subroutine
 
-  !> A setting by name; rc_body_option_info lists them.
+  !> A setting by name; rc_option_info lists them.
   subroutine get_option_int32(self, name, value, stat, errmsg)
     class(rc_body_plain), intent(in) :: self
     character(len=*), intent(in) :: name
@@ -189,7 +189,7 @@ contains
     value = int(wide, c_int32_t)
   end subroutine
 
-  !> A setting by name; rc_body_option_info lists them.
+  !> A setting by name; rc_option_info lists them.
   subroutine get_option_int64(self, name, value, stat, errmsg)
     class(rc_body_plain), intent(in) :: self
     character(len=*), intent(in) :: name
@@ -201,7 +201,7 @@ contains
       'rc_body%get', stat, errmsg)
   end subroutine
 
-  !> A setting by name; rc_body_option_info lists them.
+  !> A setting by name; rc_option_info lists them.
   subroutine get_option_real(self, name, value, stat, errmsg)
     class(rc_body_plain), intent(in) :: self
     character(len=*), intent(in) :: name
@@ -550,7 +550,7 @@ contains
   end subroutine
 
   !> Returns one number about a prepared body: unknowns, assemblies, factorisations, condition, seconds, bytes; 0 for
-  !> bodies without equations. Names: rollcon_body_stat_name. Counts are those of the equations, which equal bodies of a
+  !> bodies without equations. Names: rollcon_stat_info. Counts are those of the equations, which equal bodies of a
   !> context have in common: "shared" is 1 for a body for which nothing was assembled because an equal one was prepared
   !> before, "loaded" for one from a file.
   subroutine body_get_stat(self, name, value, stat, errmsg)

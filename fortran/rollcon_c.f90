@@ -141,6 +141,12 @@ module rollcon_c
   integer(c_int32_t), parameter :: rollcon_type_real = 2_c_int32_t
   integer(c_int32_t), parameter :: rollcon_type_str = 3_c_int32_t
 
+  ! kind of object
+  integer(c_int32_t), parameter :: rollcon_of_body = 2_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_of_contact = 3_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_of_wheelrail = 4_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_of_patch = 6_c_int32_t
+
   ! event key
   integer(c_int32_t), parameter :: rollcon_event_phase = 1_c_int32_t
   integer(c_int32_t), parameter :: rollcon_event_iteration = 2_c_int32_t
@@ -564,37 +570,6 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_body_get_real
 
-    function rollcon_body_option_count() result(rc) bind(C, name="rollcon_body_option_count")
-      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
-      implicit none
-      integer(c_int32_t) :: rc
-    end function rollcon_body_option_count
-
-    function rollcon_body_option_info(i, capacity, name, type, low, high, standard) &
-        result(rc) bind(C, name="rollcon_body_option_info")
-      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
-      implicit none
-      integer(c_int32_t), value :: i
-      integer(c_int64_t), value :: capacity
-      character(kind=c_char), intent(out) :: name(*)
-      integer(c_int32_t), intent(inout) :: type
-      real(c_double), intent(inout) :: low
-      real(c_double), intent(inout) :: high
-      real(c_double), intent(inout) :: standard
-      integer(c_int32_t) :: rc
-    end function rollcon_body_option_info
-
-    function rollcon_body_option_doc(i, capacity, text, needed) &
-        result(rc) bind(C, name="rollcon_body_option_doc")
-      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
-      implicit none
-      integer(c_int32_t), value :: i
-      integer(c_int64_t), value :: capacity
-      character(kind=c_char), intent(out) :: text(*)
-      integer(c_int64_t), intent(inout) :: needed
-      integer(c_int32_t) :: rc
-    end function rollcon_body_option_doc
-
     function rollcon_body_set_profile(body, n, points, filter_length) &
         result(rc) bind(C, name="rollcon_body_set_profile")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
@@ -770,23 +745,6 @@ module rollcon_c
       real(c_double), intent(inout) :: value
       integer(c_int32_t) :: rc
     end function rollcon_body_get_stat
-
-    function rollcon_body_stat_count() result(rc) bind(C, name="rollcon_body_stat_count")
-      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
-      implicit none
-      integer(c_int32_t) :: rc
-    end function rollcon_body_stat_count
-
-    function rollcon_body_stat_name(i, capacity, text, needed) &
-        result(rc) bind(C, name="rollcon_body_stat_name")
-      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
-      implicit none
-      integer(c_int32_t), value :: i
-      integer(c_int64_t), value :: capacity
-      character(kind=c_char), intent(out) :: text(*)
-      integer(c_int64_t), intent(inout) :: needed
-      integer(c_int32_t) :: rc
-    end function rollcon_body_stat_name
 
     function rollcon_contact_create(context, body1, body2, contact) &
         result(rc) bind(C, name="rollcon_contact_create")
@@ -1152,37 +1110,6 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_str
 
-    function rollcon_option_count() result(rc) bind(C, name="rollcon_option_count")
-      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
-      implicit none
-      integer(c_int32_t) :: rc
-    end function rollcon_option_count
-
-    function rollcon_option_info(i, capacity, name, type, low, high, standard) &
-        result(rc) bind(C, name="rollcon_option_info")
-      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
-      implicit none
-      integer(c_int32_t), value :: i
-      integer(c_int64_t), value :: capacity
-      character(kind=c_char), intent(out) :: name(*)
-      integer(c_int32_t), intent(inout) :: type
-      real(c_double), intent(inout) :: low
-      real(c_double), intent(inout) :: high
-      real(c_double), intent(inout) :: standard
-      integer(c_int32_t) :: rc
-    end function rollcon_option_info
-
-    function rollcon_option_doc(i, capacity, text, needed) &
-        result(rc) bind(C, name="rollcon_option_doc")
-      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
-      implicit none
-      integer(c_int32_t), value :: i
-      integer(c_int64_t), value :: capacity
-      character(kind=c_char), intent(out) :: text(*)
-      integer(c_int64_t), intent(inout) :: needed
-      integer(c_int32_t) :: rc
-    end function rollcon_option_doc
-
     function rollcon_contact_set_progress(contact, fn, user) &
         result(rc) bind(C, name="rollcon_contact_set_progress")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
@@ -1511,23 +1438,6 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_stat
 
-    function rollcon_stat_count() result(rc) bind(C, name="rollcon_stat_count")
-      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
-      implicit none
-      integer(c_int32_t) :: rc
-    end function rollcon_stat_count
-
-    function rollcon_stat_name(i, capacity, text, needed) &
-        result(rc) bind(C, name="rollcon_stat_name")
-      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
-      implicit none
-      integer(c_int32_t), value :: i
-      integer(c_int64_t), value :: capacity
-      character(kind=c_char), intent(out) :: text(*)
-      integer(c_int64_t), intent(inout) :: needed
-      integer(c_int32_t) :: rc
-    end function rollcon_stat_name
-
     function rollcon_contact_get_history(contact, capacity, rows, n_rows) &
         result(rc) bind(C, name="rollcon_contact_get_history")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
@@ -1845,23 +1755,6 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_get_stat
 
-    function rollcon_wheelrail_stat_count() result(rc) bind(C, name="rollcon_wheelrail_stat_count")
-      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
-      implicit none
-      integer(c_int32_t) :: rc
-    end function rollcon_wheelrail_stat_count
-
-    function rollcon_wheelrail_stat_name(i, capacity, text, needed) &
-        result(rc) bind(C, name="rollcon_wheelrail_stat_name")
-      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
-      implicit none
-      integer(c_int32_t), value :: i
-      integer(c_int64_t), value :: capacity
-      character(kind=c_char), intent(out) :: text(*)
-      integer(c_int64_t), intent(inout) :: needed
-      integer(c_int32_t) :: rc
-    end function rollcon_wheelrail_stat_name
-
     function rollcon_wheelrail_get_profile_point(wheelrail, which, share, point) &
         result(rc) bind(C, name="rollcon_wheelrail_get_profile_point")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
@@ -1883,24 +1776,6 @@ module rollcon_c
       real(c_double), intent(inout) :: value
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_get_patch_stat
-
-    function rollcon_wheelrail_patch_stat_count() &
-        result(rc) bind(C, name="rollcon_wheelrail_patch_stat_count")
-      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
-      implicit none
-      integer(c_int32_t) :: rc
-    end function rollcon_wheelrail_patch_stat_count
-
-    function rollcon_wheelrail_patch_stat_name(i, capacity, text, needed) &
-        result(rc) bind(C, name="rollcon_wheelrail_patch_stat_name")
-      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
-      implicit none
-      integer(c_int32_t), value :: i
-      integer(c_int64_t), value :: capacity
-      character(kind=c_char), intent(out) :: text(*)
-      integer(c_int64_t), intent(inout) :: needed
-      integer(c_int32_t) :: rc
-    end function rollcon_wheelrail_patch_stat_name
 
     function rollcon_wheelrail_get_patch_axes(wheelrail, patch, origin, axes) &
         result(rc) bind(C, name="rollcon_wheelrail_get_patch_axes")
@@ -1947,6 +1822,51 @@ module rollcon_c
       real(c_double), intent(out) :: wavelength(*)
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_find_conicity
+
+    function rollcon_option_count(kind) result(rc) bind(C, name="rollcon_option_count")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      integer(c_int32_t), value :: kind
+      integer(c_int32_t) :: rc
+    end function rollcon_option_count
+
+    function rollcon_option_info(kind, i, capacity, name, doc, needed, type, low, high, standard) &
+        result(rc) bind(C, name="rollcon_option_info")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      integer(c_int32_t), value :: kind
+      integer(c_int32_t), value :: i
+      integer(c_int64_t), value :: capacity
+      character(kind=c_char), intent(out) :: name(*)
+      character(kind=c_char), intent(out) :: doc(*)
+      integer(c_int64_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout) :: type
+      real(c_double), intent(inout) :: low
+      real(c_double), intent(inout) :: high
+      real(c_double), intent(inout) :: standard
+      integer(c_int32_t) :: rc
+    end function rollcon_option_info
+
+    function rollcon_stat_count(kind) result(rc) bind(C, name="rollcon_stat_count")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      integer(c_int32_t), value :: kind
+      integer(c_int32_t) :: rc
+    end function rollcon_stat_count
+
+    function rollcon_stat_info(kind, i, capacity, name, doc, needed, inside) &
+        result(rc) bind(C, name="rollcon_stat_info")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      integer(c_int32_t), value :: kind
+      integer(c_int32_t), value :: i
+      integer(c_int64_t), value :: capacity
+      character(kind=c_char), intent(out) :: name(*)
+      character(kind=c_char), intent(out) :: doc(*)
+      integer(c_int64_t), intent(inout) :: needed
+      integer(c_int32_t), intent(inout) :: inside
+      integer(c_int32_t) :: rc
+    end function rollcon_stat_info
 
     function rollcon_report(handle, status, message) result(rc) bind(C, name="rollcon_report")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr

@@ -794,7 +794,7 @@ contains
   end subroutine
 
   !> Returns one number about the last solve: residuals, error estimates, iterations, areas, power, seconds, bytes.
-  !> Names: rollcon_stat_name; meanings: docs/theory.md, section 8. An error estimate is computed when one of its
+  !> Names: rollcon_stat_info; meanings: docs/theory.md, section 8. An error estimate is computed when one of its
   !> numbers is asked for, at about the price of a solve.
   subroutine contact_get_stat(self, name, value, stat, errmsg)
     class(rc_contact_plain), intent(in) :: self

@@ -478,55 +478,6 @@ subroutine rcbgtr(ibody, name, value, ierr)
   ierr = rollcon_body_get_real(body_of(ibody), c_name(name), value)
 end subroutine
 
-!> Returns the number of options of bodies.
-subroutine rcbnop(n)
-  use rollcon_f77_support
-  implicit none
-  integer :: n
-  n = rollcon_body_option_count()
-end subroutine
-
-!> Returns a row of the table of options of bodies.
-subroutine rcbopi(i, name, itype, xlow, high, standard, ierr)
-  use rollcon_f77_support
-  implicit none
-  integer :: i, itype, ierr
-  character(len=*) :: name
-  double precision :: xlow, high, standard
-  integer(c_int32_t) :: type_c
-  character(kind=c_char), allocatable :: buffer(:)
-  integer(c_int64_t) :: capacity
-  capacity = usual_text
-  allocate (buffer(capacity))
-  buffer(1) = c_null_char
-  type_c = 0
-  ierr = rollcon_body_option_info(narrow(i - 1), capacity, buffer, type_c, xlow, high, standard)
-  itype = int(type_c)
-  call give_text(c_null_ptr, 'RCBOPI', buffer, name, ierr)
-end subroutine
-
-!> Returns what an option of bodies means.
-subroutine rcbopd(i, text, ierr)
-  use rollcon_f77_support
-  implicit none
-  integer :: i, ierr
-  character(len=*) :: text
-  character(kind=c_char), allocatable :: buffer(:)
-  integer(c_int64_t) :: capacity, needed
-  allocate (buffer(1))
-  capacity = 0
-  needed = 1
-  ierr = rollcon_body_option_doc(narrow(i - 1), capacity, buffer, needed)
-  deallocate (buffer)
-  capacity = max(needed, 1_c_int64_t)
-  allocate (buffer(capacity))
-  buffer(1) = c_null_char
-  if (ierr == ROLLCON_OK) then
-    ierr = rollcon_body_option_doc(narrow(i - 1), capacity, buffer, needed)
-  end if
-  call give_text(c_null_ptr, 'RCBOPD', buffer, text, ierr)
-end subroutine
-
 !> Sets a profile through points, in either order.
 subroutine rcbpro(ibody, n, points, filter_length, ierr)
   use rollcon_f77_support
@@ -684,36 +635,6 @@ subroutine rcbsta(ibody, name, value, ierr)
   character(len=*) :: name
   double precision :: value
   ierr = rollcon_body_get_stat(body_of(ibody), c_name(name), value)
-end subroutine
-
-!> Returns the number of statistics of bodies.
-subroutine rcbnst(n)
-  use rollcon_f77_support
-  implicit none
-  integer :: n
-  n = rollcon_body_stat_count()
-end subroutine
-
-!> Returns the name of a statistic of bodies.
-subroutine rcbstn(i, text, ierr)
-  use rollcon_f77_support
-  implicit none
-  integer :: i, ierr
-  character(len=*) :: text
-  character(kind=c_char), allocatable :: buffer(:)
-  integer(c_int64_t) :: capacity, needed
-  allocate (buffer(1))
-  capacity = 0
-  needed = 1
-  ierr = rollcon_body_stat_name(narrow(i - 1), capacity, buffer, needed)
-  deallocate (buffer)
-  capacity = max(needed, 1_c_int64_t)
-  allocate (buffer(capacity))
-  buffer(1) = c_null_char
-  if (ierr == ROLLCON_OK) then
-    ierr = rollcon_body_stat_name(narrow(i - 1), capacity, buffer, needed)
-  end if
-  call give_text(c_null_ptr, 'RCBSTN', buffer, text, ierr)
 end subroutine
 
 !> Makes a contact of two bodies.
@@ -1054,55 +975,6 @@ subroutine rcgets(icon, name, text, ierr)
   call give_text(contact_of(icon), 'RCGETS', buffer, text, ierr)
 end subroutine
 
-!> Returns the number of options.
-subroutine rcnopt(n)
-  use rollcon_f77_support
-  implicit none
-  integer :: n
-  n = rollcon_option_count()
-end subroutine
-
-!> Returns a row of the table of options.
-subroutine rcopti(i, name, itype, xlow, high, standard, ierr)
-  use rollcon_f77_support
-  implicit none
-  integer :: i, itype, ierr
-  character(len=*) :: name
-  double precision :: xlow, high, standard
-  integer(c_int32_t) :: type_c
-  character(kind=c_char), allocatable :: buffer(:)
-  integer(c_int64_t) :: capacity
-  capacity = usual_text
-  allocate (buffer(capacity))
-  buffer(1) = c_null_char
-  type_c = 0
-  ierr = rollcon_option_info(narrow(i - 1), capacity, buffer, type_c, xlow, high, standard)
-  itype = int(type_c)
-  call give_text(c_null_ptr, 'RCOPTI', buffer, name, ierr)
-end subroutine
-
-!> Returns what an option means, for text options also the values allowed.
-subroutine rcoptd(i, text, ierr)
-  use rollcon_f77_support
-  implicit none
-  integer :: i, ierr
-  character(len=*) :: text
-  character(kind=c_char), allocatable :: buffer(:)
-  integer(c_int64_t) :: capacity, needed
-  allocate (buffer(1))
-  capacity = 0
-  needed = 1
-  ierr = rollcon_option_doc(narrow(i - 1), capacity, buffer, needed)
-  deallocate (buffer)
-  capacity = max(needed, 1_c_int64_t)
-  allocate (buffer(capacity))
-  buffer(1) = c_null_char
-  if (ierr == ROLLCON_OK) then
-    ierr = rollcon_option_doc(narrow(i - 1), capacity, buffer, needed)
-  end if
-  call give_text(c_null_ptr, 'RCOPTD', buffer, text, ierr)
-end subroutine
-
 !> Sets the callback that is called once per iteration, and about every tenth of a second while bodies and operat.
 subroutine rcprog(icon, watch, ierr)
   use rollcon_f77_support
@@ -1398,36 +1270,6 @@ subroutine rcstat(icon, name, value, ierr)
   character(len=*) :: name
   double precision :: value
   ierr = rollcon_contact_get_stat(contact_of(icon), c_name(name), value)
-end subroutine
-
-!> Returns the number of statistics.
-subroutine rcnstt(n)
-  use rollcon_f77_support
-  implicit none
-  integer :: n
-  n = rollcon_stat_count()
-end subroutine
-
-!> Returns the name of a statistic.
-subroutine rcstnm(i, text, ierr)
-  use rollcon_f77_support
-  implicit none
-  integer :: i, ierr
-  character(len=*) :: text
-  character(kind=c_char), allocatable :: buffer(:)
-  integer(c_int64_t) :: capacity, needed
-  allocate (buffer(1))
-  capacity = 0
-  needed = 1
-  ierr = rollcon_stat_name(narrow(i - 1), capacity, buffer, needed)
-  deallocate (buffer)
-  capacity = max(needed, 1_c_int64_t)
-  allocate (buffer(capacity))
-  buffer(1) = c_null_char
-  if (ierr == ROLLCON_OK) then
-    ierr = rollcon_stat_name(narrow(i - 1), capacity, buffer, needed)
-  end if
-  call give_text(c_null_ptr, 'RCSTNM', buffer, text, ierr)
 end subroutine
 
 !> Returns the iterations of the last solve, one row each.
@@ -1736,36 +1578,6 @@ subroutine rcwsta(iwr, name, value, ierr)
   ierr = rollcon_wheelrail_get_stat(wheelrail_of(iwr), c_name(name), value)
 end subroutine
 
-!> Returns the number of statistics of a wheel on its rail.
-subroutine rcwnst(n)
-  use rollcon_f77_support
-  implicit none
-  integer :: n
-  n = rollcon_wheelrail_stat_count()
-end subroutine
-
-!> Returns the name of a statistic of a wheel on its rail.
-subroutine rcwstn(i, text, ierr)
-  use rollcon_f77_support
-  implicit none
-  integer :: i, ierr
-  character(len=*) :: text
-  character(kind=c_char), allocatable :: buffer(:)
-  integer(c_int64_t) :: capacity, needed
-  allocate (buffer(1))
-  capacity = 0
-  needed = 1
-  ierr = rollcon_wheelrail_stat_name(narrow(i - 1), capacity, buffer, needed)
-  deallocate (buffer)
-  capacity = max(needed, 1_c_int64_t)
-  allocate (buffer(capacity))
-  buffer(1) = c_null_char
-  if (ierr == ROLLCON_OK) then
-    ierr = rollcon_wheelrail_stat_name(narrow(i - 1), capacity, buffer, needed)
-  end if
-  call give_text(c_null_ptr, 'RCWSTN', buffer, text, ierr)
-end subroutine
-
 !> Returns where a point of the wheel's or the rail's profile stood in the last solve, in the track, for pictures.
 subroutine rcwppt(iwr, iwhich, share, point, ierr)
   use rollcon_f77_support
@@ -1783,36 +1595,6 @@ subroutine rcwpst(iwr, ipatch, name, value, ierr)
   character(len=*) :: name
   double precision :: value
   ierr = rollcon_wheelrail_get_patch_stat(wheelrail_of(iwr), narrow(ipatch - 1), c_name(name), value)
-end subroutine
-
-!> Returns the number of statistics of a patch.
-subroutine rcwnps(n)
-  use rollcon_f77_support
-  implicit none
-  integer :: n
-  n = rollcon_wheelrail_patch_stat_count()
-end subroutine
-
-!> Returns the name of a statistic of a patch.
-subroutine rcwpsn(i, text, ierr)
-  use rollcon_f77_support
-  implicit none
-  integer :: i, ierr
-  character(len=*) :: text
-  character(kind=c_char), allocatable :: buffer(:)
-  integer(c_int64_t) :: capacity, needed
-  allocate (buffer(1))
-  capacity = 0
-  needed = 1
-  ierr = rollcon_wheelrail_patch_stat_name(narrow(i - 1), capacity, buffer, needed)
-  deallocate (buffer)
-  capacity = max(needed, 1_c_int64_t)
-  allocate (buffer(capacity))
-  buffer(1) = c_null_char
-  if (ierr == ROLLCON_OK) then
-    ierr = rollcon_wheelrail_patch_stat_name(narrow(i - 1), capacity, buffer, needed)
-  end if
-  call give_text(c_null_ptr, 'RCWPSN', buffer, text, ierr)
 end subroutine
 
 !> Returns origin and axes of the contact of a patch (rollcon_wheelrail_get_contact) in the track.
@@ -1853,6 +1635,79 @@ subroutine rcwcnc(ileft, iright, n, amplitude, conicity, wavelength, ierr)
   double precision :: amplitude(*), conicity(*), wavelength(*)
   ierr = rollcon_wheelrail_find_conicity(wheelrail_of(ileft), wheelrail_of(iright), int(n, c_int64_t), amplitude, &
     conicity, wavelength)
+end subroutine
+
+!> Returns the number of options of a kind of object.
+subroutine rcnopt(kind, n)
+  use rollcon_f77_support
+  implicit none
+  integer :: kind, n
+  n = rollcon_option_count(narrow(kind))
+end subroutine
+
+!> Returns a row of the table of options.
+subroutine rcopti(kind, i, name, doc, itype, xlow, high, standard, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: kind, i, itype, ierr
+  character(len=*) :: name, doc
+  double precision :: xlow, high, standard
+  integer(c_int32_t) :: type_c
+  character(kind=c_char), allocatable :: buffer_name(:), buffer_doc(:)
+  integer(c_int64_t) :: capacity, needed
+  allocate (buffer_name(1), buffer_doc(1))
+  capacity = 0
+  needed = 1
+  type_c = 0
+  ierr = rollcon_option_info(narrow(kind), narrow(i - 1), capacity, buffer_name, buffer_doc, needed, type_c, xlow, &
+    high, standard)
+  deallocate (buffer_name, buffer_doc)
+  capacity = max(needed, 1_c_int64_t)
+  allocate (buffer_name(capacity), buffer_doc(capacity))
+  buffer_name(1) = c_null_char
+  buffer_doc(1) = c_null_char
+  if (ierr == ROLLCON_OK) then
+    ierr = rollcon_option_info(narrow(kind), narrow(i - 1), capacity, buffer_name, buffer_doc, needed, type_c, xlow, &
+      high, standard)
+  end if
+  itype = int(type_c)
+  call give_text(c_null_ptr, 'RCOPTI', buffer_name, name, ierr)
+  call give_text(c_null_ptr, 'RCOPTI', buffer_doc, doc, ierr)
+end subroutine
+
+!> Returns the number of statistics of a kind of object.
+subroutine rcnstt(kind, n)
+  use rollcon_f77_support
+  implicit none
+  integer :: kind, n
+  n = rollcon_stat_count(narrow(kind))
+end subroutine
+
+!> Returns a row of the table of statistics.
+subroutine rcstti(kind, i, name, doc, inside, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: kind, i, inside, ierr
+  character(len=*) :: name, doc
+  integer(c_int32_t) :: inside_c
+  character(kind=c_char), allocatable :: buffer_name(:), buffer_doc(:)
+  integer(c_int64_t) :: capacity, needed
+  allocate (buffer_name(1), buffer_doc(1))
+  capacity = 0
+  needed = 1
+  inside_c = 0
+  ierr = rollcon_stat_info(narrow(kind), narrow(i - 1), capacity, buffer_name, buffer_doc, needed, inside_c)
+  deallocate (buffer_name, buffer_doc)
+  capacity = max(needed, 1_c_int64_t)
+  allocate (buffer_name(capacity), buffer_doc(capacity))
+  buffer_name(1) = c_null_char
+  buffer_doc(1) = c_null_char
+  if (ierr == ROLLCON_OK) then
+    ierr = rollcon_stat_info(narrow(kind), narrow(i - 1), capacity, buffer_name, buffer_doc, needed, inside_c)
+  end if
+  inside = int(inside_c)
+  call give_text(c_null_ptr, 'RCSTTI', buffer_name, name, ierr)
+  call give_text(c_null_ptr, 'RCSTTI', buffer_doc, doc, ierr)
 end subroutine
 
 !> Adds a reference.

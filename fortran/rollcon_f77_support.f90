@@ -4,7 +4,7 @@ module rollcon_f77_support
     c_null_char, c_null_funptr, c_null_ptr, c_ptr
   use rollcon_c
   use rollcon_f77_names
-  use rollcon_support, only: c_text, f_text, f_text_at, nodes_of, usual_text
+  use rollcon_support, only: c_text, f_text, f_text_at, nodes_of
   implicit none
   public
 

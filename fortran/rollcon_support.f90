@@ -10,7 +10,7 @@ module rollcon_support
   integer, parameter, public :: rc_int = c_int32_t, rc_long = c_int64_t, rc_real = c_double
 
   !> This room holds nearly every text of the library; longer ones are asked for a second time.
-  integer(rc_long), parameter, public :: usual_text = 512_rc_long
+  integer(rc_long), parameter, public :: usual_text = 4096_rc_long  ! every name and meaning is shorter
 
   public :: c_text, f_text, f_text_at, finish, nodes_of, is_volume_type, narrow_ids
   public :: rc_last_error, rc_last_caveat, rc_version, rc_abi, rc_version_string, rc_build_info, rc_has_feature, rc_status_string

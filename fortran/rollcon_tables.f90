@@ -6,10 +6,8 @@ module rollcon_tables
   use rollcon_support
   implicit none
   private
-  public :: rc_option_count, rc_option_info, rc_option_doc, rc_stat_count, rc_stat_name, rc_event_int, rc_event_real
-  public :: rc_body_option_count, rc_body_option_info, rc_body_option_doc, rc_body_stat_count, rc_body_stat_name
+  public :: rc_option_count, rc_option_info, rc_stat_count, rc_stat_info, rc_event_int, rc_event_real
   public :: rc_stress_invariants, rc_wear_profile
-  public :: rc_wheelrail_stat_count, rc_wheelrail_stat_name, rc_wheelrail_patch_stat_count, rc_wheelrail_patch_stat_name
 
 contains
 
@@ -57,162 +55,65 @@ contains
       smoothing, worn, taken), c_null_ptr, 'rc_wear_profile', stat, errmsg)
   end subroutine
 
-  integer function rc_option_count()
-    rc_option_count = int(rollcon_option_count())
+  !> Returns how many options a kind of object has (ROLLCON_OF_BODY, ...).
+  integer function rc_option_count(kind)
+    integer(rc_int), intent(in) :: kind
+    rc_option_count = int(rollcon_option_count(kind))
   end function
 
-  !> Returns name, type (ROLLCON_TYPE_INT, ...), range and standard value of option i.
-  subroutine rc_option_info(i, name, type, low, high, standard, stat, errmsg)
+  !> Returns name, type (ROLLCON_TYPE_INT, ...), range, standard value and meaning of option i of a kind of object.
+  subroutine rc_option_info(kind, i, name, type, low, high, standard, doc, stat, errmsg)
+    integer(rc_int), intent(in) :: kind
     integer, intent(in) :: i
     character(len=:), allocatable, intent(out) :: name
     integer(rc_int), intent(out) :: type
     real(rc_real), intent(out) :: low, high, standard
+    character(len=:), allocatable, intent(out), optional :: doc
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    character(kind=c_char) :: buffer(usual_text)
-    buffer(1) = c_null_char
+    character(kind=c_char) :: short(usual_text), long(usual_text)
+    integer(rc_long) :: needed
+    short(1) = c_null_char
+    long(1) = c_null_char
     type = 0
     low = 0
     high = 0
     standard = 0
-    call finish(rollcon_option_info(int(i - 1, rc_int), usual_text, buffer, type, low, high, standard), c_null_ptr, &
-      'rc_option_info', stat, errmsg)
-    name = f_text(buffer)
-  end subroutine
-
-  subroutine rc_option_doc(i, text, stat, errmsg)
-    integer, intent(in) :: i
-    character(len=:), allocatable, intent(out) :: text
-    integer, intent(out), optional :: stat
-    character(len=*), intent(inout), optional :: errmsg
-    character(kind=c_char), allocatable :: buffer(:)
-    integer(rc_long) :: needed
-    integer(rc_int) :: status
-    allocate (buffer(1))
     needed = 0
-    status = rollcon_option_doc(int(i - 1, rc_int), 0_rc_long, buffer, needed)
-    deallocate (buffer)
-    allocate (buffer(max(needed, 1_rc_long)))
-    buffer(1) = c_null_char
-    if (status == ROLLCON_OK) status = rollcon_option_doc(int(i - 1, rc_int), size(buffer, kind=rc_long), buffer, needed)
-    text = f_text(buffer)
-    call finish(status, c_null_ptr, 'rc_option_doc', stat, errmsg)
+    call finish(rollcon_option_info(kind, int(i - 1, rc_int), usual_text, short, long, needed, type, low, high, &
+      standard), c_null_ptr, 'rc_option_info', stat, errmsg)
+    name = f_text(short)
+    if (present(doc)) doc = f_text(long)
   end subroutine
 
-  integer function rc_stat_count()
-    rc_stat_count = int(rollcon_stat_count())
+  !> Returns how many statistics a kind of object has (ROLLCON_OF_BODY, ...).
+  integer function rc_stat_count(kind)
+    integer(rc_int), intent(in) :: kind
+    rc_stat_count = int(rollcon_stat_count(kind))
   end function
 
-  subroutine rc_stat_name(i, name, stat, errmsg)
+  !> Returns name and meaning of statistic i of a kind of object; inside: 1 if it counts work inside the library, which
+  !> is promised to nobody.
+  subroutine rc_stat_info(kind, i, name, doc, inside, stat, errmsg)
+    integer(rc_int), intent(in) :: kind
     integer, intent(in) :: i
     character(len=:), allocatable, intent(out) :: name
+    character(len=:), allocatable, intent(out), optional :: doc
+    integer, intent(out), optional :: inside
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    character(kind=c_char) :: buffer(usual_text)
+    character(kind=c_char) :: short(usual_text), long(usual_text)
     integer(rc_long) :: needed
-    buffer(1) = c_null_char
+    integer(rc_int) :: counts
+    short(1) = c_null_char
+    long(1) = c_null_char
     needed = 0
-    call finish(rollcon_stat_name(int(i - 1, rc_int), usual_text, buffer, needed), c_null_ptr, 'rc_stat_name', stat, errmsg)
-    name = f_text(buffer)
-  end subroutine
-
-  integer function rc_body_option_count()
-    rc_body_option_count = int(rollcon_body_option_count())
-  end function
-
-  !> Returns name, type (ROLLCON_TYPE_INT, ...), range and standard value of option i of a body.
-  subroutine rc_body_option_info(i, name, type, low, high, standard, stat, errmsg)
-    integer, intent(in) :: i
-    character(len=:), allocatable, intent(out) :: name
-    integer(rc_int), intent(out) :: type
-    real(rc_real), intent(out) :: low, high, standard
-    integer, intent(out), optional :: stat
-    character(len=*), intent(inout), optional :: errmsg
-    character(kind=c_char) :: buffer(usual_text)
-    buffer(1) = c_null_char
-    type = 0
-    low = 0
-    high = 0
-    standard = 0
-    call finish(rollcon_body_option_info(int(i - 1, rc_int), usual_text, buffer, type, low, high, standard), c_null_ptr, &
-      'rc_body_option_info', stat, errmsg)
-    name = f_text(buffer)
-  end subroutine
-
-  subroutine rc_body_option_doc(i, text, stat, errmsg)
-    integer, intent(in) :: i
-    character(len=:), allocatable, intent(out) :: text
-    integer, intent(out), optional :: stat
-    character(len=*), intent(inout), optional :: errmsg
-    character(kind=c_char), allocatable :: buffer(:)
-    integer(rc_long) :: needed
-    integer(rc_int) :: status
-    allocate (buffer(1))
-    needed = 0
-    status = rollcon_body_option_doc(int(i - 1, rc_int), 0_rc_long, buffer, needed)
-    deallocate (buffer)
-    allocate (buffer(max(needed, 1_rc_long)))
-    buffer(1) = c_null_char
-    if (status == ROLLCON_OK) &
-      status = rollcon_body_option_doc(int(i - 1, rc_int), size(buffer, kind=rc_long), buffer, needed)
-    text = f_text(buffer)
-    call finish(status, c_null_ptr, 'rc_body_option_doc', stat, errmsg)
-  end subroutine
-
-  integer function rc_body_stat_count()
-    rc_body_stat_count = int(rollcon_body_stat_count())
-  end function
-
-  subroutine rc_body_stat_name(i, name, stat, errmsg)
-    integer, intent(in) :: i
-    character(len=:), allocatable, intent(out) :: name
-    integer, intent(out), optional :: stat
-    character(len=*), intent(inout), optional :: errmsg
-    character(kind=c_char) :: buffer(usual_text)
-    integer(rc_long) :: needed
-    buffer(1) = c_null_char
-    needed = 0
-    call finish(rollcon_body_stat_name(int(i - 1, rc_int), usual_text, buffer, needed), c_null_ptr, 'rc_body_stat_name', stat, &
-      errmsg)
-    name = f_text(buffer)
-  end subroutine
-
-  integer function rc_wheelrail_stat_count()
-    rc_wheelrail_stat_count = int(rollcon_wheelrail_stat_count())
-  end function
-
-  !> Returns the name of statistic i of a wheel on its rail.
-  subroutine rc_wheelrail_stat_name(i, name, stat, errmsg)
-    integer, intent(in) :: i
-    character(len=:), allocatable, intent(out) :: name
-    integer, intent(out), optional :: stat
-    character(len=*), intent(inout), optional :: errmsg
-    character(kind=c_char) :: buffer(usual_text)
-    integer(rc_long) :: needed
-    buffer(1) = c_null_char
-    needed = 0
-    call finish(rollcon_wheelrail_stat_name(int(i - 1, rc_int), usual_text, buffer, needed), c_null_ptr, &
-      'rc_wheelrail_stat_name', stat, errmsg)
-    name = f_text(buffer)
-  end subroutine
-
-  integer function rc_wheelrail_patch_stat_count()
-    rc_wheelrail_patch_stat_count = int(rollcon_wheelrail_patch_stat_count())
-  end function
-
-  !> Returns the name of statistic i of a patch of a wheel on its rail.
-  subroutine rc_wheelrail_patch_stat_name(i, name, stat, errmsg)
-    integer, intent(in) :: i
-    character(len=:), allocatable, intent(out) :: name
-    integer, intent(out), optional :: stat
-    character(len=*), intent(inout), optional :: errmsg
-    character(kind=c_char) :: buffer(usual_text)
-    integer(rc_long) :: needed
-    buffer(1) = c_null_char
-    needed = 0
-    call finish(rollcon_wheelrail_patch_stat_name(int(i - 1, rc_int), usual_text, buffer, needed), c_null_ptr, &
-      'rc_wheelrail_patch_stat_name', stat, errmsg)
-    name = f_text(buffer)
+    counts = 0
+    call finish(rollcon_stat_info(kind, int(i - 1, rc_int), usual_text, short, long, needed, counts), c_null_ptr, &
+      'rc_stat_info', stat, errmsg)
+    name = f_text(short)
+    if (present(doc)) doc = f_text(long)
+    if (present(inside)) inside = int(counts)
   end subroutine
 
   !> Returns entry `key` (ROLLCON_EVENT_PHASE, ROLLCON_EVENT_ITERATION) of the event that a progress callback was given;

@@ -385,7 +385,7 @@ contains
   end subroutine
 
   !> Returns one number about the last solve: height, vertical force, frictional power, counts. Names:
-  !> rollcon_wheelrail_stat_name; meanings: docs/wheelrail.md.
+  !> rollcon_stat_info; meanings: docs/wheelrail.md.
   subroutine wheelrail_get_stat(self, name, value, stat, errmsg)
     class(rc_wheelrail_plain), intent(in) :: self
     character(len=*), intent(in) :: name
@@ -411,7 +411,7 @@ contains
   end subroutine
 
   !> Returns one number about a patch: position, angle, rolling radius, creepages, forces, status. Names:
-  !> rollcon_wheelrail_patch_stat_name; meanings: docs/wheelrail.md.
+  !> rollcon_stat_info; meanings: docs/wheelrail.md.
   subroutine wheelrail_get_patch_stat(self, patch, name, value, stat, errmsg)
     class(rc_wheelrail_plain), intent(in) :: self
     integer, intent(in) :: patch

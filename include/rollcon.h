@@ -253,6 +253,14 @@ enum {
   ROLLCON_TYPE_STR  = 3     /* text: ..._set_str */
 };
 
+/* Objects that have settings or statistics. */
+enum {
+  ROLLCON_OF_BODY      = 2,    /* a body */
+  ROLLCON_OF_CONTACT   = 3,    /* a contact */
+  ROLLCON_OF_WHEELRAIL = 4,    /* a wheel on its rail */
+  ROLLCON_OF_PATCH     = 6     /* a patch of a wheel on its rail */
+};
+
 /* Entries of an event that a progress callback can read: integers below 100, reals above. */
 enum {
   ROLLCON_EVENT_PHASE     = 1,    /* one of ROLLCON_PHASE_... */
@@ -788,36 +796,6 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_int(const rollcon_body 
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_real(const rollcon_body *body,
     const char *name, double *value);
 
-/*
- * Returns the number of options of bodies.
- * Threads: any.
- */
-ROLLCON_API int32_t ROLLCON_CALL rollcon_body_option_count(void);
-
-/*
- * Returns a row of the table of options of bodies.
- *   i         0 to rollcon_body_option_count() - 1
- *   capacity  bytes at name; 32 are enough for every name
- *   name      [capacity], out; NUL-terminated; NULL only with capacity 0
- *   type      out, may be NULL; ROLLCON_TYPE_...
- *   low       out, may be NULL; least value allowed
- *   high      out, may be NULL; greatest value allowed
- *   standard  out, may be NULL; value of a new body
- * Also returns: ROLLCON_ERR_CAPACITY.
- * Threads: any.
- */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_option_info(int32_t i, int64_t capacity,
-    char *name, int32_t *type, double *low, double *high, double *standard);
-
-/*
- * Returns what an option of bodies means.
- *   i         0 to rollcon_body_option_count() - 1
- * Also returns: ROLLCON_ERR_CAPACITY.
- * Threads: any.
- */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_option_doc(int32_t i, int64_t capacity,
-    char *text, int64_t *needed);
-
 /* ----------------------------------------------------------------------------- Body: profile */
 /* A curve in a plane as the surface of a half-space or of a rigid body without a mesh: extruded
    (a rail, a raceway strip) or revolved (a wheel, a roller, a ring), in the body's own axes;
@@ -1051,8 +1029,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_reaction(const rollcon_
 
 /*
  * Returns one number about a prepared body: unknowns, assemblies, factorisations, condition,
- * seconds, bytes; 0 for bodies without equations. Names: rollcon_body_stat_name. Counts are those
- * of the equations, which equal bodies of a context have in common: "shared" is 1 for a body for
+ * seconds, bytes; 0 for bodies without equations. Names: rollcon_stat_info. Counts are those of
+ * the equations, which equal bodies of a context have in common: "shared" is 1 for a body for
  * which nothing was assembled because an equal one was prepared before, "loaded" for one from a
  * file.
  *   value  out
@@ -1060,21 +1038,6 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_reaction(const rollcon_
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_stat(const rollcon_body *body,
     const char *name, double *value);
-
-/*
- * Returns the number of statistics of bodies.
- * Threads: any.
- */
-ROLLCON_API int32_t ROLLCON_CALL rollcon_body_stat_count(void);
-
-/*
- * Returns the name of a statistic of bodies.
- *   i         0 to rollcon_body_stat_count() - 1
- * Also returns: ROLLCON_ERR_CAPACITY.
- * Threads: any.
- */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_stat_name(int32_t i, int64_t capacity,
-    char *text, int64_t *needed);
 
 /* ----------------------------------------------------------- Contact: making, frame and axes */
 /* A pair of bodies, the frame (mesh) on which their tractions live, and what happens there. */
@@ -1537,36 +1500,6 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_real(const rollcon_c
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_str(const rollcon_contact *contact,
     const char *name, int64_t capacity, char *text, int64_t *needed);
-
-/*
- * Returns the number of options.
- * Threads: any.
- */
-ROLLCON_API int32_t ROLLCON_CALL rollcon_option_count(void);
-
-/*
- * Returns a row of the table of options. For text options low, high and standard are 0.
- *   i         0 to rollcon_option_count() - 1
- *   capacity  bytes at name; 32 are enough for every name
- *   name      [capacity], out; NUL-terminated; NULL only with capacity 0
- *   type      out, may be NULL; ROLLCON_TYPE_...
- *   low       out, may be NULL; least value allowed
- *   high      out, may be NULL; greatest value allowed
- *   standard  out, may be NULL; value of a new contact
- * Also returns: ROLLCON_ERR_CAPACITY.
- * Threads: any.
- */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_option_info(int32_t i, int64_t capacity,
-    char *name, int32_t *type, double *low, double *high, double *standard);
-
-/*
- * Returns what an option means, for text options also the values allowed.
- *   i         0 to rollcon_option_count() - 1
- * Also returns: ROLLCON_ERR_CAPACITY.
- * Threads: any.
- */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_option_doc(int32_t i, int64_t capacity,
-    char *text, int64_t *needed);
 
 /* ------------------------------------------------------------------------ Solve, watch, stop */
 /* Each solve finds one steady state, or one step in time (rollcon_contact_set_step), started from
@@ -2033,28 +1966,13 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_stress_invariants(int64_t n,
 
 /*
  * Returns one number about the last solve: residuals, error estimates, iterations, areas, power,
- * seconds, bytes. Names: rollcon_stat_name; meanings: docs/theory.md, section 8. An error
+ * seconds, bytes. Names: rollcon_stat_info; meanings: docs/theory.md, section 8. An error
  * estimate is computed when one of its numbers is asked for, at about the price of a solve.
  *   value    out
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_OPTION, ROLLCON_ERR_MEMORY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_stat(const rollcon_contact *contact,
     const char *name, double *value);
-
-/*
- * Returns the number of statistics.
- * Threads: any.
- */
-ROLLCON_API int32_t ROLLCON_CALL rollcon_stat_count(void);
-
-/*
- * Returns the name of a statistic.
- *   i         0 to rollcon_stat_count() - 1
- * Also returns: ROLLCON_ERR_CAPACITY.
- * Threads: any.
- */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_stat_name(int32_t i, int64_t capacity,
-    char *text, int64_t *needed);
 
 /*
  * Returns the iterations of the last solve, one row each: phase, iteration, normal residual,
@@ -2454,27 +2372,12 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_get_derivative(
 
 /*
  * Returns one number about the last solve: height, vertical force, frictional power, counts.
- * Names: rollcon_wheelrail_stat_name; meanings: docs/wheelrail.md.
+ * Names: rollcon_stat_info; meanings: docs/wheelrail.md.
  *   value      out
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_OPTION.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_get_stat(
     const rollcon_wheelrail *wheelrail, const char *name, double *value);
-
-/*
- * Returns the number of statistics of a wheel on its rail.
- * Threads: any.
- */
-ROLLCON_API int32_t ROLLCON_CALL rollcon_wheelrail_stat_count(void);
-
-/*
- * Returns the name of a statistic of a wheel on its rail.
- *   i         0 to rollcon_wheelrail_stat_count() - 1
- * Also returns: ROLLCON_ERR_CAPACITY.
- * Threads: any.
- */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_stat_name(int32_t i, int64_t capacity,
-    char *text, int64_t *needed);
 
 /*
  * Returns where a point of the wheel's or the rail's profile stood in the last solve, in the
@@ -2490,28 +2393,13 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_get_profile_point(
 
 /*
  * Returns one number about a patch: position, angle, rolling radius, creepages, forces, status.
- * Names: rollcon_wheelrail_patch_stat_name; meanings: docs/wheelrail.md.
+ * Names: rollcon_stat_info; meanings: docs/wheelrail.md.
  *   patch      0 to rollcon_wheelrail_get_patch_count - 1
  *   value      out
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_OPTION.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_get_patch_stat(
     const rollcon_wheelrail *wheelrail, int32_t patch, const char *name, double *value);
-
-/*
- * Returns the number of statistics of a patch.
- * Threads: any.
- */
-ROLLCON_API int32_t ROLLCON_CALL rollcon_wheelrail_patch_stat_count(void);
-
-/*
- * Returns the name of a statistic of a patch.
- *   i         0 to rollcon_wheelrail_patch_stat_count() - 1
- * Also returns: ROLLCON_ERR_CAPACITY.
- * Threads: any.
- */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_patch_stat_name(int32_t i,
-    int64_t capacity, char *text, int64_t *needed);
 
 /*
  * Returns origin and axes of the contact of a patch (rollcon_wheelrail_get_contact) in the track:
@@ -2582,6 +2470,65 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_find_contact_points(
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_find_conicity(rollcon_wheelrail *left,
     rollcon_wheelrail *right, int64_t n, const double *amplitude, double *conicity,
     double *wavelength);
+
+/* --------------------------------------------------------- Tables of settings and statistics */
+/* Settings (..._set_int, ...) and statistics (..._get_stat) have names; these functions list
+   them, with their meanings. They need no object. */
+
+/*
+ * Returns the number of options of a kind of object; 0 for kinds without options and for unknown
+ * numbers.
+ *   kind  ROLLCON_OF_...
+ * Threads: any.
+ */
+ROLLCON_API int32_t ROLLCON_CALL rollcon_option_count(int32_t kind);
+
+/*
+ * Returns a row of the table of options. For text options low, high and standard are 0, and the
+ * meaning ends with the values allowed.
+ *   kind      ROLLCON_OF_...
+ *   i         0 to rollcon_option_count - 1
+ *   capacity  bytes at name, and at doc; 0 with needed NULL: no texts are wanted
+ *   name      [capacity], out, may be NULL; its name; 32 bytes are enough for every name
+ *   doc       [capacity], out, may be NULL; what it means
+ *   needed    out, may be NULL; bytes of the longer text of those wanted (with capacity 0: of
+ *             both), the NUL counted
+ *   type      out, may be NULL; ROLLCON_TYPE_...
+ *   low       out, may be NULL; least value allowed
+ *   high      out, may be NULL; greatest value allowed
+ *   standard  out, may be NULL; value of a new object
+ * Also returns: ROLLCON_ERR_CAPACITY.
+ * Threads: any.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_option_info(int32_t kind, int32_t i,
+    int64_t capacity, char *name, char *doc, int64_t *needed, int32_t *type, double *low,
+    double *high, double *standard);
+
+/*
+ * Returns the number of statistics of a kind of object; 0 for kinds without statistics and for
+ * unknown numbers.
+ *   kind  ROLLCON_OF_...
+ * Threads: any.
+ */
+ROLLCON_API int32_t ROLLCON_CALL rollcon_stat_count(int32_t kind);
+
+/*
+ * Returns a row of the table of statistics. Some count work inside the library: they help to
+ * understand a solve, and another version may count otherwise or leave them out.
+ *   kind      ROLLCON_OF_...
+ *   i         0 to rollcon_stat_count - 1
+ *   capacity  bytes at name, and at doc; 0 with needed NULL: no texts are wanted
+ *   name      [capacity], out, may be NULL; its name; 32 bytes are enough for every name
+ *   doc       [capacity], out, may be NULL; what it means
+ *   needed    out, may be NULL; bytes of the longer text of those wanted (with capacity 0: of
+ *             both), the NUL counted
+ *   inside    out, may be NULL; 1: counts work inside the library, which is promised to nobody;
+ *             0: stays
+ * Also returns: ROLLCON_ERR_CAPACITY.
+ * Threads: any.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_stat_info(int32_t kind, int32_t i,
+    int64_t capacity, char *name, char *doc, int64_t *needed, int32_t *inside);
 
 /* ------------------------------------------------------------------------ Creep-force tables */
 /* A table gives forces and spin moment of Hertzian steady rolling, from solved cases, in about a

@@ -56,7 +56,7 @@ class Routine:
         self.call = []
         self.handle = "c_null_ptr"
         self.lower = ""
-        self.text_out = None
+        self.text_out = []  # what they are called beside the buffer of the library
 
     def dummy(self, name, kind, shown=""):
         self.dummies.append((name, kind, shown or name.upper()))
@@ -216,7 +216,7 @@ class Routine:
 
     def take_char(self, arg, name):
         self.dummy(name, "character(len=*)")
-        self.call.append("buffer")
+        self.call.append("buffer" if len(self.text_out) == 1 else f"buffer_{arg.name}")
 
 
 def joined(head, words, tail, indent):
@@ -261,7 +261,7 @@ def subroutine(name, dummies, body, doc):
 def routine(name, function, variant):
     """Returns the subroutine's text, and its arguments in the form of the list of calls."""
     r = Routine(name, function, variant)
-    r.text_out = next((a for a in function.args if a.base == "char"), None)
+    r.text_out = [a for a in function.args if a.base == "char"]
     for arg in function.args:
         r.take(arg)
     r.dummy("ierr", "integer")
@@ -270,18 +270,18 @@ def routine(name, function, variant):
     body = list(dict.fromkeys(r.locals))
     if r.text_out:
         asks = any(a.name == "needed" for a in function.args)
-        body += ["character(kind=c_char), allocatable :: buffer(:)",
-                 "integer(c_int64_t) :: capacity" + (", needed" if asks else "")]
-        text = dummy_name(r.text_out)
-        if asks:
-            body += ["allocate (buffer(1))", "capacity = 0", "needed = 1"] + r.before + call + [
-                "deallocate (buffer)", "capacity = max(needed, 1_c_int64_t)", "allocate (buffer(capacity))",
-                "buffer(1) = c_null_char", "if (ierr == ROLLCON_OK) then"] + [
-                "  " + line for line in call] + ["end if"]
-        else:
-            body += ["capacity = usual_text", "allocate (buffer(capacity))", "buffer(1) = c_null_char"]
-            body += r.before + call
-        body += r.after + [f"call give_text({r.handle}, '{name}', buffer, {text}, ierr)"]
+        if not asks:
+            raise ValueError(f"{function.name}: a text comes without its need")
+        buffers = [word for word in r.call if word.startswith("buffer")]
+        body += [f"character(kind=c_char), allocatable :: {', '.join(b + '(:)' for b in buffers)}",
+                 "integer(c_int64_t) :: capacity, needed"]
+        body += [f"allocate ({', '.join(b + '(1)' for b in buffers)})", "capacity = 0", "needed = 1"] + r.before + call + [
+            f"deallocate ({', '.join(buffers)})", "capacity = max(needed, 1_c_int64_t)",
+            f"allocate ({', '.join(b + '(capacity)' for b in buffers)})"]
+        body += [f"{b}(1) = c_null_char" for b in buffers]
+        body += ["if (ierr == ROLLCON_OK) then"] + ["  " + line for line in call] + ["end if"] + r.after
+        body += [f"call give_text({r.handle}, '{name}', {b}, {dummy_name(text)}, ierr)"
+                 for b, text in zip(buffers, r.text_out)]
     else:
         body += r.before + call + r.after
     doc = first_sentence(function.doc)
@@ -297,7 +297,7 @@ def fact(name, functions):
     """Serves functions that need no object: what they return becomes the last arguments."""
     dummies, body = [], []
     for function in functions:
-        if function.returns == "int32" and function.args:
+        if function.name == "rollcon_has_feature":
             out = "ihas"
         elif function.returns == "int32":
             out = "n" if len(functions) == 1 else "i" + function.name.split("_")[-1]

@@ -189,9 +189,8 @@ def options(kind):
                         "value = f_text(buffer)", f"call finish(status, {what}"]
             else:
                 body = ["value = 0", f"call finish({head}value), {what}"]
-            listed = "rc_option_info" if kind == "contact" else "rc_body_option_info"
             out.append(OPTION.format(
-                doc=f"A setting by name; {listed} lists them.", verb=verb, suffix=suffix, kind=kind, type=declared,
+                doc="A setting by name; rc_option_info lists them.", verb=verb, suffix=suffix, kind=kind, type=declared,
                 intent="inout" if verb == "set" else "in", way="in" if verb == "set" else "out",
                 body="\n".join("    " + line for line in body)).rstrip("\n"))
     return out

@@ -179,8 +179,7 @@ class Call77:
         elif arg.name == "node_stride":
             self.words.append(str(samples.N if self.variant else 4))
         elif arg.name == "capacity" and self.text:
-            asks = any(a.name == "needed" for a in function.args)
-            self.given[i] = str(samples.capacity(function) if asks else 512)
+            self.given[i] = str(samples.capacity(function))
         elif arg.out:
             kind = "character(len=60)" if arg.base == "char" else ""
             self.words.append(self.outs.take(function, i, name, kind))

@@ -43,7 +43,7 @@ class Call:
         self.inputs, self.outputs = [], []  # names; of inputs with whether they may be left out
         self.n = False
         args = function.args
-        self.text = next((a for a in args if a.base == "char"), None)
+        self.text = [a for a in args if a.base == "char"]
         self.need = next((a.name for a in args if a.name in NEEDS and a.out and a.base == "int64"), None)
         self.has_capacity = any(a.name == "capacity" for a in args)
         for arg in args:
@@ -125,8 +125,8 @@ class Call:
             self.after.append(f"give_real(self, rollcon_id_of({name}));")
             self.outputs.append(name)
         elif arg.base == "char":
-            self.words.append("text_buffer")
-            self.after.append("give_text(self, text_buffer);")
+            self.words.append(name + "_buffer")
+            self.after.append(f"give_text(self, {name}_buffer);")
             self.outputs.append(name)
         elif name == self.need:
             self.words.append("&need")
@@ -173,8 +173,8 @@ class Call:
             lines.append("int64_t nodes = 0;")
             asking.append("rollcon_contact_get_size(contact, &nodes, NULL);")
         if self.text:
-            lines.append("char *text_buffer = NULL;")
-            asking.append("text_buffer = room(capacity, 1);")
+            lines += [f"char *{a.name}_buffer = NULL;" for a in self.text]
+            asking += [f"{a.name}_buffer = room(capacity, 1);" for a in self.text]
         return lines, asking
 
     def call(self):

@@ -113,6 +113,16 @@ static const enumerator names_of_inside_of_a_profile[] = {
   {"body_below", 1},
   {"body_above", -1},
   {NULL, 0}};
+static const enumerator names_of_kind_of_object[] = {
+  {"body", 2},
+  {"contact", 3},
+  {"wheelrail", 4},
+  {"patch", 6},
+  {"of_body", 2},
+  {"of_contact", 3},
+  {"of_wheelrail", 4},
+  {"of_patch", 6},
+  {NULL, 0}};
 static const enumerator names_of_profile_of_a_wheel_on_its_rail[] = {
   {"wheel", 1},
   {"rail", 2},
@@ -546,50 +556,6 @@ static void call_body_get_real(call *self) {
   finish(self, rc);
 }
 
-static void call_body_option_count(call *self) {
-  no_more(self);
-  give_real(self, rollcon_body_option_count());
-}
-
-static void call_body_option_info(call *self) {
-  int32_t rc = 0;
-  int64_t capacity = 0;
-  char *text_buffer = NULL;
-  const int32_t i = (int32_t)take_integer(self, "i") - 1;
-  int32_t type = 0;
-  double low = 0;
-  double high = 0;
-  double standard = 0;
-  no_more(self);
-  capacity = 256;
-  text_buffer = room(capacity, 1);
-  rc = rollcon_body_option_info(i, capacity, text_buffer, &type, &low, &high, &standard);
-  if (rc < 0) finish(self, rc);
-  give_text(self, text_buffer);
-  give_real(self, (double)type);
-  give_real(self, (double)low);
-  give_real(self, (double)high);
-  give_real(self, (double)standard);
-  finish(self, rc);
-}
-
-static void call_body_option_doc(call *self) {
-  int32_t rc = 0;
-  int64_t capacity = 0;
-  int64_t need = 0;
-  char *text_buffer = NULL;
-  const int32_t i = (int32_t)take_integer(self, "i") - 1;
-  no_more(self);
-  rc = rollcon_body_option_doc(i, capacity, text_buffer, &need);
-  if (rc < 0) finish(self, rc);
-  capacity = need;
-  text_buffer = room(capacity, 1);
-  rc = rollcon_body_option_doc(i, capacity, text_buffer, &need);
-  if (rc < 0) finish(self, rc);
-  give_text(self, text_buffer);
-  finish(self, rc);
-}
-
 static void call_body_set_profile(call *self) {
   int32_t rc = 0;
   int64_t n = -1;
@@ -818,28 +784,6 @@ static void call_body_get_stat(call *self) {
   rc = rollcon_body_get_stat(body, name, &value);
   if (rc < 0) finish(self, rc);
   give_real(self, (double)value);
-  finish(self, rc);
-}
-
-static void call_body_stat_count(call *self) {
-  no_more(self);
-  give_real(self, rollcon_body_stat_count());
-}
-
-static void call_body_stat_name(call *self) {
-  int32_t rc = 0;
-  int64_t capacity = 0;
-  int64_t need = 0;
-  char *text_buffer = NULL;
-  const int32_t i = (int32_t)take_integer(self, "i") - 1;
-  no_more(self);
-  rc = rollcon_body_stat_name(i, capacity, text_buffer, &need);
-  if (rc < 0) finish(self, rc);
-  capacity = need;
-  text_buffer = room(capacity, 1);
-  rc = rollcon_body_stat_name(i, capacity, text_buffer, &need);
-  if (rc < 0) finish(self, rc);
-  give_text(self, text_buffer);
   finish(self, rc);
 }
 
@@ -1253,50 +1197,6 @@ static void call_contact_get_str(call *self) {
   finish(self, rc);
 }
 
-static void call_option_count(call *self) {
-  no_more(self);
-  give_real(self, rollcon_option_count());
-}
-
-static void call_option_info(call *self) {
-  int32_t rc = 0;
-  int64_t capacity = 0;
-  char *text_buffer = NULL;
-  const int32_t i = (int32_t)take_integer(self, "i") - 1;
-  int32_t type = 0;
-  double low = 0;
-  double high = 0;
-  double standard = 0;
-  no_more(self);
-  capacity = 256;
-  text_buffer = room(capacity, 1);
-  rc = rollcon_option_info(i, capacity, text_buffer, &type, &low, &high, &standard);
-  if (rc < 0) finish(self, rc);
-  give_text(self, text_buffer);
-  give_real(self, (double)type);
-  give_real(self, (double)low);
-  give_real(self, (double)high);
-  give_real(self, (double)standard);
-  finish(self, rc);
-}
-
-static void call_option_doc(call *self) {
-  int32_t rc = 0;
-  int64_t capacity = 0;
-  int64_t need = 0;
-  char *text_buffer = NULL;
-  const int32_t i = (int32_t)take_integer(self, "i") - 1;
-  no_more(self);
-  rc = rollcon_option_doc(i, capacity, text_buffer, &need);
-  if (rc < 0) finish(self, rc);
-  capacity = need;
-  text_buffer = room(capacity, 1);
-  rc = rollcon_option_doc(i, capacity, text_buffer, &need);
-  if (rc < 0) finish(self, rc);
-  give_text(self, text_buffer);
-  finish(self, rc);
-}
-
 static void call_contact_request_cancel(call *self) {
   int32_t rc = 0;
   rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
@@ -1679,28 +1579,6 @@ static void call_contact_get_stat(call *self) {
   rc = rollcon_contact_get_stat(contact, name, &value);
   if (rc < 0) finish(self, rc);
   give_real(self, (double)value);
-  finish(self, rc);
-}
-
-static void call_stat_count(call *self) {
-  no_more(self);
-  give_real(self, rollcon_stat_count());
-}
-
-static void call_stat_name(call *self) {
-  int32_t rc = 0;
-  int64_t capacity = 0;
-  int64_t need = 0;
-  char *text_buffer = NULL;
-  const int32_t i = (int32_t)take_integer(self, "i") - 1;
-  no_more(self);
-  rc = rollcon_stat_name(i, capacity, text_buffer, &need);
-  if (rc < 0) finish(self, rc);
-  capacity = need;
-  text_buffer = room(capacity, 1);
-  rc = rollcon_stat_name(i, capacity, text_buffer, &need);
-  if (rc < 0) finish(self, rc);
-  give_text(self, text_buffer);
   finish(self, rc);
 }
 
@@ -2104,28 +1982,6 @@ static void call_wheelrail_get_stat(call *self) {
   finish(self, rc);
 }
 
-static void call_wheelrail_stat_count(call *self) {
-  no_more(self);
-  give_real(self, rollcon_wheelrail_stat_count());
-}
-
-static void call_wheelrail_stat_name(call *self) {
-  int32_t rc = 0;
-  int64_t capacity = 0;
-  int64_t need = 0;
-  char *text_buffer = NULL;
-  const int32_t i = (int32_t)take_integer(self, "i") - 1;
-  no_more(self);
-  rc = rollcon_wheelrail_stat_name(i, capacity, text_buffer, &need);
-  if (rc < 0) finish(self, rc);
-  capacity = need;
-  text_buffer = room(capacity, 1);
-  rc = rollcon_wheelrail_stat_name(i, capacity, text_buffer, &need);
-  if (rc < 0) finish(self, rc);
-  give_text(self, text_buffer);
-  finish(self, rc);
-}
-
 static void call_wheelrail_get_profile_point(call *self) {
   int32_t rc = 0;
   rollcon_wheelrail *wheelrail = rollcon_wheelrail_from_id(take_handle(self, "wheelrail"));
@@ -2150,28 +2006,6 @@ static void call_wheelrail_get_patch_stat(call *self) {
   rc = rollcon_wheelrail_get_patch_stat(wheelrail, patch, name, &value);
   if (rc < 0) finish(self, rc);
   give_real(self, (double)value);
-  finish(self, rc);
-}
-
-static void call_wheelrail_patch_stat_count(call *self) {
-  no_more(self);
-  give_real(self, rollcon_wheelrail_patch_stat_count());
-}
-
-static void call_wheelrail_patch_stat_name(call *self) {
-  int32_t rc = 0;
-  int64_t capacity = 0;
-  int64_t need = 0;
-  char *text_buffer = NULL;
-  const int32_t i = (int32_t)take_integer(self, "i") - 1;
-  no_more(self);
-  rc = rollcon_wheelrail_patch_stat_name(i, capacity, text_buffer, &need);
-  if (rc < 0) finish(self, rc);
-  capacity = need;
-  text_buffer = room(capacity, 1);
-  rc = rollcon_wheelrail_patch_stat_name(i, capacity, text_buffer, &need);
-  if (rc < 0) finish(self, rc);
-  give_text(self, text_buffer);
   finish(self, rc);
 }
 
@@ -2233,6 +2067,70 @@ static void call_wheelrail_find_conicity(call *self) {
   if (rc < 0) finish(self, rc);
   give_reals(self, conicity, n, 1);
   give_reals(self, wavelength, n, 1);
+  finish(self, rc);
+}
+
+static void call_option_count(call *self) {
+  const int32_t kind = take_enumerator(self, "kind", names_of_kind_of_object, 0);
+  no_more(self);
+  give_real(self, rollcon_option_count(kind));
+}
+
+static void call_option_info(call *self) {
+  int32_t rc = 0;
+  int64_t capacity = 0;
+  int64_t need = 0;
+  char *name_buffer = NULL;
+  char *doc_buffer = NULL;
+  const int32_t kind = take_enumerator(self, "kind", names_of_kind_of_object, 0);
+  const int32_t i = (int32_t)take_integer(self, "i") - 1;
+  int32_t type = 0;
+  double low = 0;
+  double high = 0;
+  double standard = 0;
+  no_more(self);
+  rc = rollcon_option_info(kind, i, capacity, name_buffer, doc_buffer, &need, &type, &low, &high, &standard);
+  if (rc < 0) finish(self, rc);
+  capacity = need;
+  name_buffer = room(capacity, 1);
+  doc_buffer = room(capacity, 1);
+  rc = rollcon_option_info(kind, i, capacity, name_buffer, doc_buffer, &need, &type, &low, &high, &standard);
+  if (rc < 0) finish(self, rc);
+  give_text(self, name_buffer);
+  give_text(self, doc_buffer);
+  give_real(self, (double)type);
+  give_real(self, (double)low);
+  give_real(self, (double)high);
+  give_real(self, (double)standard);
+  finish(self, rc);
+}
+
+static void call_stat_count(call *self) {
+  const int32_t kind = take_enumerator(self, "kind", names_of_kind_of_object, 0);
+  no_more(self);
+  give_real(self, rollcon_stat_count(kind));
+}
+
+static void call_stat_info(call *self) {
+  int32_t rc = 0;
+  int64_t capacity = 0;
+  int64_t need = 0;
+  char *name_buffer = NULL;
+  char *doc_buffer = NULL;
+  const int32_t kind = take_enumerator(self, "kind", names_of_kind_of_object, 0);
+  const int32_t i = (int32_t)take_integer(self, "i") - 1;
+  int32_t inside = 0;
+  no_more(self);
+  rc = rollcon_stat_info(kind, i, capacity, name_buffer, doc_buffer, &need, &inside);
+  if (rc < 0) finish(self, rc);
+  capacity = need;
+  name_buffer = room(capacity, 1);
+  doc_buffer = room(capacity, 1);
+  rc = rollcon_stat_info(kind, i, capacity, name_buffer, doc_buffer, &need, &inside);
+  if (rc < 0) finish(self, rc);
+  give_text(self, name_buffer);
+  give_text(self, doc_buffer);
+  give_real(self, (double)inside);
   finish(self, rc);
 }
 
@@ -2481,9 +2379,6 @@ const entry calls[] = {
   {"body_set_real", call_body_set_real, 1},
   {"body_get_int", call_body_get_int, 1},
   {"body_get_real", call_body_get_real, 1},
-  {"body_option_count", call_body_option_count, 1},
-  {"body_option_info", call_body_option_info, 5},
-  {"body_option_doc", call_body_option_doc, 1},
   {"body_set_profile", call_body_set_profile, 1},
   {"body_set_profile_shape", call_body_set_profile_shape, 1},
   {"body_read_profile", call_body_read_profile, 1},
@@ -2500,8 +2395,6 @@ const entry calls[] = {
   {"body_write", call_body_write, 1},
   {"body_get_reaction", call_body_get_reaction, 2},
   {"body_get_stat", call_body_get_stat, 1},
-  {"body_stat_count", call_body_stat_count, 1},
-  {"body_stat_name", call_body_stat_name, 1},
   {"contact_create", call_contact_create, 1},
   {"contact_release", call_contact_release, 1},
   {"contact_frame_nodes", call_contact_frame_nodes, 1},
@@ -2536,9 +2429,6 @@ const entry calls[] = {
   {"contact_get_int", call_contact_get_int, 1},
   {"contact_get_real", call_contact_get_real, 1},
   {"contact_get_str", call_contact_get_str, 1},
-  {"option_count", call_option_count, 1},
-  {"option_info", call_option_info, 5},
-  {"option_doc", call_option_doc, 1},
   {"contact_request_cancel", call_contact_request_cancel, 1},
   {"contact_solve", call_contact_solve, 1},
   {"contact_solve_many", call_contact_solve_many, 2},
@@ -2566,8 +2456,6 @@ const entry calls[] = {
   {"wear_profile", call_wear_profile, 2},
   {"stress_invariants", call_stress_invariants, 3},
   {"contact_get_stat", call_contact_get_stat, 1},
-  {"stat_count", call_stat_count, 1},
-  {"stat_name", call_stat_name, 1},
   {"contact_get_history", call_contact_get_history, 1},
   {"contact_get_error_function", call_contact_get_error_function, 2},
   {"contact_get_plan", call_contact_get_plan, 1},
@@ -2600,16 +2488,16 @@ const entry calls[] = {
   {"wheelrail_get_resultant", call_wheelrail_get_resultant, 2},
   {"wheelrail_get_derivative", call_wheelrail_get_derivative, 3},
   {"wheelrail_get_stat", call_wheelrail_get_stat, 1},
-  {"wheelrail_stat_count", call_wheelrail_stat_count, 1},
-  {"wheelrail_stat_name", call_wheelrail_stat_name, 1},
   {"wheelrail_get_profile_point", call_wheelrail_get_profile_point, 1},
   {"wheelrail_get_patch_stat", call_wheelrail_get_patch_stat, 1},
-  {"wheelrail_patch_stat_count", call_wheelrail_patch_stat_count, 1},
-  {"wheelrail_patch_stat_name", call_wheelrail_patch_stat_name, 1},
   {"wheelrail_get_patch_axes", call_wheelrail_get_patch_axes, 2},
   {"wheelrail_get_contact", call_wheelrail_get_contact, 1},
   {"wheelrail_find_contact_points", call_wheelrail_find_contact_points, 1},
   {"wheelrail_find_conicity", call_wheelrail_find_conicity, 2},
+  {"option_count", call_option_count, 1},
+  {"option_info", call_option_info, 6},
+  {"stat_count", call_stat_count, 1},
+  {"stat_info", call_stat_info, 3},
   {"table_create", call_table_create, 1},
   {"table_release", call_table_release, 1},
   {"table_load", call_table_load, 1},

@@ -23,7 +23,7 @@ void require_prepared_mesh(const Body& body) {
 }
 
 struct Statistic {
-  const char* name;
+  StatisticInfo info;
   double (*value)(const Body&);  ///< takes a prepared body
 };
 
@@ -40,30 +40,34 @@ double missed_along(const Body& body) {
 
 using S = BodyStatistics;
 constexpr Statistic statistics[] = {
-    {"unknowns", of_equations<&S::unknowns>},
-    {"assemblies", of_equations<&S::assemblies>},
-    {"factorizations", of_equations<&S::factorizations>},
-    {"condensations", of_equations<&S::condensations>},
-    {"condensed_unknowns", of_equations<&S::condensed>},
-    {"factor_nonzeros", of_equations<&S::nonzeros>},
-    {"kernel_evaluations", of_equations<&S::kernel_evaluations>},
-    {"responses_kept", of_equations<&S::responses_kept>},
-    {"responses_dropped", of_equations<&S::responses_dropped>},
-    {"condition", of_equations<&S::condition>},
-    {"imbalance", of_equations<&S::imbalance>},
-    {"seconds_assembly", of_equations<&S::seconds_assembly>},
-    {"seconds_order", of_equations<&S::seconds_order>},
-    {"seconds_factor", of_equations<&S::seconds_factor>},
-    {"seconds_condense", of_equations<&S::seconds_condense>},
-    {"bytes", of_equations<&S::bytes>},
-    {"peak_bytes", of_equations<&S::peak_bytes>},
-    {"imbalance_x", missed_along<0>},
-    {"imbalance_y", missed_along<1>},
-    {"imbalance_z", missed_along<2>},
-    {"imbalance_pressure", [](const Body& body) { return imbalances_of(body.response()).pressure; }},
-    {"imbalance_loads", [](const Body& body) { return body.own().missed; }},
-    {"shared", [](const Body& body) { return body.shared() ? 1.0 : 0.0; }},
-    {"loaded", [](const Body& body) { return body.loaded() ? 1.0 : 0.0; }},
+    {{"unknowns", "unknowns of the equations"}, of_equations<&S::unknowns>},
+    {{"assemblies", "assemblies of the equations"}, of_equations<&S::assemblies>},
+    {{"factorizations", "factorisations"}, of_equations<&S::factorizations>},
+    {{"condensations", "condensations onto faces", true}, of_equations<&S::condensations>},
+    {{"condensed_unknowns", "unknowns left by the last condensation", true}, of_equations<&S::condensed>},
+    {{"factor_nonzeros", "nonzeros of the factors; of dense ones unknowns squared", true}, of_equations<&S::nonzeros>},
+    {{"kernel_evaluations", "evaluations of kernels", true}, of_equations<&S::kernel_evaluations>},
+    {{"responses_kept", "responses to frames that are cached", true}, of_equations<&S::responses_kept>},
+    {{"responses_dropped", "responses to frames that the cache dropped", true}, of_equations<&S::responses_dropped>},
+    {{"condition", "estimated condition of the scaled matrix"}, of_equations<&S::condition>},
+    {{"imbalance", "the largest part of a load that the reactions of boundary elements miss"},
+     of_equations<&S::imbalance>},
+    {{"seconds_assembly", "wall time of assembly"}, of_equations<&S::seconds_assembly>},
+    {{"seconds_order", "wall time of ordering"}, of_equations<&S::seconds_order>},
+    {{"seconds_factor", "wall time of factorisation"}, of_equations<&S::seconds_factor>},
+    {{"seconds_condense", "wall time of condensation"}, of_equations<&S::seconds_condense>},
+    {{"bytes", "bytes of equations, factors and cached responses"}, of_equations<&S::bytes>},
+    {{"peak_bytes", "the most bytes while they were made"}, of_equations<&S::peak_bytes>},
+    {{"imbalance_x", "what reactions miss of tractions along x"}, missed_along<0>},
+    {{"imbalance_y", "what reactions miss of tractions along y"}, missed_along<1>},
+    {{"imbalance_z", "what reactions miss of tractions along z"}, missed_along<2>},
+    {{"imbalance_pressure", "what reactions miss of pressures along a frame's normal"},
+     [](const Body& body) { return imbalances_of(body.response()).pressure; }},
+    {{"imbalance_loads", "what reactions miss of the body's own loads"},
+     [](const Body& body) { return body.own().missed; }},
+    {{"shared", "1: an equal body was prepared before, and nothing was assembled"},
+     [](const Body& body) { return body.shared() ? 1.0 : 0.0; }},
+    {{"loaded", "1: the body is from a file"}, [](const Body& body) { return body.loaded() ? 1.0 : 0.0; }},
 };
 
 }  // namespace
@@ -88,23 +92,13 @@ void body_reaction(const Body& body, Vec3& force, Vec3& moment) {
 }
 
 double body_statistic(const Body& body, const char* name) {
-  const auto* found = std::find_if(std::begin(statistics), std::end(statistics),
-                                   [&](const Statistic& s) { return !std::strcmp(s.name, name); });
-  if (found == std::end(statistics)) {
-    std::string known;
-    for (const Statistic& s : statistics) known += (known.empty() ? "" : ", ") + std::string(s.name);
-    fail(Status::err_option, "unknown statistic '%.64s'; statistics are: %s", name, known.c_str());
-  }
+  const Statistic& found = statistic_row(statistics, name);
   require_prepared(body);
-  return found->value(body);
+  return found.value(body);
 }
 
-std::int64_t body_statistic_count() {
-  return static_cast<std::int64_t>(std::size(statistics));
-}
-
-const char* body_statistic_name(std::int64_t i) {
-  return statistics[static_cast<std::size_t>(i)].name;
+const StatisticInfo* body_statistic_info(std::int64_t i) {
+  return statistic_info(statistics, i);
 }
 
 }  // namespace rollcon

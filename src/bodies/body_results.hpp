@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bodies/body.hpp"
+#include "support/statistic_info.hpp"
 
 namespace rollcon {
 
@@ -48,7 +49,6 @@ void write_body(const Body& body, const NodalDisplacements& given, const char* p
 
 /// Returns a number about the prepared body by name; 0 for bodies without equations. err_option: unknown name.
 double body_statistic(const Body& body, const char* name);
-std::int64_t body_statistic_count();
-const char* body_statistic_name(std::int64_t i);
+const StatisticInfo* body_statistic_info(std::int64_t i);  ///< null beyond the last
 
 }  // namespace rollcon

@@ -91,15 +91,3 @@ rollcon_status rollcon_body_get_stat(const rollcon_body* body, const char* name,
     *value = body_statistic(b, name);
   });
 }
-
-int32_t rollcon_body_stat_count(void) {
-  return static_cast<int32_t>(body_statistic_count());
-}
-
-rollcon_status rollcon_body_stat_name(int32_t i, int64_t capacity, char* text, int64_t* needed) {
-  return guarded(__func__, nullptr, [&] {
-    if (i < 0 || i >= body_statistic_count())
-      fail(Status::err_argument, "i is %d; allowed: 0 to %lld", i, static_cast<long long>(body_statistic_count()) - 1);
-    copy_text(body_statistic_name(i), capacity, text, needed);
-  });
-}

@@ -4,7 +4,6 @@
 
 #include "capi/guard.hpp"
 #include "capi/results.hpp"
-#include "contact/statistics.hpp"
 #include "support/stress_invariants.hpp"
 
 using namespace rollcon;
@@ -234,18 +233,6 @@ rollcon_status rollcon_contact_get_stat(const rollcon_contact* contact, const ch
     require_pointer(name, "name");
     require_pointer(value, "value");
     *value = c.stat(name);
-  });
-}
-
-int32_t rollcon_stat_count(void) {
-  return static_cast<int32_t>(statistics().size());
-}
-
-rollcon_status rollcon_stat_name(int32_t i, int64_t capacity, char* text, int64_t* needed) {
-  return guarded(__func__, nullptr, [&] {
-    if (i < 0 || i >= std::ssize(statistics()))
-      fail(Status::err_argument, "i is %d; allowed: 0 to %lld", i, static_cast<long long>(statistics().size()) - 1);
-    copy_text(statistics()[static_cast<std::size_t>(i)].name, capacity, text, needed);
   });
 }
 

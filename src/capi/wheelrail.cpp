@@ -30,11 +30,6 @@ std::shared_ptr<Object> object_of(Object& owner, const std::shared_ptr<Contact>&
   return object;
 }
 
-void require_row(std::int32_t i, std::int64_t count) {
-  if (i < 0 || i >= count)
-    fail(Status::err_argument, "i is %d; allowed: 0 to %lld", i, static_cast<long long>(count) - 1);
-}
-
 }  // namespace
 
 rollcon_status rollcon_wheelrail_create(rollcon_context* context, rollcon_body* wheel, rollcon_body* rail, int32_t side,
@@ -144,34 +139,12 @@ rollcon_status rollcon_wheelrail_get_stat(const rollcon_wheelrail* wheelrail, co
   });
 }
 
-int32_t rollcon_wheelrail_stat_count(void) {
-  return static_cast<int32_t>(WheelRail::stat_count());
-}
-
-rollcon_status rollcon_wheelrail_stat_name(int32_t i, int64_t capacity, char* text, int64_t* needed) {
-  return guarded(__func__, nullptr, [&] {
-    require_row(i, WheelRail::stat_count());
-    copy_text(WheelRail::stat_name(i), capacity, text, needed);
-  });
-}
-
 rollcon_status rollcon_wheelrail_get_patch_stat(const rollcon_wheelrail* wheelrail, int32_t patch, const char* name,
                                                 double* value) {
   return with_wheelrail(__func__, wheelrail, [&](const WheelRail& w) {
     require_pointer(name, "name");
     require_pointer(value, "value");
     *value = w.patch_stat(patch, name);
-  });
-}
-
-int32_t rollcon_wheelrail_patch_stat_count(void) {
-  return static_cast<int32_t>(WheelRail::patch_stat_count());
-}
-
-rollcon_status rollcon_wheelrail_patch_stat_name(int32_t i, int64_t capacity, char* text, int64_t* needed) {
-  return guarded(__func__, nullptr, [&] {
-    require_row(i, WheelRail::patch_stat_count());
-    copy_text(WheelRail::patch_stat_name(i), capacity, text, needed);
   });
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 
 #include "contact/estimate/error_estimate.hpp"
 #include "contact/estimate/few_nodes.hpp"
@@ -103,117 +102,157 @@ double put_in(Solver& v) {
 }
 
 constexpr Statistic table[] = {
-    {"iterations",
+    {{"iterations", "Newton steps, in all"},
      [](Solver& v) {
        return number(v.solution().report.normal_iterations + v.solution().report.tangential_iterations +
                      v.solution().report.full_iterations);
      },
      true},
-    {"normal_iterations", [](Solver& v) { return number(v.solution().report.normal_iterations); }},
-    {"tangential_iterations", [](Solver& v) { return number(v.solution().report.tangential_iterations); }},
-    {"full_iterations", [](Solver& v) { return number(v.solution().report.full_iterations); }},
-    {"fallbacks", [](Solver& v) { return number(v.solution().report.fallbacks); }, true},
-    {"friction_rounds", [](Solver& v) { return number(rounds_of_friction(v.solution())); }},
-    {"friction_change",
+    {{"normal_iterations", "Newton steps for the pressures alone"},
+     [](Solver& v) { return number(v.solution().report.normal_iterations); }},
+    {{"tangential_iterations", "Newton steps for tangential tractions under given pressures"},
+     [](Solver& v) { return number(v.solution().report.tangential_iterations); }},
+    {{"full_iterations", "Newton steps for all tractions together"},
+     [](Solver& v) { return number(v.solution().report.full_iterations); }},
+    {{"fallbacks", "detours of the iteration"}, [](Solver& v) { return number(v.solution().report.fallbacks); }, true},
+    {{"friction_rounds", "solves with given friction, where it follows the whole solution; else 0"},
+     [](Solver& v) { return number(rounds_of_friction(v.solution())); }},
+    {{"friction_change", "last change of friction's bounds between these solves"},
      [](Solver& v) { return rounds_of_friction(v.solution()) > 0 ? v.solution().settled.change : 0.0; }},
-    {"predictions", [](Solver& v) { return number(v.solution().report.predictions); }},
-    {"linear_iterations", [](Solver& v) { return number(v.effort().linear_iterations); }},
-    {"factorizations", [](Solver& v) { return number(v.effort().factorizations); }},
-    {"residual_normal", [](Solver& v) { return v.solution().report.residual_normal; }, true},
-    {"residual_tangential", [](Solver& v) { return v.solution().report.residual_tangential; }, true},
-    {"condition", [](Solver& v) { return find_condition(v.solution(), v.engine().newton); }},
-    {"law_normal", [](Solver& v) { return law(v, 0); }},
-    {"law_friction", [](Solver& v) { return law(v, 1); }},
-    {"law_slip", [](Solver& v) { return law(v, 2); }},
-    {"law_equilibrium", [](Solver& v) { return law(v, 3); }},
-    {"error_estimate", [](Solver& v) { return find_error_estimate(v.solution(), v.derived()).worst(); }},
-    {"error_estimate_normal", [](Solver& v) { return find_error_estimate(v.solution(), v.derived()).normal; }},
-    {"error_estimate_tangential", [](Solver& v) { return find_error_estimate(v.solution(), v.derived()).tangential; }},
-    {"error_estimate_tractions", [](Solver& v) { return find_error_estimate(v.solution(), v.derived()).tractions; }},
-    {"nodes_contact", [](Solver& v) { return sum_in_contact(v.solution(), [](std::size_t) { return 1.0; }); }, true},
-    {"nodes_inside", [](Solver& v) { return number(nodes_inside(v.solution())); }},
-    {"nodes_stick", [](Solver& v) { return count_status(v, NodeStatus::stick); }},
-    {"nodes_slip", [](Solver& v) { return count_status(v, NodeStatus::slip); }},
-    {"nodes_rim",
+    {{"predictions", "predicted starts", true}, [](Solver& v) { return number(v.solution().report.predictions); }},
+    {{"linear_iterations", "Krylov iterations"}, [](Solver& v) { return number(v.effort().linear_iterations); }},
+    {{"factorizations", "LU factorisations"}, [](Solver& v) { return number(v.effort().factorizations); }},
+    {{"residual_normal", "normal residual at which the iteration stopped"},
+     [](Solver& v) { return v.solution().report.residual_normal; },
+     true},
+    {{"residual_tangential", "tangential residual at which it stopped"},
+     [](Solver& v) { return v.solution().report.residual_tangential; },
+     true},
+    {{"condition", "estimated condition of the last linear system, at the price of an LU; 0: it is not formed"},
+     [](Solver& v) { return find_condition(v.solution(), v.engine().newton); }},
+    {{"law_normal", "residual of the law of contact, recomputed"}, [](Solver& v) { return law(v, 0); }},
+    {{"law_friction", "residual of the limit of friction, recomputed"}, [](Solver& v) { return law(v, 1); }},
+    {{"law_slip", "residual of the law of slip, recomputed"}, [](Solver& v) { return law(v, 2); }},
+    {{"law_equilibrium", "residual of the prescribed loads, recomputed"}, [](Solver& v) { return law(v, 3); }},
+    {{"error_estimate", "the greater one of the estimated relative errors of normal and tangential force"},
+     [](Solver& v) { return find_error_estimate(v.solution(), v.derived()).worst(); }},
+    {{"error_estimate_normal", "estimated relative error of the normal force"},
+     [](Solver& v) { return find_error_estimate(v.solution(), v.derived()).normal; }},
+    {{"error_estimate_tangential", "estimated relative error of the tangential force"},
+     [](Solver& v) { return find_error_estimate(v.solution(), v.derived()).tangential; }},
+    {{"error_estimate_tractions", "estimated relative error of tractions, L2 norm"},
+     [](Solver& v) { return find_error_estimate(v.solution(), v.derived()).tractions; }},
+    {{"nodes_contact", "nodes in contact"},
+     [](Solver& v) { return sum_in_contact(v.solution(), [](std::size_t) { return 1.0; }); },
+     true},
+    {{"nodes_inside", "nodes in contact without an open neighbour"},
+     [](Solver& v) { return number(nodes_inside(v.solution())); }},
+    {{"nodes_stick", "nodes that stick"}, [](Solver& v) { return count_status(v, NodeStatus::stick); }},
+    {{"nodes_slip", "nodes that slip"}, [](Solver& v) { return count_status(v, NodeStatus::slip); }},
+    {{"nodes_rim", "nodes in contact at the frame's rim"},
      [](Solver& v) {
        return sum_in_contact(v.solution(),
                              [&](std::size_t k) { return v.solution().prepared->frame.rim[k] ? 1.0 : 0.0; });
      }},
-    {"nodes_near_change", near_change},
-    {"nodes_overlap",
+    {{"nodes_near_change", "nodes whose state a millionth of the largest traction would change"}, near_change},
+    {{"nodes_overlap", "nodes where the undeformed bodies overlap at approach 0"},
      [](Solver& v) {
        return number(
            initial_overlap(v.solution().prepared->frame, v.solution().prepared->problem.undeformed_gaps()).nodes);
      }},
-    {"overlap_depth",
+    {{"overlap_depth", "the largest depth of that overlap"},
      [](Solver& v) {
        return initial_overlap(v.solution().prepared->frame, v.solution().prepared->problem.undeformed_gaps()).depth;
      }},
-    {"contact_area",
+    {{"contact_area", "area in contact"},
      [](Solver& v) {
        if (const auto& area = v.derived().area) return *area;
        if (v.derived().extrapolated) return v.derived().extrapolated->area;
        return sum_in_contact(v.solution(), [&](std::size_t k) { return v.solution().prepared->problem.cell_area[k]; });
      },
      true},
-    {"friction_power", [](Solver& v) { return power_at_nodes(v.solution(), v.derived()); }, true},
-    {"friction_power_balance", [](Solver& v) { return put_in(v); }, true},
-    {"t_gamma", t_gamma},
-    {"rolling_speed",
+    {{"friction_power", "power of friction, by the slip at nodes"},
+     [](Solver& v) { return power_at_nodes(v.solution(), v.derived()); },
+     true},
+    {{"friction_power_balance", "power of friction, by the balance of work"},
+     [](Solver& v) { return put_in(v); },
+     true},
+    {{"t_gamma", "wear number: force times creepage, without the spin"}, t_gamma},
+    {{"rolling_speed", "speed V, given or from the velocity of the contact"},
      [](Solver& v) {
        const Prepared& on = *v.solution().prepared;
        return on.step == StepKind::steady ? on.speed : on.distance * on.speed;
      }},
-    {"step_time", [](Solver& v) { return v.steps().last.time; }},
-    {"steps", [](Solver& v) { return number(v.steps().last.steps); }},
-    {"step_distance", [](Solver& v) { return v.solution().prepared->distance; }},
-    {"step_growth", step_growth},
-    {"step_row_builds", [](Solver& v) { return number(v.preparation() ? v.preparation()->carried.made() : 0); }},
-    {"max_pressure",
+    {{"step_time", "time since the steps began"}, [](Solver& v) { return v.steps().last.time; }},
+    {{"steps", "steps in time"}, [](Solver& v) { return number(v.steps().last.steps); }},
+    {{"step_distance", "distance rolled in the last step"}, [](Solver& v) { return v.solution().prepared->distance; }},
+    {{"step_growth", "fraction of the contact's area that a step without rolling added"}, step_growth},
+    {{"step_row_builds", "rows made to carry displacements along", true},
+     [](Solver& v) { return number(v.preparation() ? v.preparation()->carried.made() : 0); }},
+    {{"max_pressure", "largest pressure at a node"},
      [](Solver& v) {
        if (const auto& top = v.derived().largest_pressure) return *top;
        return std::max(
            0.0, -*std::min_element(v.solution().iterate.lambda[2].begin(), v.solution().iterate.lambda[2].end()));
      },
      true},
-    {"seconds_compliance", [](Solver& v) { return v.effort().timings.compliance; }},
-    {"seconds_convection", [](Solver& v) { return v.effort().timings.convection; }},
-    {"seconds_newton", [](Solver& v) { return v.effort().timings.newton; }},
-    {"seconds_linear", [](Solver& v) { return v.effort().timings.linear; }},
-    {"seconds_total", [](Solver& v) { return v.effort().timings.total; }},
-    {"seconds_sensitivity", [](Solver& v) { return v.derived().sensitivities.seconds; }},
-    {"sensitivity_right_sides", [](Solver& v) { return number(v.derived().sensitivities.right_sides); }},
-    {"sensitivity_factorizations", [](Solver& v) { return number(v.derived().sensitivities.factorizations); }},
-    {"sensitivity_linear_iterations", [](Solver& v) { return number(v.derived().sensitivities.linear_iterations); }},
-    {"seconds_error_estimate", [](Solver& v) { return v.derived().error_estimate.seconds; }},
-    {"peak_bytes", [](Solver& v) { return static_cast<double>(v.effort().peak_bytes); }},
-    {"threads", [](Solver& v) { return number(v.effort().threads); }},
-    {"kernel_evaluations",
+    {{"seconds_compliance", "wall time for bodies and their compliance"},
+     [](Solver& v) { return v.effort().timings.compliance; }},
+    {{"seconds_convection", "wall time for the convective scheme"},
+     [](Solver& v) { return v.effort().timings.convection; }},
+    {{"seconds_newton", "wall time for Newton's method"}, [](Solver& v) { return v.effort().timings.newton; }},
+    {{"seconds_linear", "wall time for linear systems, a part of seconds_newton"},
+     [](Solver& v) { return v.effort().timings.linear; }},
+    {{"seconds_total", "wall time, in all"}, [](Solver& v) { return v.effort().timings.total; }},
+    {{"seconds_sensitivity", "wall time for derivatives since the solve, in none of the others"},
+     [](Solver& v) { return v.derived().sensitivities.seconds; }},
+    {{"sensitivity_right_sides", "right sides solved for derivatives", true},
+     [](Solver& v) { return number(v.derived().sensitivities.right_sides); }},
+    {{"sensitivity_factorizations", "factorisations for derivatives", true},
+     [](Solver& v) { return number(v.derived().sensitivities.factorizations); }},
+    {{"sensitivity_linear_iterations", "Krylov iterations for derivatives", true},
+     [](Solver& v) { return number(v.derived().sensitivities.linear_iterations); }},
+    {{"seconds_error_estimate", "wall time for error estimates since the solve, in none of the others"},
+     [](Solver& v) { return v.derived().error_estimate.seconds; }},
+    {{"peak_bytes", "bytes of the contact's own arrays"},
+     [](Solver& v) { return static_cast<double>(v.effort().peak_bytes); }},
+    {{"threads", "threads of the BLAS"}, [](Solver& v) { return number(v.effort().threads); }},
+    {{"kernel_evaluations", "evaluations of kernels for this compliance", true},
      [](Solver& v) {
        return v.solution().prepared->compliance ? number(v.solution().prepared->compliance->kernel_evaluations()) : 0.0;
      }},
-    {"compliance_assemblies", [](Solver& v) { return number(builds_of(v).operators); }},
-    {"system_unknowns", [](Solver& v) { return number(v.effort().unknowns); }},
-    {"system_nonzeros", [](Solver& v) { return number(v.effort().nonzeros); }},
-    {"operator_bytes", [](Solver& v) { return static_cast<double>(v.solution().prepared->problem.op->bytes()); }},
-    {"operator_applications",
+    {{"compliance_assemblies", "operators assembled", true}, [](Solver& v) { return number(builds_of(v).operators); }},
+    {{"system_unknowns", "unknowns of the monolithic system; else 0", true},
+     [](Solver& v) { return number(v.effort().unknowns); }},
+    {{"system_nonzeros", "nonzeros of the monolithic system; else 0", true},
+     [](Solver& v) { return number(v.effort().nonzeros); }},
+    {{"operator_bytes", "bytes of the operators"},
+     [](Solver& v) { return static_cast<double>(v.solution().prepared->problem.op->bytes()); }},
+    {{"operator_applications", "applications of the compliance without rows", true},
      [](Solver& v) {
        return number(v.derived().computed.applications + v.solution().prepared->problem.op->applications());
      }},
-    {"right_sides", [](Solver& v) { return number(v.effort().right_sides); }},
-    {"body_preparations", [](Solver& v) { return number(builds_of(v).bodies); }},
-    {"frame_builds", [](Solver& v) { return number(builds_of(v).frames); }},
-    {"compliance_builds", [](Solver& v) { return number(builds_of(v).compliances); }},
-    {"stencil_builds", [](Solver& v) { return number(builds_of(v).stencils); }},
-    {"gap_builds", [](Solver& v) { return number(builds_of(v).gaps); }},
-    {"friction_builds", [](Solver& v) { return number(builds_of(v).frictions); }},
-    {"slip_builds", [](Solver& v) { return number(builds_of(v).slips); }},
-    {"scale_builds", [](Solver& v) { return number(builds_of(v).scales); }},
-    {"fields_derived", [](Solver& v) { return number(v.derived().computed.fields); }},
-    {"laws_checked", [](Solver& v) { return number(v.derived().computed.laws); }},
-    {"displacement_fields", [](Solver& v) { return number(v.derived().computed.displacements); }},
-    {"error_estimates", [](Solver& v) { return number(v.derived().computed.estimates); }},
-    {"unknowns",
+    {{"right_sides", "linear systems solved", true}, [](Solver& v) { return number(v.effort().right_sides); }},
+    {{"body_preparations", "bodies prepared by solves of this contact", true},
+     [](Solver& v) { return number(builds_of(v).bodies); }},
+    {{"frame_builds", "times the frame was made", true}, [](Solver& v) { return number(builds_of(v).frames); }},
+    {{"compliance_builds", "times compliances were made", true},
+     [](Solver& v) { return number(builds_of(v).compliances); }},
+    {{"stencil_builds", "times the convective scheme was made", true},
+     [](Solver& v) { return number(builds_of(v).stencils); }},
+    {{"gap_builds", "times gaps were made", true}, [](Solver& v) { return number(builds_of(v).gaps); }},
+    {{"friction_builds", "times friction was made", true}, [](Solver& v) { return number(builds_of(v).frictions); }},
+    {{"slip_builds", "times the rigid slip was made", true}, [](Solver& v) { return number(builds_of(v).slips); }},
+    {{"scale_builds", "times scales were made", true}, [](Solver& v) { return number(builds_of(v).scales); }},
+    {{"fields_derived", "times fields were computed", true},
+     [](Solver& v) { return number(v.derived().computed.fields); }},
+    {{"laws_checked", "times the laws were recomputed", true},
+     [](Solver& v) { return number(v.derived().computed.laws); }},
+    {{"displacement_fields", "times displacements were computed", true},
+     [](Solver& v) { return number(v.derived().computed.displacements); }},
+    {{"error_estimates", "times errors were estimated", true},
+     [](Solver& v) { return number(v.derived().computed.estimates); }},
+    {{"unknowns", "unknowns at the solution: components at nodes in contact, and motions"},
      [](Solver& v) {
        const double components = v.solution().frictionless ? 1 : 3;
        return components * sum_in_contact(v.solution(), [](std::size_t) { return 1.0; }) +
@@ -228,13 +267,10 @@ std::span<const Statistic> statistics() {
 }
 
 double find_statistic(Solver& solver, const char* name) {
-  for (const Statistic& s : statistics())
-    if (std::strcmp(s.name, name) == 0) {
-      solver.require_solution();
-      const BlasThreads blas(solver.blas_threads());
-      return s.value(solver);
-    }
-  fail(Status::err_option, "unknown statistic '%.60s'; rollcon_stat_name lists them", name);
+  const Statistic& s = statistic_row(statistics(), name);
+  solver.require_solution();
+  const BlasThreads blas(solver.blas_threads());
+  return s.value(solver);
 }
 
 }  // namespace rollcon

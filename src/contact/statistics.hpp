@@ -3,12 +3,14 @@
 
 #include <span>
 
+#include "support/statistic_info.hpp"
+
 namespace rollcon {
 
 class Solver;
 
 struct Statistic {
-  const char* name;
+  StatisticInfo info;
   double (*value)(Solver&);
   bool of_cases = false;  ///< known for the cases of a list, too
 };

@@ -10,6 +10,7 @@
 
 #include "contact/laws/wear_law.hpp"
 #include "geometry/vec2.hpp"
+#include "support/statistic_info.hpp"
 #include "wheelrail/contact_search.hpp"
 #include "wheelrail/patch_contact.hpp"
 #include "wheelrail/rail_place.hpp"
@@ -114,12 +115,10 @@ class WheelRail {
   /// rolled: see rollcon::add_wear. Returns the whole volume (without the weight).
   double add_wear(const WearLaw& law, std::int32_t body, const std::vector<Vec2>& point, double weight,
                   double* volume) const;
-  double stat(const char* name) const;  ///< err_option: unknown name
-  static std::int64_t stat_count();
-  static const char* stat_name(std::int64_t i);
+  double stat(const char* name) const;                        ///< err_option: unknown name
+  static const StatisticInfo* stat_info(std::int64_t i);      ///< null beyond the last
   double patch_stat(std::int64_t i, const char* name) const;  ///< err_option: unknown name
-  static std::int64_t patch_stat_count();
-  static const char* patch_stat_name(std::int64_t i);
+  static const StatisticInfo* patch_stat_info(std::int64_t i);
 
  private:
   struct Slot {

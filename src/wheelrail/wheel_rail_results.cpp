@@ -2,109 +2,103 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <string>
 
 #include "support/error.hpp"
 #include "wheelrail/wheel_rail.hpp"
 
 namespace rollcon {
-namespace {
-
-template <class Table>
-const auto& find_stat(const Table& table, const char* name) {
-  const auto* const found =
-      std::find_if(std::begin(table), std::end(table), [&](const auto& s) { return std::string(s.name) == name; });
-  if (found == std::end(table)) {
-    std::string known;
-    for (const auto& s : table) known += (known.empty() ? "" : ", ") + std::string(s.name);
-    fail(Status::err_option, "unknown statistic '%s'; known: %s", name, known.c_str());
-  }
-  return *found;
-}
-
-}  // namespace
 
 struct WheelRail::Stat {
-  const char* name;
+  StatisticInfo info;
   double (*value)(const WheelRail& w);
 };
 
 const WheelRail::Stat WheelRail::stats[] = {
-    {"z", [](const WheelRail& w) { return w.solved_->z; }},
-    {"vertical_force", [](const WheelRail& w) { return w.vertical_force(); }},
-    {"friction_power",
+    {{"z", "z of the wheelset, found or given"}, [](const WheelRail& w) { return w.solved_->z; }},
+    {{"vertical_force", "force on the rail, of all patches"}, [](const WheelRail& w) { return w.vertical_force(); }},
+    {{"friction_power", "power of friction, of all patches"},
      [](const WheelRail& w) {
        double power = 0;
        for (const Slot* slot : w.active_) power += slot->contact.overlap().share * slot->contact.friction_power();
        return power;
      }},
-    {"solves", [](const WheelRail& w) { return static_cast<double>(w.solves_); }},
+    {{"solves", "heights tried since the handle was made"},
+     [](const WheelRail& w) { return static_cast<double>(w.solves_); }},
 };
 
 struct WheelRail::PatchStat {
-  const char* name;
+  StatisticInfo info;
   double (*value)(const WheelRail& w, const PatchContact& p);
 };
 
 const WheelRail::PatchStat WheelRail::patch_stats[] = {
-    {"x",
+    {{"x", "x of the reference of the patch in the track"},
      [](const WheelRail& w, const PatchContact& p) {
        return w.solved_->position.x + w.rail_pose(w.solved_->deviation).place(p.overlap().reference)[0];
      }},
-    {"y",
+    {{"y", "y of the reference in the track"},
      [](const WheelRail& w, const PatchContact& p) {
        return w.side_ * w.rail_pose(w.solved_->deviation).place(p.overlap().reference)[1];
      }},
-    {"z", [](const WheelRail& w,
-             const PatchContact& p) { return w.rail_pose(w.solved_->deviation).place(p.overlap().reference)[2]; }},
-    {"angle", [](const WheelRail& w,
-                 const PatchContact& p) { return w.side_ * (p.overlap().angle + w.solved_->deviation.roll); }},
-    {"wheel_y", [](const WheelRail&, const PatchContact& p) { return p.overlap().wheel_y; }},
-    {"rolling_radius", [](const WheelRail&, const PatchContact& p) { return p.overlap().rolling_radius; }},
-    {"longitudinal_creepage", [](const WheelRail&, const PatchContact& p) { return p.creepages()[0]; }},
-    {"lateral_creepage", [](const WheelRail& w, const PatchContact& p) { return w.side_ * p.creepages()[1]; }},
-    {"spin", [](const WheelRail& w, const PatchContact& p) { return w.side_ * p.creepages()[2]; }},
-    {"normal_force", [](const WheelRail&, const PatchContact& p) { return dot(p.force(), p.overlap().normal); }},
-    {"longitudinal_force", [](const WheelRail&, const PatchContact& p) { return p.force()[0]; }},
-    {"lateral_force",
+    {{"z", "z of the reference in the track"},
+     [](const WheelRail& w, const PatchContact& p) {
+       return w.rail_pose(w.solved_->deviation).place(p.overlap().reference)[2];
+     }},
+    {{"angle", "contact angle, atan dz/dy in the track"},
+     [](const WheelRail& w, const PatchContact& p) {
+       return w.side_ * (p.overlap().angle + w.solved_->deviation.roll);
+     }},
+    {{"wheel_y", "y of the reference on the wheel's profile"},
+     [](const WheelRail&, const PatchContact& p) { return p.overlap().wheel_y; }},
+    {{"rolling_radius", "distance of the wheel's surface at the reference from the axle"},
+     [](const WheelRail&, const PatchContact& p) { return p.overlap().rolling_radius; }},
+    {{"longitudinal_creepage", "creepage of the wheel relative to the rail, along"},
+     [](const WheelRail&, const PatchContact& p) { return p.creepages()[0]; }},
+    {{"lateral_creepage", "creepage of the wheel relative to the rail, across"},
+     [](const WheelRail& w, const PatchContact& p) { return w.side_ * p.creepages()[1]; }},
+    {{"spin", "spin of the wheel relative to the rail"},
+     [](const WheelRail& w, const PatchContact& p) { return w.side_ * p.creepages()[2]; }},
+    {{"normal_force", "normal force on the wheel"},
+     [](const WheelRail&, const PatchContact& p) { return dot(p.force(), p.overlap().normal); }},
+    {{"longitudinal_force", "force on the wheel, along"},
+     [](const WheelRail&, const PatchContact& p) { return p.force()[0]; }},
+    {{"lateral_force", "force on the wheel, across"},
      [](const WheelRail& w, const PatchContact& p) { return w.side_ * dot(p.force(), p.overlap().lateral); }},
-    {"spin_moment",
+    {{"spin_moment", "moment on the wheel about the normal at the reference"},
      [](const WheelRail& w, const PatchContact& p) { return -w.side_ * dot(p.moment(), p.overlap().normal); }},
-    {"overlap", [](const WheelRail&, const PatchContact& p) { return p.overlap().overlap; }},
-    {"cut", [](const WheelRail&, const PatchContact& p) { return p.overlap().cut ? 1.0 : 0.0; }},
-    {"share", [](const WheelRail&, const PatchContact& p) { return p.overlap().share; }},
-    {"max_pressure", [](const WheelRail&, const PatchContact& p) { return p.max_pressure(); }},
-    {"area", [](const WheelRail&, const PatchContact& p) { return p.area(); }},
-    {"friction_power", [](const WheelRail&, const PatchContact& p) { return p.friction_power(); }},
-    {"by_table", [](const WheelRail&, const PatchContact& p) { return p.by_table() ? 1.0 : 0.0; }},
-    {"hertzian", [](const WheelRail&, const PatchContact& p) { return p.hertzian() ? 1.0 : 0.0; }},
-    {"status", [](const WheelRail&, const PatchContact& p) { return static_cast<double>(p.status()); }},
+    {{"overlap", "depth of the overlap of the undeformed surfaces along the normal"},
+     [](const WheelRail&, const PatchContact& p) { return p.overlap().overlap; }},
+    {{"cut", "1: the overlap ends where a profile does"},
+     [](const WheelRail&, const PatchContact& p) { return p.overlap().cut ? 1.0 : 0.0; }},
+    {{"share", "weight of the patch in the sums while patches merge"},
+     [](const WheelRail&, const PatchContact& p) { return p.overlap().share; }},
+    {{"max_pressure", "largest pressure"}, [](const WheelRail&, const PatchContact& p) { return p.max_pressure(); }},
+    {{"area", "area in contact"}, [](const WheelRail&, const PatchContact& p) { return p.area(); }},
+    {{"friction_power", "power of friction"},
+     [](const WheelRail&, const PatchContact& p) { return p.friction_power(); }},
+    {{"by_table", "1: tangential forces came from a table"},
+     [](const WheelRail&, const PatchContact& p) { return p.by_table() ? 1.0 : 0.0; }},
+    {{"hertzian", "1: pressures are those of an ellipse of the overlap"},
+     [](const WheelRail&, const PatchContact& p) { return p.hertzian() ? 1.0 : 0.0; }},
+    {{"status", "status of its contact"},
+     [](const WheelRail&, const PatchContact& p) { return static_cast<double>(p.status()); }},
 };
 
 double WheelRail::stat(const char* name) const {
   require_solved();
-  return find_stat(stats, name).value(*this);
+  return statistic_row(stats, name).value(*this);
 }
 
-std::int64_t WheelRail::stat_count() {
-  return std::ssize(stats);
-}
-
-const char* WheelRail::stat_name(std::int64_t i) {
-  return stats[static_cast<std::size_t>(i)].name;
+const StatisticInfo* WheelRail::stat_info(std::int64_t i) {
+  return statistic_info(stats, i);
 }
 
 double WheelRail::patch_stat(std::int64_t i, const char* name) const {
-  return find_stat(patch_stats, name).value(*this, active(i).contact);
+  return statistic_row(patch_stats, name).value(*this, active(i).contact);
 }
 
-std::int64_t WheelRail::patch_stat_count() {
-  return std::ssize(patch_stats);
-}
-
-const char* WheelRail::patch_stat_name(std::int64_t i) {
-  return patch_stats[static_cast<std::size_t>(i)].name;
+const StatisticInfo* WheelRail::patch_stat_info(std::int64_t i) {
+  return statistic_info(patch_stats, i);
 }
 
 // Sums the totals in the track, as they were solved: in the mirror for a left wheel.

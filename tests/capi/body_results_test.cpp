@@ -38,11 +38,11 @@ TEST_F(body_results, every_statistic_has_a_name_and_a_value) {
   set_mesh(body);
   ASSERT_OK(hold_bottom(ROLLCON_DOF_XYZ));
   for (rollcon_body* b : {body, sphere, plane}) ASSERT_OK(rollcon_body_prepare(b));
-  ASSERT_EQ(rollcon_body_stat_count(), 24);
-  for (std::int32_t i = 0; i < rollcon_body_stat_count(); ++i) {
+  ASSERT_EQ(rollcon_stat_count(ROLLCON_OF_BODY), 24);
+  for (std::int32_t i = 0; i < rollcon_stat_count(ROLLCON_OF_BODY); ++i) {
     char name[32];
     double value = -1;
-    ASSERT_OK(rollcon_body_stat_name(i, sizeof name, name, nullptr));
+    ASSERT_OK(rollcon_stat_info(ROLLCON_OF_BODY, i, sizeof name, name, nullptr, nullptr, nullptr));
     ASSERT_OK(rollcon_body_get_stat(body, name, &value)) << name;
     EXPECT_GE(value, 0) << name;
     EXPECT_TRUE(std::isfinite(value)) << name;
@@ -61,8 +61,9 @@ TEST_F(body_results, every_statistic_has_a_name_and_a_value) {
   ASSERT_OK(rollcon_body_get_stat(body, "assemblies", &assemblies));
   EXPECT_EQ(assemblies, 1);
   char text[64];
-  for (const std::int32_t i : {-1, rollcon_body_stat_count(), INT32_MIN})
-    EXPECT_EQ(rollcon_body_stat_name(i, sizeof text, text, nullptr), ROLLCON_ERR_ARGUMENT);
+  for (const std::int32_t i : {-1, rollcon_stat_count(ROLLCON_OF_BODY), INT32_MIN})
+    EXPECT_EQ(rollcon_stat_info(ROLLCON_OF_BODY, i, sizeof text, text, nullptr, nullptr, nullptr),
+              ROLLCON_ERR_ARGUMENT);
 }
 
 TEST_F(body_results, rigid_bodies_do_not_move) {

@@ -45,19 +45,55 @@ class capacity : public Api {
 };
 
 TEST_F(capacity, texts) {
-  check_text_getter("option_doc",
-                    [](auto n, auto* text, auto* needed) { return rollcon_option_doc(0, n, text, needed); });
-  check_text_getter("stat_name",
-                    [](auto n, auto* text, auto* needed) { return rollcon_stat_name(0, n, text, needed); });
-  check_text_getter("body_option_doc",
-                    [](auto n, auto* text, auto* needed) { return rollcon_body_option_doc(0, n, text, needed); });
-  check_text_getter("body_stat_name",
-                    [](auto n, auto* text, auto* needed) { return rollcon_body_stat_name(0, n, text, needed); });
   check_text_getter("get_str", [&](auto n, auto* text, auto* needed) {
     return rollcon_contact_get_str(contact, "convection", n, text, needed);
   });
   check_text_getter(
       "get_plan", [&](auto n, auto* text, auto* needed) { return rollcon_contact_get_plan(contact, n, text, needed); });
+}
+
+TEST_F(capacity, names_and_meanings) {
+  char name[64] = "#", doc[400] = "#";
+  std::int64_t both = 0, needed = 0;
+  double high = 0;
+  ASSERT_OK(rollcon_option_info(ROLLCON_OF_BODY, 0, 0, nullptr, nullptr, &both, nullptr, nullptr, &high, nullptr));
+  EXPECT_GT(high, 0);
+  ASSERT_OK(rollcon_option_info(ROLLCON_OF_BODY, 0, both, name, doc, &needed, nullptr, nullptr, nullptr, nullptr));
+  EXPECT_STREQ(name, "accuracy");
+  EXPECT_EQ(static_cast<std::size_t>(both), std::strlen(doc) + 1);
+  EXPECT_EQ(needed, both);
+  EXPECT_EQ(rollcon_stat_info(ROLLCON_OF_CONTACT, 0, 3, name, nullptr, &needed, nullptr), ROLLCON_ERR_CAPACITY);
+  EXPECT_EQ(static_cast<std::size_t>(needed), std::strlen("iterations") + 1);
+  EXPECT_STREQ(name, "accuracy") << "unchanged";
+  ASSERT_OK(rollcon_stat_info(ROLLCON_OF_CONTACT, 0, needed, name, nullptr, nullptr, nullptr));
+  EXPECT_STREQ(name, "iterations");
+  EXPECT_OK(rollcon_stat_info(ROLLCON_OF_CONTACT, 0, 0, nullptr, nullptr, nullptr, nullptr));
+  EXPECT_EQ(rollcon_stat_info(ROLLCON_OF_CONTACT, 0, -1, name, doc, &needed, nullptr), ROLLCON_ERR_ARGUMENT);
+  EXPECT_EQ(rollcon_stat_info(ROLLCON_OF_CONTACT, 0, 8, nullptr, nullptr, &needed, nullptr), ROLLCON_ERR_ARGUMENT);
+}
+
+TEST_F(capacity, every_statistic_says_what_it_is) {
+  for (const std::int32_t kind : {ROLLCON_OF_BODY, ROLLCON_OF_CONTACT, ROLLCON_OF_WHEELRAIL, ROLLCON_OF_PATCH}) {
+    std::int32_t inside = 0, counters = 0;
+    char name[32], doc[256];
+    const std::int32_t count = rollcon_stat_count(kind);
+    ASSERT_GT(count, 0) << kind;
+    for (std::int32_t i = 0; i < count; ++i) {
+      ASSERT_OK(rollcon_stat_info(kind, i, sizeof doc, doc, nullptr, nullptr, nullptr));
+      ASSERT_OK(rollcon_stat_info(kind, i, sizeof name, name, nullptr, nullptr, &inside));
+      EXPECT_STREQ(name, doc);
+      ASSERT_OK(rollcon_stat_info(kind, i, sizeof doc, nullptr, doc, nullptr, nullptr));
+      EXPECT_GE(std::strlen(doc), 5U) << name;
+      counters += inside;
+    }
+    EXPECT_LT(2 * counters, count) << kind;
+  }
+  EXPECT_EQ(rollcon_stat_count(99), 0);
+  EXPECT_EQ(rollcon_option_count(ROLLCON_OF_PATCH), 0);
+  EXPECT_FAILS(rollcon_stat_info(99, 0, 0, nullptr, nullptr, nullptr, nullptr), ARGUMENT, "kind is 99");
+  EXPECT_FAILS(
+      rollcon_option_info(ROLLCON_OF_PATCH, 0, 0, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr),
+      ARGUMENT, "no options");
 }
 
 TEST_F(capacity, fields) {
@@ -118,13 +154,14 @@ TEST_F(capacity, outputs_that_are_not_wanted_may_be_null) {
 }
 
 TEST_F(capacity, every_statistic_has_a_value) {
-  for (std::int32_t i = 0; i < rollcon_stat_count(); ++i) {
+  for (std::int32_t i = 0; i < rollcon_stat_count(ROLLCON_OF_CONTACT); ++i) {
     char name[64];
     double value = 0;
-    ASSERT_OK(rollcon_stat_name(i, sizeof name, name, nullptr));
+    ASSERT_OK(rollcon_stat_info(ROLLCON_OF_CONTACT, i, sizeof name, name, nullptr, nullptr, nullptr));
     EXPECT_OK(rollcon_contact_get_stat(contact, name, &value)) << name;
   }
   char name[64];
-  for (const std::int32_t i : {-1, rollcon_stat_count()})
-    EXPECT_EQ(rollcon_stat_name(i, sizeof name, name, nullptr), ROLLCON_ERR_ARGUMENT);
+  for (const std::int32_t i : {-1, rollcon_stat_count(ROLLCON_OF_CONTACT)})
+    EXPECT_EQ(rollcon_stat_info(ROLLCON_OF_CONTACT, i, sizeof name, name, nullptr, nullptr, nullptr),
+              ROLLCON_ERR_ARGUMENT);
 }

@@ -103,9 +103,9 @@ TEST_F(fem_contact, statistics) {
   EXPECT_GE(statistic("bytes"), 8.0 * 75 * 75);
   EXPECT_GE(statistic("peak_bytes"), statistic("bytes"));
   EXPECT_EQ(statistic("kernel_evaluations"), 0) << "no boundary integrals";
-  for (std::int32_t i = 0; i < rollcon_body_stat_count(); ++i) {
+  for (std::int32_t i = 0; i < rollcon_stat_count(ROLLCON_OF_BODY); ++i) {
     char name[32];
-    ASSERT_OK(rollcon_body_stat_name(i, sizeof name, name, nullptr));
+    ASSERT_OK(rollcon_stat_info(ROLLCON_OF_BODY, i, sizeof name, name, nullptr, nullptr, nullptr));
     EXPECT_TRUE(std::isfinite(statistic(name))) << name;
   }
   ASSERT_OK(rollcon_contact_set_creep(c, 2e-2, 0, 0));

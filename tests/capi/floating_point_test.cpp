@@ -105,9 +105,9 @@ TEST_F(floating_point, hosts_that_trap_survive_every_call) {
   EXPECT_SURVIVES(rollcon_contact_set_friction(contact, "coulomb", 1, bad));
   EXPECT_SURVIVES(rollcon_contact_set_friction_field(contact, n, field.data()));
   EXPECT_SURVIVES(rollcon_contact_set_real(contact, "tolerance", nan));
-  EXPECT_SURVIVES(rollcon_option_count());
-  EXPECT_SURVIVES(rollcon_option_info(0, 4096, text, &i32, v.data(), v.data() + 1, v.data() + 2));
-  EXPECT_SURVIVES(rollcon_option_doc(0, 4096, text, &i64));
+  EXPECT_SURVIVES(rollcon_option_count(ROLLCON_OF_CONTACT));
+  EXPECT_SURVIVES(rollcon_option_info(ROLLCON_OF_CONTACT, 0, 4096, text, nullptr, &i64, &i32, v.data(), v.data() + 1,
+                                      v.data() + 2));
   EXPECT_SURVIVES(rollcon_contact_set_progress(contact, expect_traps, &progressed));
   for (const char* scheme : {"godunov", "least_squares"}) {
     ASSERT_OK(rollcon_contact_set_str(contact, "convection", scheme));
@@ -135,11 +135,11 @@ TEST_F(floating_point, hosts_that_trap_survive_every_call) {
   EXPECT_SURVIVES(rollcon_contact_get_stresses_at(contact, 1, 2, inside, v.data(), v.data() + 12));
   EXPECT_SURVIVES(rollcon_contact_get_fatigue_index(contact, 1, v.data()));
   EXPECT_SURVIVES(rollcon_stress_invariants(1, v.data(), v.data() + 6, v.data() + 9, v.data() + 10));
-  for (std::int32_t i = 0; i < rollcon_stat_count(); ++i) {
-    EXPECT_SURVIVES(rollcon_stat_name(i, 4096, text, &i64));
+  for (std::int32_t i = 0; i < rollcon_stat_count(ROLLCON_OF_CONTACT); ++i) {
+    EXPECT_SURVIVES(rollcon_stat_info(ROLLCON_OF_CONTACT, i, 4096, text, nullptr, &i64, &i32));
     EXPECT_SURVIVES(rollcon_contact_get_stat(contact, text, v.data()));
   }
-  EXPECT_SURVIVES(rollcon_stat_count());
+  EXPECT_SURVIVES(rollcon_stat_count(ROLLCON_OF_CONTACT));
   EXPECT_SURVIVES(rollcon_contact_get_history(contact, 1, v.data(), &i64));
   EXPECT_SURVIVES(rollcon_contact_get_plan(contact, 4096, text, &i64));
   EXPECT_SURVIVES(rollcon_contact_write(contact, "no/such/folder/out.vtu"));

@@ -32,9 +32,11 @@ TEST_F(last_error, is_that_of_a_call_without_an_object) {
   expect_text_of("rollcon_context_create", {("binary interface " + std::to_string(ROLLCON_ABI)).c_str()});
   EXPECT_EQ(rollcon_context_create(ROLLCON_ABI, nullptr), ROLLCON_ERR_ARGUMENT);
   expect_text_of("rollcon_context_create", {"context is NULL"});
-  EXPECT_EQ(rollcon_stat_name(-3, 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT);
-  expect_text_of("rollcon_stat_name", {"i is -3"});
-  EXPECT_EQ(rollcon_option_info(100000, 0, nullptr, nullptr, nullptr, nullptr, nullptr), ROLLCON_ERR_ARGUMENT);
+  EXPECT_EQ(rollcon_stat_info(ROLLCON_OF_CONTACT, -3, 0, nullptr, nullptr, nullptr, nullptr), ROLLCON_ERR_ARGUMENT);
+  expect_text_of("rollcon_stat_info", {"i is -3"});
+  EXPECT_EQ(
+      rollcon_option_info(ROLLCON_OF_CONTACT, 100000, 0, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr),
+      ROLLCON_ERR_ARGUMENT);
   expect_text_of("rollcon_option_info", {"i is 100000"});
   std::int64_t value = 0;
   EXPECT_EQ(rollcon_event_get_int(nullptr, ROLLCON_EVENT_PHASE, &value), ROLLCON_ERR_ARGUMENT);

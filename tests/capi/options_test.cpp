@@ -9,9 +9,7 @@ using namespace capi_test;
 /// Lists the functions of one kind of object, and settings of each type; `listed` are names that a refusal of an
 /// unknown one tells.
 struct OfContact {
-  static constexpr auto count = rollcon_option_count;
-  static constexpr auto info = rollcon_option_info;
-  static constexpr auto doc = rollcon_option_doc;
+  static constexpr std::int32_t listing = ROLLCON_OF_CONTACT;
   static constexpr auto set_int = rollcon_contact_set_int;
   static constexpr auto set_real = rollcon_contact_set_real;
   static constexpr auto get_int = rollcon_contact_get_int;
@@ -20,9 +18,7 @@ struct OfContact {
                               *listed = "max_iterations";
 };
 struct OfBody {
-  static constexpr auto count = rollcon_body_option_count;
-  static constexpr auto info = rollcon_body_option_info;
-  static constexpr auto doc = rollcon_body_option_doc;
+  static constexpr std::int32_t listing = ROLLCON_OF_BODY;
   static constexpr auto set_int = rollcon_body_set_int;
   static constexpr auto set_real = rollcon_body_set_real;
   static constexpr auto get_int = rollcon_body_get_int;
@@ -54,14 +50,14 @@ TYPED_TEST_SUITE(options, Kinds);
 
 TYPED_TEST(options, are_listed_with_the_standard_that_new_objects_have) {
   using Of = TypeParam;
-  ASSERT_GE(Of::count(), 7);
-  for (std::int32_t i = 0; i < Of::count(); ++i) {
+  ASSERT_GE(rollcon_option_count(Of::listing), 7);
+  for (std::int32_t i = 0; i < rollcon_option_count(Of::listing); ++i) {
     char name[32];
     std::int32_t type = 0;
     double low = 0, high = 0, standard = 0, real = 0;
     std::int64_t integer = 0, needed = 0;
-    ASSERT_OK(Of::info(i, sizeof name, name, &type, &low, &high, &standard));
-    ASSERT_OK(Of::doc(i, 0, nullptr, &needed));
+    ASSERT_OK(rollcon_option_info(Of::listing, i, sizeof name, name, nullptr, nullptr, &type, &low, &high, &standard));
+    ASSERT_OK(rollcon_option_info(Of::listing, i, 0, nullptr, nullptr, &needed, nullptr, nullptr, nullptr, nullptr));
     EXPECT_GT(needed, 10) << name;
     if (type == ROLLCON_TYPE_STR) {
       EXPECT_OK(rollcon_contact_get_str(this->contact, name, 0, nullptr, &needed));
@@ -83,11 +79,11 @@ TYPED_TEST(options, are_listed_with_the_standard_that_new_objects_have) {
 TYPED_TEST(options, every_number_is_held_to_its_range) {
   using Of = TypeParam;
   auto* o = this->object();
-  for (std::int32_t i = 0; i < Of::count(); ++i) {
+  for (std::int32_t i = 0; i < rollcon_option_count(Of::listing); ++i) {
     char name[32];
     std::int32_t type = 0;
     double low = 0, high = 0;
-    ASSERT_OK(Of::info(i, sizeof name, name, &type, &low, &high, nullptr));
+    ASSERT_OK(rollcon_option_info(Of::listing, i, sizeof name, name, nullptr, nullptr, &type, &low, &high, nullptr));
     if (type == ROLLCON_TYPE_INT) {
       const auto least = static_cast<std::int64_t>(low), most = static_cast<std::int64_t>(high);
       EXPECT_OK(Of::set_int(o, name, least)) << name;
@@ -134,11 +130,13 @@ TYPED_TEST(options, unknown_names_and_wrong_types_are_refused) {
 TYPED_TEST(options, rows_outside_of_the_table_are_refused) {
   using Of = TypeParam;
   char text[256];
-  for (const std::int32_t i : {-1, Of::count(), INT32_MIN, INT32_MAX}) {
-    EXPECT_EQ(Of::info(i, sizeof text, text, nullptr, nullptr, nullptr, nullptr), this->argument);
-    EXPECT_EQ(Of::doc(i, sizeof text, text, nullptr), this->argument);
+  for (const std::int32_t i : {-1, rollcon_option_count(Of::listing), INT32_MIN, INT32_MAX}) {
+    EXPECT_EQ(
+        rollcon_option_info(Of::listing, i, sizeof text, text, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr),
+        this->argument);
   }
-  EXPECT_EQ(Of::info(0, 2, text, nullptr, nullptr, nullptr, nullptr), ROLLCON_ERR_CAPACITY);
+  EXPECT_EQ(rollcon_option_info(Of::listing, 0, 2, text, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr),
+            ROLLCON_ERR_CAPACITY);
 }
 
 class text_options : public Api {};

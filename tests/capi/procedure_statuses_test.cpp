@@ -30,9 +30,9 @@ class procedure_statuses : public ProcedureScene {
     for (const double x : {r.force[0], r.force[1], r.force[2], r.moment[2], r.approach, r.creep[0], r.creep[1],
                            r.creep[2], r.law, r.iterations})
       EXPECT_TRUE(std::isfinite(x));
-    for (std::int32_t i = 0; i < rollcon_stat_count(); ++i) {
+    for (std::int32_t i = 0; i < rollcon_stat_count(ROLLCON_OF_CONTACT); ++i) {
       char name[64];
-      ASSERT_EQ(rollcon_stat_name(i, sizeof name, name, nullptr), ROLLCON_OK);
+      ASSERT_EQ(rollcon_stat_info(ROLLCON_OF_CONTACT, i, sizeof name, name, nullptr, nullptr, nullptr), ROLLCON_OK);
       if (std::string(name).rfind("error_estimate", 0) == 0) continue;
       EXPECT_TRUE(std::isfinite(stat(name))) << name;
     }

@@ -261,17 +261,19 @@ TEST_F(wheelrail, statistics_have_names) {
   ASSERT_OK(rollcon_wheelrail_solve(right));
   char name[64];
   double value = 0;
-  ASSERT_GT(rollcon_wheelrail_stat_count(), 0);
-  for (std::int32_t i = 0; i < rollcon_wheelrail_stat_count(); ++i) {
-    ASSERT_OK(rollcon_wheelrail_stat_name(i, sizeof name, name, nullptr));
+  ASSERT_GT(rollcon_stat_count(ROLLCON_OF_WHEELRAIL), 0);
+  for (std::int32_t i = 0; i < rollcon_stat_count(ROLLCON_OF_WHEELRAIL); ++i) {
+    ASSERT_OK(rollcon_stat_info(ROLLCON_OF_WHEELRAIL, i, sizeof name, name, nullptr, nullptr, nullptr));
     EXPECT_OK(rollcon_wheelrail_get_stat(right, name, &value));
     EXPECT_TRUE(std::isfinite(value)) << name;
   }
-  ASSERT_GT(rollcon_wheelrail_patch_stat_count(), 0);
-  for (std::int32_t i = 0; i < rollcon_wheelrail_patch_stat_count(); ++i) {
-    ASSERT_OK(rollcon_wheelrail_patch_stat_name(i, sizeof name, name, nullptr));
+  ASSERT_GT(rollcon_stat_count(ROLLCON_OF_PATCH), 0);
+  for (std::int32_t i = 0; i < rollcon_stat_count(ROLLCON_OF_PATCH); ++i) {
+    ASSERT_OK(rollcon_stat_info(ROLLCON_OF_PATCH, i, sizeof name, name, nullptr, nullptr, nullptr));
     EXPECT_TRUE(std::isfinite(patch_stat(right, name))) << name;
   }
-  EXPECT_FAILS(rollcon_wheelrail_stat_name(-1, sizeof name, name, nullptr), ARGUMENT, "i is -1", "0 to");
-  EXPECT_FAILS(rollcon_wheelrail_patch_stat_name(99, sizeof name, name, nullptr), ARGUMENT, "i is 99", "0 to");
+  EXPECT_FAILS(rollcon_stat_info(ROLLCON_OF_WHEELRAIL, -1, sizeof name, name, nullptr, nullptr, nullptr), ARGUMENT,
+               "i is -1", "0 to");
+  EXPECT_FAILS(rollcon_stat_info(ROLLCON_OF_PATCH, 99, sizeof name, name, nullptr, nullptr, nullptr), ARGUMENT,
+               "i is 99", "0 to");
 }

@@ -12,7 +12,7 @@ module mapping_77_by_hand
 contains
 
   subroutine mapped_by_hand()
-    external :: rcvers, rcinfo, rchas, rcstex, rclcav, rcnopt, rcnstt, rcbnop, rcbnst, rcwnst, rcwnps
+    external :: rcvers, rcinfo, rchas, rcstex, rclcav, rcnopt, rcnstt
     integer :: i, j
     call rcvers(i, j, text)
     call demand(i == 2 .and. j == 1 .and. text == 'text of version_string', 'version')
@@ -26,15 +26,11 @@ contains
     call gave_text('status', text, 'text of status_string')
     call rclcav(text)
     call gave_text('last caveat', text, 'text of last_caveat')
-    call rcnopt(i)
-    call rcnstt(j)
-    call demand(i == 2 .and. j == 2, 'counts of contacts')
-    call rcbnop(i)
-    call rcbnst(j)
-    call demand(i == 2 .and. j == 2, 'counts of bodies')
-    call rcwnst(i)
-    call rcwnps(j)
-    call demand(i == 2 .and. j == 2, 'counts of wheels on rails')
+    call rcnopt(2, i)
+    call told('option_count', '2', 0)
+    call rcnstt(6, j)
+    call told('stat_count', '6', 0)
+    call demand(i == 2 .and. j == 2, 'counts')
     call references()
     call callbacks()
     call refusals()

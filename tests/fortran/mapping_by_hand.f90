@@ -330,47 +330,33 @@ contains
   end subroutine
 
   subroutine tables()
-    character(len=:), allocatable :: text
+    character(len=:), allocatable :: text, doc
     integer(rc_int) :: type
+    integer :: inside
     real(rc_real) :: low, high, standard
-    call demand(rc_option_count() == 2 .and. rc_stat_count() == 2 .and. rc_body_option_count() == 2 &
-      .and. rc_body_stat_count() == 2 .and. rc_wheelrail_stat_count() == 2 .and. rc_wheelrail_patch_stat_count() == 2, 'counts')
-    call rc_option_info(11, text, type, low, high, standard, stat)
-    call told('option_info', '10 512 room room room room room', stat)
-    call row('option_info')
-    call rc_body_option_info(11, text, type, low, high, standard, stat)
-    call told('body_option_info', '10 512 room room room room room', stat)
-    call row('body_option_info')
-    call rc_option_doc(11, text, stat)
-    call told('option_doc', '10 19 room room', stat)
-    call gave_text('text', text, 'text of option_doc')
-    call rc_body_option_doc(11, text, stat)
-    call told('body_option_doc', '10 24 room room', stat)
-    call gave_text('text', text, 'text of body_option_doc')
-    call rc_stat_name(11, text, stat)
-    call told('stat_name', '10 512 room room', stat)
-    call gave_text('text', text, 'text of stat_name')
-    call rc_body_stat_name(11, text, stat)
-    call told('body_stat_name', '10 512 room room', stat)
-    call gave_text('text', text, 'text of body_stat_name')
-    call rc_wheelrail_stat_name(11, text, stat)
-    call told('wheelrail_stat_name', '10 512 room room', stat)
-    call gave_text('text', text, 'text of wheelrail_stat_name')
-    call rc_wheelrail_patch_stat_name(11, text, stat)
-    call told('wheelrail_patch_stat_name', '10 512 room room', stat)
-    call gave_text('text', text, 'text of wheelrail_patch_stat_name')
+    call demand(rc_option_count(ROLLCON_OF_BODY) == 2 .and. rc_stat_count(ROLLCON_OF_PATCH) == 2, 'counts')
+    call told('option_count', '2', 0)
+    call told('stat_count', '6', 0)
+    call rc_option_info(ROLLCON_OF_BODY, 11, text, type, low, high, standard, doc, stat)
+    call told('option_info', '2 10 4096 room room room room room room room', stat)
+    call gave_text('name', text, 'text of option_info')
+    call gave_text('doc', doc, 'text of option_info')
+    call demand(type == 600, 'type')
+    call gave_reals('low', [low], 700.5_rc_real)
+    call gave_reals('high', [high], 800.5_rc_real)
+    call gave_reals('standard', [standard], 900.5_rc_real)
+    call rc_stat_info(ROLLCON_OF_WHEELRAIL, 11, text, doc, inside, stat)
+    call told('stat_info', '4 10 4096 room room room room', stat)
+    call gave_text('name', text, 'text of stat_info')
+    call gave_text('doc', doc, 'text of stat_info')
+    call demand(inside == 600, 'inside')
+    call rc_stat_info(ROLLCON_OF_CONTACT, 11, text, stat=stat)
+    call gave_text('name', text, 'text of stat_info')
     call answers(ROLLCON_ERR_STATE)
-    call rc_option_doc(0, text, stat, message)
-    call failed('option_doc', stat, message)
-  contains
-    subroutine row(function)
-      character(len=*), intent(in) :: function
-      call gave_text(function, text, 'text of '//function)
-      call demand(type == 300, function//', type')
-      call gave_reals(function//', low', [low], 400.5_rc_real)
-      call gave_reals(function//', high', [high], 500.5_rc_real)
-      call gave_reals(function//', standard', [standard], 600.5_rc_real)
-    end subroutine
+    call rc_option_info(ROLLCON_OF_BODY, 11, text, type, low, high, standard, stat=stat, errmsg=message)
+    call failed('option_info', stat, message)
+    call rc_stat_info(ROLLCON_OF_CONTACT, 11, text, stat=stat, errmsg=message)
+    call failed('stat_info', stat, message)
   end subroutine
 
   !> Tests results: the frame has 3 nodes, a field 6 values, a solve 2 iterations.

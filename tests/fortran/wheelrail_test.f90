@@ -67,8 +67,8 @@ contains
     call right%free()
     call contact%get_resultant(of_patch, moment)
     call demand(abs(norm2(of_patch) - norm2(force)) < 1e-9_rc_real*load, 'the contact outlives the wheel on its rail')
-    call rc_wheelrail_stat_name(1, name)
-    call demand(name == 'z' .and. rc_wheelrail_patch_stat_count() > rc_wheelrail_stat_count(), 'names of statistics')
+    call rc_stat_info(ROLLCON_OF_WHEELRAIL, 1, name)
+    call demand(name == 'z' .and. rc_stat_count(ROLLCON_OF_PATCH) > rc_stat_count(ROLLCON_OF_WHEELRAIL), 'names of statistics')
   end subroutine
 
   !> Checks the rigid geometry of a wheelset, by both layers.

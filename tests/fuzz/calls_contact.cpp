@@ -195,7 +195,8 @@ void set_option_in_range(World& w) {
   char name[64] = "";
   std::int32_t type = 0;
   double low = 0, high = 0, standard = 0;
-  rollcon_option_info(w.in.byte() % rollcon_option_count(), sizeof name, name, &type, &low, &high, &standard);
+  rollcon_option_info(ROLLCON_OF_CONTACT, w.in.byte() % rollcon_option_count(ROLLCON_OF_CONTACT), sizeof name, name,
+                      nullptr, nullptr, &type, &low, &high, &standard);
   const double part = w.in.byte() / 255.0;
   if (std::strcmp(name, "frame_accuracy") == 0) low = least_frame_accuracy;
   const double value = low + part * part * part * (high - low);

@@ -102,43 +102,30 @@ void facts(World& w) {
   require(id >= 0 && rollcon_id_of(rollcon_body_from_id(id)) == id, "number of a handle");
 }
 
-template <class F>
-void row(World& w, const char* name, std::int32_t i, F&& call) {
-  std::int64_t need = 1;
-  call(i, 0, nullptr, &need);
-  ask<char>(w, need, [&](std::int64_t capacity, char* text, std::int64_t* needed) {
-    return checked(name, nullptr, call(i, capacity, text, needed));
-  });
-}
-
 void tables(World& w) {
   const std::int32_t i = w.in.one_in(6) ? w.in.integer32() : w.in.byte() % 90;
-  switch (w.in.below(5)) {
-    case 0:
-      row(w, "rollcon_option_doc", i, rollcon_option_doc);
-      break;
-    case 1:
-      row(w, "rollcon_body_option_doc", i, rollcon_body_option_doc);
-      break;
-    case 2:
-      row(w, "rollcon_stat_name", i, rollcon_stat_name);
-      break;
-    case 3:
-      row(w, "rollcon_body_stat_name", i, rollcon_body_stat_name);
-      break;
-    default: {
-      const std::int64_t capacity = w.in.below(40);
-      Output<char> name(capacity);
-      Output<double> range(3);
-      std::int32_t type = 0;
-      const bool contacts = w.in.one_in(2);
-      const auto info = contacts ? rollcon_option_info : rollcon_body_option_info;
-      const std::int32_t status =
-          checked(contacts ? "rollcon_option_info" : "rollcon_body_option_info", nullptr,
-                  info(i, capacity, name.data(), &type, range.data(), range.data() + 1, range.data() + 2));
-      require(status == ROLLCON_OK || (name.untouched() && range.untouched()), "a failed call wrote into its output");
-    }
-  }
+  const std::int32_t kind = w.in.one_in(6) ? w.in.integer32() : w.in.byte() % 8;
+  const bool statistic = w.in.one_in(2);
+  const char* call = statistic ? "rollcon_stat_info" : "rollcon_option_info";
+  Output<double> range(3);
+  std::int32_t number = 0;
+  const auto info = [&](std::int64_t capacity, char* name, char* doc, std::int64_t* needed) {
+    return checked(call, nullptr,
+                   statistic ? rollcon_stat_info(kind, i, capacity, name, doc, needed, &number)
+                             : rollcon_option_info(kind, i, capacity, name, doc, needed, &number, range.data(),
+                                                   range.data() + 1, range.data() + 2));
+  };
+  std::int64_t need = 1;
+  info(0, nullptr, nullptr, &need);
+  ask<char>(w, need, [&](std::int64_t capacity, char* text, std::int64_t* needed) {
+    return info(capacity, nullptr, text, needed);
+  });
+  const std::int64_t capacity = w.in.below(40);
+  Output<char> name(capacity);
+  Output<double> untouched(3);
+  range = untouched;
+  const std::int32_t status = info(capacity, name.data(), nullptr, nullptr);
+  require(status == ROLLCON_OK || (name.untouched() && range.untouched()), "a failed call wrote into its output");
 }
 
 }  // namespace

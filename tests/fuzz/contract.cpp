@@ -13,8 +13,8 @@ namespace {
 
 using StatusesOf = std::map<std::string, std::set<std::int32_t>>;
 
-/// Reads "Also returns:" of the comment before each declaration of a header, and what the opening of rollcon.h says of all
-/// functions.
+/// Reads "Also returns:" of the comment before each declaration of a header, and what the opening of rollcon.h says of
+/// all functions.
 void read_header(const char* path, StatusesOf& all) {
   std::ifstream file(path);
   std::map<std::string, std::int32_t> number;  // number of every enumerator
@@ -92,19 +92,13 @@ const std::vector<std::string>& known_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
     char name[64];
-    for (int i = 0; i < rollcon_option_count(); ++i)
-      if (rollcon_option_info(i, sizeof name, name, nullptr, nullptr, nullptr, nullptr) == 0) all.emplace_back(name);
-    for (int i = 0; i < rollcon_body_option_count(); ++i)
-      if (rollcon_body_option_info(i, sizeof name, name, nullptr, nullptr, nullptr, nullptr) == 0)
-        all.emplace_back(name);
-    for (int i = 0; i < rollcon_stat_count(); ++i)
-      if (rollcon_stat_name(i, sizeof name, name, nullptr) == 0) all.emplace_back(name);
-    for (int i = 0; i < rollcon_body_stat_count(); ++i)
-      if (rollcon_body_stat_name(i, sizeof name, name, nullptr) == 0) all.emplace_back(name);
-    for (int i = 0; i < rollcon_wheelrail_stat_count(); ++i)
-      if (rollcon_wheelrail_stat_name(i, sizeof name, name, nullptr) == 0) all.emplace_back(name);
-    for (int i = 0; i < rollcon_wheelrail_patch_stat_count(); ++i)
-      if (rollcon_wheelrail_patch_stat_name(i, sizeof name, name, nullptr) == 0) all.emplace_back(name);
+    for (const std::int32_t kind : {ROLLCON_OF_BODY, ROLLCON_OF_CONTACT, ROLLCON_OF_WHEELRAIL, ROLLCON_OF_PATCH}) {
+      for (int i = 0; i < rollcon_option_count(kind); ++i)
+        if (rollcon_option_info(kind, i, sizeof name, name, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr) == 0)
+          all.emplace_back(name);
+      for (int i = 0; i < rollcon_stat_count(kind); ++i)
+        if (rollcon_stat_info(kind, i, sizeof name, name, nullptr, nullptr, nullptr) == 0) all.emplace_back(name);
+    }
     return all;
   }();
   return names;

@@ -114,7 +114,8 @@ void set_options(World& w, rollcon_body* body) {
     char name[64] = "";
     std::int32_t type = 0;
     double low = 0, high = 0;
-    rollcon_body_option_info(w.in.byte() % rollcon_body_option_count(), sizeof name, name, &type, &low, &high, nullptr);
+    rollcon_option_info(ROLLCON_OF_BODY, w.in.byte() % rollcon_option_count(ROLLCON_OF_BODY), sizeof name, name,
+                        nullptr, nullptr, &type, &low, &high, nullptr);
     const double value = low + w.in.byte() / 255.0 * (high - low);
     if (type == ROLLCON_TYPE_INT)
       FUZZ_CALL(w, rollcon_body_set_int, body, name, static_cast<std::int64_t>(value));

@@ -24,9 +24,9 @@ void ask(World& w, rollcon_body* body) {
   const bool good = FUZZ_CALL(w, rollcon_body_get_displacements, body, nodes, u.data()) == ROLLCON_OK;
   require(good || u.untouched(), "a failed call wrote into its output");
   FUZZ_CALL(w, rollcon_body_get_reaction, body, reaction.data(), reaction.data() + 3);
-  for (std::int32_t i = 0; i < rollcon_body_stat_count(); ++i) {
+  for (std::int32_t i = 0; i < rollcon_stat_count(ROLLCON_OF_BODY); ++i) {
     char name[64] = "";
-    rollcon_body_stat_name(i, sizeof name, name, nullptr);
+    rollcon_stat_info(ROLLCON_OF_BODY, i, sizeof name, name, nullptr, nullptr, nullptr);
     FUZZ_CALL(w, rollcon_body_get_stat, body, name, value.data());
   }
 }

@@ -52,10 +52,11 @@ std::vector<OptionValue> read_standard_options() {
   rollcon_context_create(ROLLCON_ABI, &context);
   rollcon_body_create(context, ROLLCON_BODY_HALFSPACE, &body);
   rollcon_contact_create(context, body, body, &contact);
-  for (std::int32_t i = 0; i < rollcon_option_count(); ++i) {
+  for (std::int32_t i = 0; i < rollcon_option_count(ROLLCON_OF_CONTACT); ++i) {
     OptionValue option;
     char name[64] = "", text[64] = "";
-    rollcon_option_info(i, sizeof name, name, &option.type, nullptr, nullptr, &option.number);
+    rollcon_option_info(ROLLCON_OF_CONTACT, i, sizeof name, name, nullptr, nullptr, &option.type, nullptr, nullptr,
+                        &option.number);
     option.name = name;
     if (option.type == ROLLCON_TYPE_STR) rollcon_contact_get_str(contact, name, sizeof text, text, nullptr);
     option.text = text;

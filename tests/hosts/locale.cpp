@@ -62,9 +62,10 @@ std::string texts() {
   };
   call.threads = 1;
   flow("dense").run(call);
-  for (std::int32_t i = 0; i < rollcon_option_count(); ++i) {
+  for (std::int32_t i = 0; i < rollcon_option_count(ROLLCON_OF_CONTACT); ++i) {
     std::int64_t needed = 0;
-    rollcon_option_doc(i, 20000, text.data(), &needed);
+    rollcon_option_info(ROLLCON_OF_CONTACT, i, 20000, nullptr, text.data(), &needed, nullptr, nullptr, nullptr,
+                        nullptr);
     all += text.data();
   }
   return all;

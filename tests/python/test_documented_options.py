@@ -39,7 +39,7 @@ class DocumentedOptions(unittest.TestCase):
         self.same(documented("name"), rc.option_table())
 
     def test_of_bodies(self):
-        self.same(documented("body option"), rc.body_option_table())
+        self.same(documented("body option"), rc.option_table("body"))
 
 
 if __name__ == "__main__":

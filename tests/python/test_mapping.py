@@ -43,18 +43,16 @@ class Mapping(MappingCase):
         self.refuses("shape", rc.stress_invariants, X)
         self.assertEqual(rc.status_string(-7), "text of status_string")
         self.told("status_string", "-7")
-        for kind, table, names in (("", rc.option_table, rc.stat_names),
-                                   ("body_", rc.body_option_table, rc.body_stat_names),
-                                   ("wheelrail_", None, rc.wheelrail_stat_names),
-                                   ("wheelrail_patch_", None, rc.wheelrail_patch_stat_names)):
-            self.assertEqual(names(), 2 * [f"text of {kind}stat_name"])
-            self.told(f"{kind}stat_name", f"1 {len(kind) + 18} room room")
-            if table is None:
-                continue
-            self.assertEqual(table()[1], (f"text of {kind}option_info", 300, 400.5, 500.5, 600.5,
-                                          f"text of {kind}option_doc"))
-            self.told(f"{kind}option_info", "1 64 room room room room room")
-            self.fails(table)
+        text = "text of option_info"
+        self.assertEqual(rc.option_table("body")[1], (text, 600, 700.5, 800.5, 900.5, text))
+        self.told("option_info", "2 1 20 room room null room room room room")
+        self.told("option_count", "2")
+        text = "text of stat_info"
+        self.assertEqual(rc.stat_table(rc.OF_PATCH)[1], (text, text, 600))
+        self.told("stat_info", "6 1 18 room room null room")
+        self.told("stat_count", "6")
+        self.fails(rc.option_table)
+        self.fails(rc.stat_table)
 
     def test_lives(self):
         self.told("context_create", "1 room")

@@ -26,7 +26,7 @@ class Results(Scene):
         rows = contact.history()
         np.testing.assert_array_equal(contact.error_function()[:, 1], rows[:, 7])
         self.assertTrue(contact.plan())
-        self.assertTrue(all(np.isfinite(contact.stat(name)) for name in rc.stat_names()))
+        self.assertTrue(all(np.isfinite(contact.stat(name)) for name, *_ in rc.stat_table()))
         self.assertEqual(rc.version_string().replace("-", ""), rc.__version__)  # in the form of PEP 440
 
     def test_a_mesh_of_ones_own_does_what_the_rectangle_does(self):
@@ -77,7 +77,7 @@ class Results(Scene):
         for name, value in (("tolerance", 1e-9), ("max_iterations", 50), ("convection", "godunov")):
             contact.set(name, value)
             self.assertEqual(contact.get(name), value)
-        for option in rc.body_option_table():
+        for option in rc.option_table("body"):
             self.assertEqual(self.sphere.get(option.name), option.standard)
         self.sphere.set("accuracy", 1e-5)
         self.assertEqual(self.sphere.get("accuracy"), 1e-5)

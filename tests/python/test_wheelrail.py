@@ -41,9 +41,9 @@ class OnRail(unittest.TestCase):
         self.assertAlmostEqual(force[2], -10000, delta=0.01)
         turned, _ = wheelrail.resultant("in_wheelset")
         self.assertAlmostEqual(np.linalg.norm(turned), np.linalg.norm(force), delta=1e-8)
-        for name in rc.wheelrail_stat_names():
+        for name, *_ in rc.stat_table("wheelrail"):
             self.assertTrue(np.isfinite(wheelrail.stat(name)), name)
-        for name in rc.wheelrail_patch_stat_names():
+        for name, *_ in rc.stat_table(rc.OF_PATCH):
             self.assertTrue(np.isfinite(wheelrail.patch_stat(0, name)), name)
 
     def test_contacts(self):

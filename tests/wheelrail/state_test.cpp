@@ -19,10 +19,10 @@ Result result_of(const WheelRail& w, Status status) {
   std::array<double, 6> f{};
   w.resultant(false, f.data(), f.data() + 3);
   r.numbers.assign(f.begin(), f.end());
-  for (std::int64_t i = 0; i < WheelRail::stat_count(); ++i) r.numbers.push_back(w.stat(WheelRail::stat_name(i)));
+  for (std::int64_t i = 0; const StatisticInfo* s = WheelRail::stat_info(i); ++i) r.numbers.push_back(w.stat(s->name));
   for (std::int64_t p = 0; p < w.patches(); ++p)
-    for (std::int64_t i = 0; i < WheelRail::patch_stat_count(); ++i)
-      r.numbers.push_back(w.patch_stat(p, WheelRail::patch_stat_name(i)));
+    for (std::int64_t i = 0; const StatisticInfo* s = WheelRail::patch_stat_info(i); ++i)
+      r.numbers.push_back(w.patch_stat(p, s->name));
   return r;
 }
 

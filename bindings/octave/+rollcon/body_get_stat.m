@@ -2,9 +2,9 @@ function varargout = body_get_stat(varargin)
 % BODY_GET_STAT  value = rollcon.body_get_stat(body, name)
 %
 % Returns one number about a prepared body: unknowns, assemblies, factorisations, condition, seconds,
-% bytes; 0 for bodies without equations. Names: rollcon.body_stat_name. Counts are those of the
-% equations, which equal bodies of a context have in common: "shared" is 1 for a body for which
-% nothing was assembled because an equal one was prepared before, "loaded" for one from a file.
+% bytes; 0 for bodies without equations. Names: rollcon.stat_info. Counts are those of the equations,
+% which equal bodies of a context have in common: "shared" is 1 for a body for which nothing was
+% assembled because an equal one was prepared before, "loaded" for one from a file.
 %
 %   body (body)
 %   name (text)

@@ -2,7 +2,7 @@ function varargout = contact_get_stat(varargin)
 % CONTACT_GET_STAT  value = rollcon.contact_get_stat(contact, name)
 %
 % Returns one number about the last solve: residuals, error estimates, iterations, areas, power,
-% seconds, bytes. Names: rollcon.stat_name; meanings: docs/theory.md, section 8. An error estimate is
+% seconds, bytes. Names: rollcon.stat_info; meanings: docs/theory.md, section 8. An error estimate is
 % computed when one of its numbers is asked for, at about the price of a solve.
 %
 %   contact (contact)

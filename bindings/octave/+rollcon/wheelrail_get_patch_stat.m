@@ -2,7 +2,7 @@ function varargout = wheelrail_get_patch_stat(varargin)
 % WHEELRAIL_GET_PATCH_STAT  value = rollcon.wheelrail_get_patch_stat(wheelrail, patch, name)
 %
 % Returns one number about a patch: position, angle, rolling radius, creepages, forces, status. Names:
-% rollcon.wheelrail_patch_stat_name; meanings: docs/wheelrail.md.
+% rollcon.stat_info; meanings: docs/wheelrail.md.
 %
 %   wheelrail (wheelrail)
 %   patch (row): 0 to rollcon.wheelrail_get_patch_count - 1

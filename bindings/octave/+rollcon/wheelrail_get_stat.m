@@ -2,7 +2,7 @@ function varargout = wheelrail_get_stat(varargin)
 % WHEELRAIL_GET_STAT  value = rollcon.wheelrail_get_stat(wheelrail, name)
 %
 % Returns one number about the last solve: height, vertical force, frictional power, counts. Names:
-% rollcon.wheelrail_stat_name; meanings: docs/wheelrail.md.
+% rollcon.stat_info; meanings: docs/wheelrail.md.
 %
 %   wheelrail (wheelrail)
 %   name (text)

@@ -13,8 +13,7 @@ from .body import Body
 from .contact import Contact
 from .context import Context
 from .status import Status
-from .options import (body_option_table, body_stat_names, option_table, stat_names,
-                      wheelrail_patch_stat_names, wheelrail_stat_names)
+from .options import option_table, stat_table
 from .stresses import stress_invariants
 from .table import Table
 from .wear import wear_profile
@@ -23,7 +22,7 @@ from .wheelrail import (WheelRail, conicity, contact_points, nonlinearity_parame
 
 __version__ = _api.VERSION_TEXT.replace("-", "")  # in the form of PEP 440: 1.0.0rc2
 __all__ = [name for name, value in vars(_api).items() if name.isupper() and isinstance(value, int)]
-__all__ += ["Body", "Contact", "Context", "RollconError", "Status", "Table", "WheelRail", "body_option_table", "body_stat_names",
-            "build_info", "conicity", "contact_points", "has_feature", "last_caveat", "last_error", "library_path",
-            "nonlinearity_parameter", "option_table", "rolling_radii_coefficient", "stat_names", "status_string", "stress_invariants", "version", "version_string", "wear_profile", "wheelrail_patch_stat_names",
-            "wheelrail_stat_names"]
+__all__ += ["Body", "Contact", "Context", "RollconError", "Status", "Table", "WheelRail", "build_info", "conicity",
+            "contact_points", "has_feature", "last_caveat", "last_error", "library_path", "nonlinearity_parameter",
+            "option_table", "rolling_radii_coefficient", "stat_table", "status_string", "stress_invariants",
+            "version", "version_string", "wear_profile"]

@@ -139,6 +139,12 @@ TYPE_INT = 1
 TYPE_REAL = 2
 TYPE_STR = 3
 
+# kind of object
+OF_BODY = 2
+OF_CONTACT = 3
+OF_WHEELRAIL = 4
+OF_PATCH = 6
+
 # event key
 EVENT_PHASE = 1
 EVENT_ITERATION = 2
@@ -240,11 +246,6 @@ FUNCTIONS = {
     "rollcon_body_set_real": (c_int32, [c_void_p, c_char_p, c_double]),
     "rollcon_body_get_int": (c_int32, [c_void_p, c_char_p, POINTER(c_int64)]),
     "rollcon_body_get_real": (c_int32, [c_void_p, c_char_p, POINTER(c_double)]),
-    "rollcon_body_option_count": (c_int32, []),
-    "rollcon_body_option_info": (c_int32, [
-        c_int32, c_int64, c_char_p, POINTER(c_int32),
-        POINTER(c_double), POINTER(c_double), POINTER(c_double)]),
-    "rollcon_body_option_doc": (c_int32, [c_int32, c_int64, c_char_p, POINTER(c_int64)]),
     "rollcon_body_set_profile": (c_int32, [c_void_p, c_int64, POINTER(c_double), c_double]),
     "rollcon_body_set_profile_shape": (c_int32, [c_void_p, c_char_p, c_int64, POINTER(c_double)]),
     "rollcon_body_read_profile": (c_int32, [c_void_p, c_char_p, c_double, c_int32, c_double]),
@@ -273,8 +274,6 @@ FUNCTIONS = {
     "rollcon_body_write": (c_int32, [c_void_p, c_char_p, c_int64, POINTER(c_double)]),
     "rollcon_body_get_reaction": (c_int32, [c_void_p, POINTER(c_double), POINTER(c_double)]),
     "rollcon_body_get_stat": (c_int32, [c_void_p, c_char_p, POINTER(c_double)]),
-    "rollcon_body_stat_count": (c_int32, []),
-    "rollcon_body_stat_name": (c_int32, [c_int32, c_int64, c_char_p, POINTER(c_int64)]),
     "rollcon_contact_create": (c_int32, [c_void_p, c_void_p, c_void_p, POINTER(c_void_p)]),
     "rollcon_contact_release": (None, [c_void_p]),
     "rollcon_contact_frame_nodes": (c_int32, [
@@ -325,11 +324,6 @@ FUNCTIONS = {
     "rollcon_contact_get_int": (c_int32, [c_void_p, c_char_p, POINTER(c_int64)]),
     "rollcon_contact_get_real": (c_int32, [c_void_p, c_char_p, POINTER(c_double)]),
     "rollcon_contact_get_str": (c_int32, [c_void_p, c_char_p, c_int64, c_char_p, POINTER(c_int64)]),
-    "rollcon_option_count": (c_int32, []),
-    "rollcon_option_info": (c_int32, [
-        c_int32, c_int64, c_char_p, POINTER(c_int32),
-        POINTER(c_double), POINTER(c_double), POINTER(c_double)]),
-    "rollcon_option_doc": (c_int32, [c_int32, c_int64, c_char_p, POINTER(c_int64)]),
     "rollcon_contact_set_progress": (c_int32, [c_void_p, progress_fn, c_void_p]),
     "rollcon_event_get_int": (c_int32, [c_void_p, c_int32, POINTER(c_int64)]),
     "rollcon_event_get_real": (c_int32, [c_void_p, c_int32, POINTER(c_double)]),
@@ -386,8 +380,6 @@ FUNCTIONS = {
         c_int64, POINTER(c_double), POINTER(c_double),
         POINTER(c_double), POINTER(c_double)]),
     "rollcon_contact_get_stat": (c_int32, [c_void_p, c_char_p, POINTER(c_double)]),
-    "rollcon_stat_count": (c_int32, []),
-    "rollcon_stat_name": (c_int32, [c_int32, c_int64, c_char_p, POINTER(c_int64)]),
     "rollcon_contact_get_history": (c_int32, [
         c_void_p, c_int64,
         POINTER(c_double), POINTER(c_int64)]),
@@ -436,14 +428,10 @@ FUNCTIONS = {
         c_void_p, c_int32, POINTER(c_double),
         POINTER(c_double), POINTER(c_double)]),
     "rollcon_wheelrail_get_stat": (c_int32, [c_void_p, c_char_p, POINTER(c_double)]),
-    "rollcon_wheelrail_stat_count": (c_int32, []),
-    "rollcon_wheelrail_stat_name": (c_int32, [c_int32, c_int64, c_char_p, POINTER(c_int64)]),
     "rollcon_wheelrail_get_profile_point": (c_int32, [
         c_void_p, c_int32,
         c_double, POINTER(c_double)]),
     "rollcon_wheelrail_get_patch_stat": (c_int32, [c_void_p, c_int32, c_char_p, POINTER(c_double)]),
-    "rollcon_wheelrail_patch_stat_count": (c_int32, []),
-    "rollcon_wheelrail_patch_stat_name": (c_int32, [c_int32, c_int64, c_char_p, POINTER(c_int64)]),
     "rollcon_wheelrail_get_patch_axes": (c_int32, [
         c_void_p, c_int32,
         POINTER(c_double), POINTER(c_double)]),
@@ -454,6 +442,14 @@ FUNCTIONS = {
     "rollcon_wheelrail_find_conicity": (c_int32, [
         c_void_p, c_void_p, c_int64,
         POINTER(c_double), POINTER(c_double), POINTER(c_double)]),
+    "rollcon_option_count": (c_int32, [c_int32]),
+    "rollcon_option_info": (c_int32, [
+        c_int32, c_int32, c_int64, c_char_p, c_char_p,
+        POINTER(c_int64), POINTER(c_int32), POINTER(c_double), POINTER(c_double), POINTER(c_double)]),
+    "rollcon_stat_count": (c_int32, [c_int32]),
+    "rollcon_stat_info": (c_int32, [
+        c_int32, c_int32, c_int64, c_char_p,
+        c_char_p, POINTER(c_int64), POINTER(c_int32)]),
     "rollcon_report": (c_int32, [c_void_p, c_int32, c_char_p]),
     "rollcon_context_retain": (c_int32, [c_void_p]),
     "rollcon_body_retain": (c_int32, [c_void_p]),
@@ -537,6 +533,10 @@ ENUMERATORS = {
         "log_info": 3, "log_debug": 4
     },
     "option type": {"int": 1, "real": 2, "str": 3, "type_int": 1, "type_real": 2, "type_str": 3},
+    "kind of object": {
+        "body": 2, "contact": 3, "wheelrail": 4, "patch": 6, "of_body": 2, "of_contact": 3,
+        "of_wheelrail": 4, "of_patch": 6
+    },
     "event key": {
         "phase": 1, "iteration": 2, "residual": 101, "seconds": 102, "event_phase": 1,
         "event_iteration": 2, "event_residual": 101, "event_seconds": 102
@@ -615,12 +615,6 @@ ARGUMENTS = {
     "rollcon_body_set_real": [("body", ""), ("name", ""), ("value", "")],
     "rollcon_body_get_int": [("body", ""), ("name", ""), ("value", "")],
     "rollcon_body_get_real": [("body", ""), ("name", ""), ("value", "")],
-    "rollcon_body_option_count": [],
-    "rollcon_body_option_info": [
-        ("i", ""), ("capacity", ""), ("name", ""), ("type", ""), ("low", ""), ("high", ""),
-        ("standard", "")
-    ],
-    "rollcon_body_option_doc": [("i", ""), ("capacity", ""), ("text", ""), ("needed", "")],
     "rollcon_body_set_profile": [("body", ""), ("n", ""), ("points", ""), ("filter_length", "")],
     "rollcon_body_set_profile_shape": [("body", ""), ("shape", ""), ("n", ""), ("parameters", "")],
     "rollcon_body_read_profile": [
@@ -647,8 +641,6 @@ ARGUMENTS = {
     "rollcon_body_write": [("body", ""), ("path", ""), ("nodes", ""), ("u", "")],
     "rollcon_body_get_reaction": [("body", ""), ("force", ""), ("moment", "")],
     "rollcon_body_get_stat": [("body", ""), ("name", ""), ("value", "")],
-    "rollcon_body_stat_count": [],
-    "rollcon_body_stat_name": [("i", ""), ("capacity", ""), ("text", ""), ("needed", "")],
     "rollcon_contact_create": [("context", ""), ("body1", ""), ("body2", ""), ("contact", "")],
     "rollcon_contact_release": [("contact", "")],
     "rollcon_contact_frame_nodes": [
@@ -712,12 +704,6 @@ ARGUMENTS = {
     "rollcon_contact_get_str": [
         ("contact", ""), ("name", ""), ("capacity", ""), ("text", ""), ("needed", "")
     ],
-    "rollcon_option_count": [],
-    "rollcon_option_info": [
-        ("i", ""), ("capacity", ""), ("name", ""), ("type", ""), ("low", ""), ("high", ""),
-        ("standard", "")
-    ],
-    "rollcon_option_doc": [("i", ""), ("capacity", ""), ("text", ""), ("needed", "")],
     "rollcon_contact_set_progress": [("contact", ""), ("fn", ""), ("user", "")],
     "rollcon_event_get_int": [("event", ""), ("key", "event key"), ("value", "")],
     "rollcon_event_get_real": [("event", ""), ("key", "event key"), ("value", "")],
@@ -782,8 +768,6 @@ ARGUMENTS = {
         ("n", ""), ("stress", ""), ("principal", ""), ("von_mises", ""), ("shear", "")
     ],
     "rollcon_contact_get_stat": [("contact", ""), ("name", ""), ("value", "")],
-    "rollcon_stat_count": [],
-    "rollcon_stat_name": [("i", ""), ("capacity", ""), ("text", ""), ("needed", "")],
     "rollcon_contact_get_history": [
         ("contact", ""), ("capacity", ""), ("rows", ""), ("n_rows", "")
     ],
@@ -837,18 +821,12 @@ ARGUMENTS = {
         ("wheelrail", ""), ("entry", ""), ("force", ""), ("moment", ""), ("z", "")
     ],
     "rollcon_wheelrail_get_stat": [("wheelrail", ""), ("name", ""), ("value", "")],
-    "rollcon_wheelrail_stat_count": [],
-    "rollcon_wheelrail_stat_name": [("i", ""), ("capacity", ""), ("text", ""), ("needed", "")],
     "rollcon_wheelrail_get_profile_point": [
         ("wheelrail", ""), ("which", "profile of a wheel on its rail"), ("share", ""), ("point",
         "")
     ],
     "rollcon_wheelrail_get_patch_stat": [
         ("wheelrail", ""), ("patch", ""), ("name", ""), ("value", "")
-    ],
-    "rollcon_wheelrail_patch_stat_count": [],
-    "rollcon_wheelrail_patch_stat_name": [
-        ("i", ""), ("capacity", ""), ("text", ""), ("needed", "")
     ],
     "rollcon_wheelrail_get_patch_axes": [
         ("wheelrail", ""), ("patch", ""), ("origin", ""), ("axes", "")
@@ -860,6 +838,16 @@ ARGUMENTS = {
     "rollcon_wheelrail_find_conicity": [
         ("left", ""), ("right", ""), ("n", ""), ("amplitude", ""), ("conicity", ""),
         ("wavelength", "")
+    ],
+    "rollcon_option_count": [("kind", "kind of object")],
+    "rollcon_option_info": [
+        ("kind", "kind of object"), ("i", ""), ("capacity", ""), ("name", ""), ("doc", ""),
+        ("needed", ""), ("type", ""), ("low", ""), ("high", ""), ("standard", "")
+    ],
+    "rollcon_stat_count": [("kind", "kind of object")],
+    "rollcon_stat_info": [
+        ("kind", "kind of object"), ("i", ""), ("capacity", ""), ("name", ""), ("doc", ""),
+        ("needed", ""), ("inside", "")
     ],
     "rollcon_report": [("handle", ""), ("status", ""), ("message", "")],
     "rollcon_context_retain": [("context", "")],

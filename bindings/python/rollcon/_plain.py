@@ -322,10 +322,10 @@ class BodyPlain:
 
     def stat(self, name: str) -> float:
         """Returns one number about a prepared body: unknowns, assemblies, factorisations,
-        condition, seconds, bytes; 0 for bodies without equations. Names: stat_name(). Counts are
-        those of the equations, which equal bodies of a context have in common: "shared" is 1 for
-        a body for which nothing was assembled because an equal one was prepared before, "loaded"
-        for one from a file.
+        condition, seconds, bytes; 0 for bodies without equations. Names: rollcon_stat_info.
+        Counts are those of the equations, which equal bodies of a context have in common:
+        "shared" is 1 for a body for which nothing was assembled because an equal one was prepared
+        before, "loaded" for one from a file.
         """
         value = c_double()
         self._call("get_stat", c_text(name, "name"), byref(value))
@@ -765,7 +765,7 @@ class ContactPlain:
 
     def stat(self, name: str) -> float:
         """Returns one number about the last solve: residuals, error estimates, iterations, areas,
-        power, seconds, bytes. Names: rollcon_stat_name; meanings: docs/theory.md, section 8. An
+        power, seconds, bytes. Names: rollcon_stat_info; meanings: docs/theory.md, section 8. An
         error estimate is computed when one of its numbers is asked for, at about the price of a
         solve.
         """
@@ -1010,7 +1010,7 @@ class WheelrailPlain:
 
     def stat(self, name: str) -> float:
         """Returns one number about the last solve: height, vertical force, frictional power,
-        counts. Names: stat_name(); meanings: docs/wheelrail.md.
+        counts. Names: rollcon_stat_info; meanings: docs/wheelrail.md.
         """
         value = c_double()
         self._call("get_stat", c_text(name, "name"), byref(value))
@@ -1031,7 +1031,7 @@ class WheelrailPlain:
 
     def patch_stat(self, patch: int, name: str) -> float:
         """Returns one number about a patch: position, angle, rolling radius, creepages, forces,
-        status. Names: patch_stat_name(); meanings: docs/wheelrail.md.
+        status. Names: rollcon_stat_info; meanings: docs/wheelrail.md.
 
         patch: 0 to rollcon_wheelrail_get_patch_count - 1.
         """

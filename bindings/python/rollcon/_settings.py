@@ -8,7 +8,7 @@ import numpy as np
 
 from . import _api
 from ._library import c_text, call, check, lib, read_text
-from .options import body_option_table, option_table
+from .options import option_table
 
 _types = {}  # types of the settings of each kind of object, by name
 
@@ -16,8 +16,7 @@ _types = {}  # types of the settings of each kind of object, by name
 def _type_of(kind, name):
     """Returns TYPE_INT, ...; for an unknown setting TYPE_INT, for which the library finds the words."""
     if kind not in _types:
-        rows = option_table() if kind == "contact" else body_option_table()
-        _types[kind] = {row.name: row.type for row in rows}
+        _types[kind] = {row.name: row.type for row in option_table(kind)}
     return _types[kind].get(name, _api.TYPE_INT)
 
 
@@ -25,7 +24,7 @@ class Settings:
     """Gives a Handle the methods set and get."""
 
     def set(self, name: str, value: bool | float | str) -> None:
-        """Sets a setting by name (option_table() and body_option_table() list them): int, float or str by its type."""
+        """Sets a setting by name (option_table() lists them): int, float or str by its type."""
         text = c_text(name, "name")
         if isinstance(value, str):
             if not hasattr(lib, f"rollcon_{self._kind}_set_str"):

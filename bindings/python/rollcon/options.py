@@ -5,61 +5,33 @@ from __future__ import annotations
 import ctypes
 from collections import namedtuple
 
-from ._library import check, lib, read_text
+from ._library import check, enumerator, lib
 
 Option = namedtuple("Option", "name type low high standard doc")
+Stat = namedtuple("Stat", "name doc inside")
 
 
-def _options(count, info, explain):
-    rows = []
-    for i in range(count()):
-        name = ctypes.create_string_buffer(64)
-        kind = ctypes.c_int32()
-        low, high, standard = ctypes.c_double(), ctypes.c_double(), ctypes.c_double()
-        check(info(i, len(name), name, ctypes.byref(kind), ctypes.byref(low), ctypes.byref(high),
-                   ctypes.byref(standard)))
-        status, doc = read_text(lambda *a: explain(i, *a))
-        check(status)
-        rows.append(Option(name.value.decode(), kind.value, low.value, high.value, standard.value,
-                           doc))
-    return rows
+def _rows(count, info, kind, *results):
+    """Yields name, doc and other results of each row of the table of a kind."""
+    kind = enumerator(kind, "kind of object", "kind")
+    for i in range(count(kind)):
+        need = ctypes.c_int64()
+        check(info(kind, i, 0, None, None, ctypes.byref(need), *(None for _ in results)))
+        texts = [ctypes.create_string_buffer(need.value) for _ in range(2)]
+        values = [result() for result in results]
+        check(info(kind, i, need.value, *texts, None, *(ctypes.byref(value) for value in values)))
+        yield [text.value.decode() for text in texts] + [value.value for value in values]
 
 
-def _names(count, name_of):
-    names = []
-    for i in range(count()):
-        status, name = read_text(lambda *a: name_of(i, *a))
-        check(status)
-        names.append(name)
-    return names
+def option_table(kind: int | str = "contact") -> list[Option]:
+    """Returns every setting of a kind of object ("body", "contact", ...): name, type (TYPE_INT, TYPE_REAL, TYPE_STR),
+    range, standard, doc."""
+    real = ctypes.c_double
+    return [Option(name, *values, doc) for name, doc, *values in
+            _rows(lib.rollcon_option_count, lib.rollcon_option_info, kind, ctypes.c_int32, real, real, real)]
 
 
-def option_table() -> list[Option]:
-    """Returns every solver setting: name, type (TYPE_INT, TYPE_REAL, TYPE_STR), range, standard, doc."""
-    return _options(lib.rollcon_option_count, lib.rollcon_option_info, lib.rollcon_option_doc)
-
-
-def body_option_table() -> list[Option]:
-    """Returns every setting of a body, in the manner of option_table()."""
-    return _options(lib.rollcon_body_option_count, lib.rollcon_body_option_info,
-                    lib.rollcon_body_option_doc)
-
-
-def stat_names() -> list[str]:
-    """Returns the names that Contact.stat knows."""
-    return _names(lib.rollcon_stat_count, lib.rollcon_stat_name)
-
-
-def body_stat_names() -> list[str]:
-    """Returns the names that Body.stat knows."""
-    return _names(lib.rollcon_body_stat_count, lib.rollcon_body_stat_name)
-
-
-def wheelrail_stat_names() -> list[str]:
-    """Returns the names that WheelRail.stat knows."""
-    return _names(lib.rollcon_wheelrail_stat_count, lib.rollcon_wheelrail_stat_name)
-
-
-def wheelrail_patch_stat_names() -> list[str]:
-    """Returns the names that WheelRail.patch_stat knows."""
-    return _names(lib.rollcon_wheelrail_patch_stat_count, lib.rollcon_wheelrail_patch_stat_name)
+def stat_table(kind: int | str = "contact") -> list[Stat]:
+    """Returns every statistic of a kind of object ("body", "contact", "wheelrail", "patch"): name, doc, and inside:
+    1 if it counts work inside the library, which is promised to nobody."""
+    return [Stat(*row) for row in _rows(lib.rollcon_stat_count, lib.rollcon_stat_info, kind, ctypes.c_int32)]

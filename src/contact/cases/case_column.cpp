@@ -32,8 +32,8 @@ CaseColumn case_column(const char* name, std::size_t length, std::int64_t parame
   }
   for (const Statistic& s : statistics()) {
     if (!s.of_cases) continue;
-    if (is(s.name)) return {.kind = Kind::number, .number = s.value, .width = 1};
-    allowed += ", " + std::string(s.name);
+    if (is(s.info.name)) return {.kind = Kind::number, .number = s.value, .width = 1};
+    allowed += ", " + std::string(s.info.name);
   }
   fail(Status::err_option, "columns has '%.*s'; allowed: %s", static_cast<int>(std::min<std::size_t>(length, 60)), name,
        allowed.c_str());
