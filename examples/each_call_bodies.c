@@ -133,7 +133,7 @@ static void pressed(rollcon_context* context) {
   must(rollcon_contact_solve(contact));
   must(rollcon_contact_get_body_displacements(contact, ROLLCON_BODY1, 36, u, NULL));
   printf("its corner under a ball moves by %.4f\n", u[35]);
-  must(rollcon_contact_get_body_fields_at(contact, ROLLCON_BODY1, 1, inside, NULL, stress));
+  must(rollcon_contact_get_fields_at(contact, ROLLCON_BODY1, 1, inside, ROLLCON_IN_BODY, NULL, stress));
   printf("below the ball it is pressed by %.2f\n", -stress[0]);
   must(rollcon_contact_write_body(contact, ROLLCON_BODY1, "each_call.vtu"));
   rollcon_contact_release(contact);

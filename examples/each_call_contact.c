@@ -163,7 +163,7 @@ static void results(rollcon_contact* contact) {
   must(rollcon_contact_get_sensitivity(contact, ROLLCON_LONGITUDINAL, force, moment, &approach, creep));
   printf("slope of the force by creepage %.3g N\n", -force[0]);
   must(rollcon_contact_get_displacements_at(contact, ROLLCON_BODY1, 1, xy, u));
-  must(rollcon_contact_get_stresses_at(contact, ROLLCON_BODY1, 1, xyz, stress, u));
+  must(rollcon_contact_get_fields_at(contact, ROLLCON_BODY1, 1, xyz, ROLLCON_IN_CONTACT, u, stress));
   must(rollcon_stress_invariants(1, stress, principal, &von_mises, &shear));
   printf("3 mm deep: von Mises %.0f MPa, shear %.0f MPa\n", von_mises, shear);
   must(rollcon_contact_get_fatigue_index(contact, 300, &index));

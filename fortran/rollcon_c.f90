@@ -115,6 +115,10 @@ module rollcon_c
   integer(c_int32_t), parameter :: rollcon_body_below = 1_c_int32_t
   integer(c_int32_t), parameter :: rollcon_body_above = -1_c_int32_t
 
+  ! axes of points
+  integer(c_int32_t), parameter :: rollcon_in_contact = 0_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_in_body = 1_c_int32_t
+
   ! axes of the track
   integer(c_int32_t), parameter :: rollcon_in_track = 0_c_int32_t
   integer(c_int32_t), parameter :: rollcon_in_wheelset = 1_c_int32_t
@@ -1306,18 +1310,19 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_displacements_at
 
-    function rollcon_contact_get_stresses_at(contact, which, n, xyz, stress, u) &
-        result(rc) bind(C, name="rollcon_contact_get_stresses_at")
+    function rollcon_contact_get_fields_at(contact, which, n, xyz, in_axes, u, stress) &
+        result(rc) bind(C, name="rollcon_contact_get_fields_at")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
       type(c_ptr), value :: contact
       integer(c_int32_t), value :: which
       integer(c_int64_t), value :: n
       real(c_double), intent(in) :: xyz(*)
-      real(c_double), intent(out) :: stress(*)
+      integer(c_int32_t), value :: in_axes
       real(c_double), intent(out) :: u(*)
+      real(c_double), intent(out) :: stress(*)
       integer(c_int32_t) :: rc
-    end function rollcon_contact_get_stresses_at
+    end function rollcon_contact_get_fields_at
 
     function rollcon_contact_get_body_displacements(contact, which, capacity, u, n_values) &
         result(rc) bind(C, name="rollcon_contact_get_body_displacements")
@@ -1330,19 +1335,6 @@ module rollcon_c
       integer(c_int64_t), intent(inout) :: n_values
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_body_displacements
-
-    function rollcon_contact_get_body_fields_at(contact, which, n, xyz, displacement, stress) &
-        result(rc) bind(C, name="rollcon_contact_get_body_fields_at")
-      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
-      implicit none
-      type(c_ptr), value :: contact
-      integer(c_int32_t), value :: which
-      integer(c_int64_t), value :: n
-      real(c_double), intent(in) :: xyz(*)
-      real(c_double), intent(out) :: displacement(*)
-      real(c_double), intent(out) :: stress(*)
-      integer(c_int32_t) :: rc
-    end function rollcon_contact_get_body_fields_at
 
     function rollcon_contact_write_body(contact, which, path) &
         result(rc) bind(C, name="rollcon_contact_write_body")

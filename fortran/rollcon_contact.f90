@@ -27,9 +27,8 @@ module rollcon_contact
     procedure :: past_get
     procedure :: get_node_states
     procedure :: get_displacements_at
-    procedure :: get_stresses_at
     procedure :: get_body_displacements
-    procedure :: get_body_fields_at
+    procedure :: get_fields_at
     procedure :: write_body_vtu
     procedure :: get_wear
     procedure :: get_temperatures_at
@@ -362,30 +361,6 @@ contains
       self%handle(), 'rc_contact%get_temperatures_at', stat, errmsg)
   end subroutine
 
-  !> Returns stresses stress(6,n) (s11, s22, snn, s12, s1n, s2n) and displacements u(3,n) at points xyz(3,n) inside body
-  !> 1 or 2, in the contact's axes.
-  subroutine get_stresses_at(self, which, xyz, stress, u, stat, errmsg)
-    class(rc_contact), intent(in) :: self
-    integer(rc_int), intent(in) :: which
-    real(rc_real), intent(in), contiguous :: xyz(:, :)
-    real(rc_real), allocatable, intent(out) :: stress(:, :)
-    real(rc_real), allocatable, intent(out), optional :: u(:, :)
-    integer, intent(out), optional :: stat
-    character(len=*), intent(inout), optional :: errmsg
-    real(rc_real), allocatable :: displacement(:, :)
-    if (size(xyz, 1) /= 3) then
-      call finish(ROLLCON_ERR_ARGUMENT, self%handle(), 'rc_contact%get_stresses_at', stat, errmsg, &
-        'the first extent of xyz must be 3')
-      return
-    end if
-    allocate (stress(6, size(xyz, 2)), displacement(3, size(xyz, 2)))
-    stress = 0
-    displacement = 0
-    call finish(rollcon_contact_get_stresses_at(self%handle(), which, size(xyz, 2, rc_long), xyz, stress, &
-      displacement), self%handle(), 'rc_contact%get_stresses_at', stat, errmsg)
-    if (present(u)) call move_alloc(displacement, u)
-  end subroutine
-
   !> Returns displacements u(3,n) of all nodes of body 1 or 2, of finite or boundary elements, in its axes.
   subroutine get_body_displacements(self, which, u, stat, errmsg)
     class(rc_contact), intent(in) :: self
@@ -405,25 +380,26 @@ contains
     call finish(status, self%handle(), 'rc_contact%get_body_displacements', stat, errmsg)
   end subroutine
 
-  !> Returns displacements displacement(3,n) and stresses stress(6,n) at points xyz(3,n) inside body 1 or 2, of finite
-  !> or boundary elements, in its axes.
-  subroutine get_body_fields_at(self, which, xyz, displacement, stress, stat, errmsg)
+  !> Returns displacements u(3,n) and stresses stress(6,n) (s11, s22, s33, s12, s13, s23) at points xyz(3,n) inside body
+  !> 1 or 2; points and results are in the axes of the contact (ROLLCON_IN_CONTACT; body 1 at n <= 0, body 2 at n >= 0)
+  !> or of the body (ROLLCON_IN_BODY).
+  subroutine get_fields_at(self, which, xyz, in_axes, u, stress, stat, errmsg)
     class(rc_contact), intent(in) :: self
-    integer(rc_int), intent(in) :: which
+    integer(rc_int), intent(in) :: which, in_axes
     real(rc_real), intent(in), contiguous :: xyz(:, :)
-    real(rc_real), allocatable, intent(out) :: displacement(:, :), stress(:, :)
+    real(rc_real), allocatable, intent(out) :: u(:, :), stress(:, :)
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
     if (size(xyz, 1) /= 3) then
-      call finish(ROLLCON_ERR_ARGUMENT, self%handle(), 'rc_contact%get_body_fields_at', stat, errmsg, &
+      call finish(ROLLCON_ERR_ARGUMENT, self%handle(), 'rc_contact%get_fields_at', stat, errmsg, &
         'the first extent of xyz must be 3')
       return
     end if
-    allocate (displacement(3, size(xyz, 2)), stress(6, size(xyz, 2)))
-    displacement = 0
+    allocate (u(3, size(xyz, 2)), stress(6, size(xyz, 2)))
+    u = 0
     stress = 0
-    call finish(rollcon_contact_get_body_fields_at(self%handle(), which, size(xyz, 2, rc_long), xyz, &
-      displacement, stress), self%handle(), 'rc_contact%get_body_fields_at', stat, errmsg)
+    call finish(rollcon_contact_get_fields_at(self%handle(), which, size(xyz, 2, rc_long), xyz, in_axes, u, stress), &
+      self%handle(), 'rc_contact%get_fields_at', stat, errmsg)
   end subroutine
 
   !> Writes elements of body 1 or 2 with displacements, smoothed stresses and von Mises's stress, as a VTU file.

@@ -1164,13 +1164,14 @@ subroutine rcdisp(icon, iwhich, n, xy, u, ierr)
   ierr = rollcon_contact_get_displacements_at(contact_of(icon), narrow(iwhich), int(n, c_int64_t), xy, u)
 end subroutine
 
-!> Returns stresses and elastic displacements at any points inside a body, or on its surface, under the tractions.
-subroutine rcstrs(icon, iwhich, n, xyz, stress, u, ierr)
+!> Returns displacements and stresses at any points inside a body, or on its surface, under the tractions of the .
+subroutine rcflds(icon, iwhich, n, xyz, in_axes, u, stress, ierr)
   use rollcon_f77_support
   implicit none
-  integer :: icon, iwhich, n, ierr
-  double precision :: xyz(*), stress(*), u(*)
-  ierr = rollcon_contact_get_stresses_at(contact_of(icon), narrow(iwhich), int(n, c_int64_t), xyz, stress, u)
+  integer :: icon, iwhich, n, in_axes, ierr
+  double precision :: xyz(*), u(*), stress(*)
+  ierr = rollcon_contact_get_fields_at(contact_of(icon), narrow(iwhich), int(n, c_int64_t), xyz, narrow(in_axes), &
+    u, stress)
 end subroutine
 
 !> Returns displacements of all nodes of a body of finite or boundary elements under the tractions of the last so.
@@ -1184,16 +1185,6 @@ subroutine rcbodu(icon, iwhich, maxn, u, nv, ierr)
   ierr = rollcon_contact_get_body_displacements(contact_of(icon), narrow(iwhich), int(maxn, c_int64_t), u, &
     n_values_c)
   nv = int(n_values_c)
-end subroutine
-
-!> Returns displacements and stresses at any points inside a body of finite or boundary elements under the tracti.
-subroutine rcbfat(icon, iwhich, n, xyz, displacement, stress, ierr)
-  use rollcon_f77_support
-  implicit none
-  integer :: icon, iwhich, n, ierr
-  double precision :: xyz(*), displacement(*), stress(*)
-  ierr = rollcon_contact_get_body_fields_at(contact_of(icon), narrow(iwhich), int(n, c_int64_t), xyz, displacement, &
-    stress)
 end subroutine
 
 !> Writes the elements of a body of finite or boundary elements with displacements, smoothed stresses (xx, yy, zz.

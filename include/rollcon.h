@@ -217,6 +217,12 @@ enum {
   ROLLCON_BODY_ABOVE = -1    /* at lesser z: a wheel with z down */
 };
 
+/* Axes in which points inside a body, and fields there, are given. */
+enum {
+  ROLLCON_IN_CONTACT = 0,    /* (t1, t2, n) of the contact, from their origin */
+  ROLLCON_IN_BODY    = 1     /* those of the body (rollcon_contact_set_pose) */
+};
+
 /* Components of the results of a wheel on its rail. */
 enum {
   ROLLCON_IN_TRACK    = 0,    /* x forward, y to the right, z down, of the track */
@@ -1764,28 +1770,33 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_displacements_at(
     const rollcon_contact *contact, int32_t which, int64_t n, const double *xy, double *u);
 
 /*
- * Returns stresses and elastic displacements at any points inside a body, or on its surface,
- * under the tractions of the last solve (those of rollcon_contact_get_tractions, interpolated by
- * the frame's shape functions). The body must be an elastic half-space. Points and results are in
- * the contact's axes: body 1 fills n <= 0 and body 2 n >= 0, on its surface n = 0 results are the
- * limits from inside. Tension is positive. Every stress is within the option stress_accuracy
- * times the largest traction of the exact integrals. Where tractions jump (at the rim of a frame
- * that ends under load) stresses along the surface grow like a logarithm and are given for a
- * depth of 1e-8 of the smallest element. On a curved frame the local components of tractions act
- * on the plane of the axes, which they do in the solve, too. ROLLCON_ERR_UNSUPPORTED: another
- * kind of body; ROLLCON_ERR_ARGUMENT: a point outside of the body.
+ * Returns displacements and stresses at any points inside a body, or on its surface, under the
+ * tractions of the last solve and the body's own loads. Tension is positive. Half-spaces:
+ * tractions (rollcon_contact_get_tractions) are interpolated by the frame's shape functions; body
+ * 1 fills n <= 0 and body 2 n >= 0, on the surface n = 0 results are the limits from inside;
+ * every stress is within the option stress_accuracy times the largest traction of the exact
+ * integrals. Where tractions jump (at the rim of a frame that ends under load) stresses along the
+ * surface grow like a logarithm and are given for a depth of 1e-8 of the smallest element. On a
+ * curved frame the local components of tractions act on the plane of the axes, which they do in
+ * the solve, too. Finite elements: what rollcon_body_get_fields_at gives for
+ * rollcon_contact_get_body_displacements. Boundary elements: Somigliana's identities, as near to
+ * the surface as wanted, and on it; errors there are those of the solution, and largest where
+ * tractions jump. ROLLCON_ERR_UNSUPPORTED: a rigid body; ROLLCON_ERR_ARGUMENT: a point is
+ * outside, and by how much of a surface of boundary elements (a millionth of the element's size
+ * beyond its faces is still inside).
  *   which    ROLLCON_BODY1 or ROLLCON_BODY2
  *   n        points, >= 0
- *   xyz      [n][3]; positions along t1, t2 and n from the origin, length
- *   stress   [n][6], out; s11, s22, snn, s12, s1n, s2n, force/length^2; NULL: not wanted
- *   u        [n][3], out; displacement (t1, t2, n), length; NULL: not wanted
- * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_UNSUPPORTED,
- *   ROLLCON_ERR_MEMORY.
- * Source: docs/theory.md, inside of half-spaces.
+ *   xyz      [n][3]; in these axes, length
+ *   in_axes  ROLLCON_IN_CONTACT or ROLLCON_IN_BODY: of points and results
+ *   u        [n][3], out; displacement, length; NULL: not wanted
+ *   stress   [n][6], out; s11, s22, s33, s12, s13, s23, force/length^2; NULL: not wanted
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR,
+ *   ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_MEMORY.
+ * Source: docs/theory.md, inside of half-spaces, of finite elements, of boundary elements.
  */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_stresses_at(
-    const rollcon_contact *contact, int32_t which, int64_t n, const double *xyz, double *stress,
-    double *u);
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_fields_at(
+    const rollcon_contact *contact, int32_t which, int64_t n, const double *xyz, int32_t in_axes,
+    double *u, double *stress);
 
 /*
  * Returns displacements of all nodes of a body of finite or boundary elements under the tractions
@@ -1808,33 +1819,10 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_body_displacements(
     int64_t *n_values);
 
 /*
- * Returns displacements and stresses at any points inside a body of finite or boundary elements
- * under the tractions of the last solve and the body's own loads, in the body's axes; tension is
- * positive. Those of finite elements are what rollcon_body_get_fields_at gives for
- * rollcon_contact_get_body_displacements. Those of boundary elements follow from Somigliana's
- * identities, as near to the surface as wanted, and on it: errors there are those of the
- * solution, and largest where tractions jump. ROLLCON_ERR_UNSUPPORTED: another kind of body (for
- * half-spaces see rollcon_contact_get_stresses_at); ROLLCON_ERR_ARGUMENT: a point is outside, and
- * by how much of a surface of boundary elements (a millionth of the element's size beyond its
- * faces is still inside).
- *   which         ROLLCON_BODY1 or ROLLCON_BODY2
- *   n             points, >= 0
- *   xyz           [n][3]; in the body's axes, length
- *   displacement  [n][3], out; x y z, length; NULL: not wanted
- *   stress        [n][6], out; s11, s22, s33, s12, s13, s23, force/length^2; NULL: not wanted
- * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR,
- *   ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_MEMORY.
- * Source: docs/theory.md, inside of boundary elements.
- */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_body_fields_at(
-    const rollcon_contact *contact, int32_t which, int64_t n, const double *xyz,
-    double *displacement, double *stress);
-
-/*
  * Writes the elements of a body of finite or boundary elements with displacements, smoothed
  * stresses (xx, yy, zz, xy, yz, xz, in ParaView's order) and von Mises's stress at the nodes,
  * under the tractions of the last solve and the body's own loads, as a VTU file for ParaView and
- * meshio. The call is otherwise like rollcon_contact_get_body_fields_at.
+ * meshio. The call is otherwise like rollcon_contact_get_fields_at.
  *   which    ROLLCON_BODY1 or ROLLCON_BODY2
  *   path     name of the file; an existing one is replaced
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_IO,
@@ -1949,8 +1937,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wear_profile(int64_t points, con
 
 /*
  * Returns principal stresses, von Mises's stress and the largest shear stress of n stresses,
- * which may come from rollcon_contact_get_stresses_at or elsewhere. Principal stresses are exact
- * to rounding, relative to the largest of the three.
+ * which may come from rollcon_contact_get_fields_at or elsewhere. Principal stresses are exact to
+ * rounding, relative to the largest of the three.
  *   n          stresses, >= 0
  *   stress     [n][6]; s11, s22, s33, s12, s13, s23, tension positive
  *   principal  [n][3], out; the largest first; NULL: not wanted

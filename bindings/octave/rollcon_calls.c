@@ -7,6 +7,12 @@ static const enumerator names_of_axes[] = {
   {"local", 0},
   {"global", 1},
   {NULL, 0}};
+static const enumerator names_of_axes_of_points[] = {
+  {"contact", 0},
+  {"body", 1},
+  {"in_contact", 0},
+  {"in_body", 1},
+  {NULL, 0}};
 static const enumerator names_of_axes_of_the_track[] = {
   {"track", 0},
   {"wheelset", 1},
@@ -1403,21 +1409,22 @@ static void call_contact_get_displacements_at(call *self) {
   finish(self, rc);
 }
 
-static void call_contact_get_stresses_at(call *self) {
+static void call_contact_get_fields_at(call *self) {
   int32_t rc = 0;
   int64_t n = -1;
   rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
   const int32_t which = take_enumerator(self, "which", names_of_body_of_a_contact, 0);
   const double *xyz = take_reals(self, "xyz", &n, 3, 0);
-  double *stress = NULL;
+  const int32_t in_axes = take_enumerator(self, "in_axes", names_of_axes_of_points, 0);
   double *u = NULL;
+  double *stress = NULL;
   no_more(self);
-  stress = room(n * (6), sizeof *stress);
   u = room(n * (3), sizeof *u);
-  rc = rollcon_contact_get_stresses_at(contact, which, n, xyz, stress, u);
+  stress = room(n * (6), sizeof *stress);
+  rc = rollcon_contact_get_fields_at(contact, which, n, xyz, in_axes, u, stress);
   if (rc < 0) finish(self, rc);
-  give_reals(self, stress, n, 6);
   give_reals(self, u, n, 3);
+  give_reals(self, stress, n, 6);
   finish(self, rc);
 }
 
@@ -1436,24 +1443,6 @@ static void call_contact_get_body_displacements(call *self) {
   rc = rollcon_contact_get_body_displacements(contact, which, capacity, u, &need);
   if (rc < 0) finish(self, rc);
   give_reals(self, u, capacity, 1);
-  finish(self, rc);
-}
-
-static void call_contact_get_body_fields_at(call *self) {
-  int32_t rc = 0;
-  int64_t n = -1;
-  rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
-  const int32_t which = take_enumerator(self, "which", names_of_body_of_a_contact, 0);
-  const double *xyz = take_reals(self, "xyz", &n, 3, 0);
-  double *displacement = NULL;
-  double *stress = NULL;
-  no_more(self);
-  displacement = room(n * (3), sizeof *displacement);
-  stress = room(n * (6), sizeof *stress);
-  rc = rollcon_contact_get_body_fields_at(contact, which, n, xyz, displacement, stress);
-  if (rc < 0) finish(self, rc);
-  give_reals(self, displacement, n, 3);
-  give_reals(self, stress, n, 6);
   finish(self, rc);
 }
 
@@ -2445,9 +2434,8 @@ const entry calls[] = {
   {"contact_get_tilt", call_contact_get_tilt, 1},
   {"contact_get_sensitivity", call_contact_get_sensitivity, 4},
   {"contact_get_displacements_at", call_contact_get_displacements_at, 1},
-  {"contact_get_stresses_at", call_contact_get_stresses_at, 2},
+  {"contact_get_fields_at", call_contact_get_fields_at, 2},
   {"contact_get_body_displacements", call_contact_get_body_displacements, 1},
-  {"contact_get_body_fields_at", call_contact_get_body_fields_at, 2},
   {"contact_write_body", call_contact_write_body, 1},
   {"contact_get_temperatures_at", call_contact_get_temperatures_at, 1},
   {"contact_get_fatigue_index", call_contact_get_fatigue_index, 1},

@@ -48,7 +48,7 @@ std::vector<double> displacements_of(const Body& body, const NodalDisplacements&
   if (on_surface_alone(body) && !std::equal(u.begin(), u.end(), given.u))
     fail(Status::err_unsupported,
          "no stresses follow from displacements of boundary elements alone: u must be NULL, or the body's own "
-         "(rollcon_body_get_displacements); under a contact: rollcon_contact_get_body_fields_at and _write_body");
+         "(rollcon_body_get_displacements); under a contact: rollcon_contact_get_fields_at and _write_body");
   u.assign(given.u, given.u + 3 * nodes);
   return u;
 }

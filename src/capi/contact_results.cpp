@@ -131,14 +131,16 @@ rollcon_status rollcon_contact_get_displacements_at(const rollcon_contact* conta
   });
 }
 
-rollcon_status rollcon_contact_get_stresses_at(const rollcon_contact* contact, int32_t which, int64_t n,
-                                               const double* xyz, double* stress, double* u) {
+rollcon_status rollcon_contact_get_fields_at(const rollcon_contact* contact, int32_t which, int64_t n,
+                                             const double* xyz, int32_t in_axes, double* u, double* stress) {
   return with_contact(__func__, contact, [&](const Contact& c) {
     require_body_number(which);
     require_points(n, 6);
     if (n > 0) require_pointer(xyz, "xyz");
-    require_finite_points(n, xyz, 3, "12n");
-    c.stresses_at(which, n, xyz, stress, u);
+    if (in_axes != ROLLCON_IN_CONTACT && in_axes != ROLLCON_IN_BODY)
+      fail(Status::err_argument, "in_axes is %d; allowed: 0 (in contact), 1 (in body)", in_axes);
+    require_finite_points(n, xyz, 3, in_axes == ROLLCON_IN_BODY ? "xyz" : "12n");
+    c.fields_at(which, in_axes == ROLLCON_IN_BODY, n, xyz, u, stress);
     require_finite_fields(n, u, stress);
   });
 }
@@ -149,18 +151,6 @@ rollcon_status rollcon_contact_get_body_displacements(const rollcon_contact* con
     require_body_number(which);
     if (wants_copy(c.body_displacements(which, nullptr), capacity, u, "u", n_values, "doubles"))
       c.body_displacements(which, u);
-  });
-}
-
-rollcon_status rollcon_contact_get_body_fields_at(const rollcon_contact* contact, int32_t which, int64_t n,
-                                                  const double* xyz, double* displacement, double* stress) {
-  return with_contact(__func__, contact, [&](const Contact& c) {
-    require_body_number(which);
-    require_points(n, 6);
-    if (n > 0) require_pointer(xyz, "xyz");
-    require_finite_points(n, xyz, 3, "xyz");
-    c.body_fields_at(which, n, xyz, displacement, stress);
-    require_finite_fields(n, displacement, stress);
   });
 }
 

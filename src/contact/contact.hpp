@@ -92,16 +92,15 @@ class Contact {
   /// Returns displacements of body 1 or 2 at any points of the contact surface, given as (t1, t2) pairs; on a curved
   /// frame they are in the local directions there.
   void displacements_at(std::int32_t body, std::int64_t n, const double* xy, double* u) const;
-  /// Returns six stresses and three displacements at each point (t1, t2, n) inside body 1 or 2, a half-space; either
-  /// may be null. See rollcon_contact_get_stresses_at.
-  void stresses_at(std::int32_t body, std::int64_t n, const double* xyz, double* stress, double* u) const;
+  /// Returns three displacements and six stresses at each point inside body 1 or 2; either may be null. Points and
+  /// results are in the body's axes, or in (t1, t2, n). err_argument: a point is outside; err_unsupported: a rigid
+  /// body.
+  void fields_at(std::int32_t body, bool in_body, std::int64_t n, const double* xyz, double* u, double* stress) const;
   // Fields of body 1 or 2 follow, in its axes, under the contact's tractions and its own loads. err_unsupported: it is
   // not of finite or boundary elements.
 
   /// Copies the displacements of all nodes and returns how many numbers they are; null: copies nothing.
   std::int64_t body_displacements(std::int32_t body, double* u) const;
-  /// Returns three displacements and six stresses at each point; either may be null. err_argument: a point is outside.
-  void body_fields_at(std::int32_t body, std::int64_t n, const double* xyz, double* u, double* stress) const;
   /// Writes the body's elements and fields as a VTU file. err_io.
   void write_body(std::int32_t body, const char* path) const;
   /// Adds worn volumes as add_wear() (contact/results/wear.hpp) does.

@@ -1,6 +1,7 @@
 /// Finds displacements, strains and stresses in and on the bodies under the last solution.
 
 #include <algorithm>
+#include <iterator>
 
 #include "bodies/body_results.hpp"
 #include "contact/contact.hpp"
@@ -23,9 +24,28 @@ std::vector<double> tractions_by_node(const Solution& s) {
 void require_elements(const Body& body, std::int32_t number) {
   if (body.traits().make_response) return;
   fail(Status::err_unsupported,
-       "body %d is a %s body: displacements of all nodes and fields inside are those of finite and boundary elements "
-       "(of half-spaces: rollcon_contact_get_stresses_at)",
+       "body %d is a %s body: displacements of all nodes are those of finite and boundary elements (inside "
+       "half-spaces: rollcon_contact_get_fields_at)",
        number, body.traits().name);
+}
+
+Pose pose_of(const Axes& a) {
+  return {{{{a.t1[0], a.t2[0], a.n[0]}, {a.t1[1], a.t2[1], a.n[1]}, {a.t1[2], a.t2[2], a.n[2]}}}, a.origin};
+}
+
+void turn_vector_back(const Pose& pose, double* u) {
+  const Vec3 turned = pose.turn_back({u[0], u[1], u[2]});
+  std::copy(turned.begin(), turned.end(), u);
+}
+
+// Turns stresses 11, 22, 33, 12, 13, 23: columns first, then rows.
+void turn_stress_back(const Pose& pose, double* s) {
+  const Vec3 column[3] = {pose.turn_back({s[0], s[3], s[4]}), pose.turn_back({s[3], s[1], s[5]}),
+                          pose.turn_back({s[4], s[5], s[2]})};
+  Vec3 row[3];
+  for (std::size_t i = 0; i < 3; ++i) row[i] = pose.turn_back({column[0][i], column[1][i], column[2][i]});
+  const double turned[] = {row[0][0], row[1][1], row[2][2], row[0][1], row[0][2], row[1][2]};
+  std::copy(std::begin(turned), std::end(turned), s);
 }
 
 }  // namespace
@@ -73,18 +93,33 @@ std::int64_t Contact::body_displacements(std::int32_t body, double* u) const {
   return std::ssize(moved);
 }
 
-void Contact::body_fields_at(std::int32_t body, std::int64_t n, const double* xyz, double* u, double* stress) const {
-  rollcon::body_fields_at(this->body(body), surface_state(body), n, xyz, u, stress);
-}
-
 void Contact::write_body(std::int32_t body, const char* path) const {
   rollcon::write_body(this->body(body), surface_state(body), path);
 }
 
-void Contact::stresses_at(std::int32_t body, std::int64_t n, const double* xyz, double* stress, double* u) const {
+void Contact::fields_at(std::int32_t body, bool in_body, std::int64_t n, const double* xyz, double* u,
+                        double* stress) const {
   solver->require_solution();
-  find_stresses(solver->solution(), body, {n, xyz}, scene.options.stress_accuracy, solver->host.context->threads(),
-                stress, u);
+  const Solution& s = solver->solution();
+  const bool of_elements = this->body(body).traits().make_response != nullptr;
+  const Pose &own = scene.pose(static_cast<std::size_t>(body - 1)), contact = pose_of(s.prepared->frame.axes);
+  // Fields of elements are found in the body's axes, those of half-spaces in the contact's.
+  const bool turned = in_body != of_elements;
+  const Pose given = of_elements ? relative(own, contact) : relative(contact, own);
+  std::vector<double> moved;
+  for (std::int64_t i = 0; turned && i < n; ++i) {
+    const Vec3 x = given.place({xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]});
+    moved.insert(moved.end(), x.begin(), x.end());
+  }
+  if (turned) xyz = moved.data();
+  if (of_elements)
+    rollcon::body_fields_at(this->body(body), surface_state(body), n, xyz, u, stress);
+  else
+    find_stresses(s, body, {n, xyz}, scene.options.stress_accuracy, solver->host.context->threads(), stress, u);
+  for (std::int64_t i = 0; turned && i < n; ++i) {
+    if (u) turn_vector_back(given, u + 3 * i);
+    if (stress) turn_stress_back(given, stress + 6 * i);
+  }
 }
 
 }  // namespace rollcon

@@ -67,8 +67,8 @@ TEST_F(body_fields_long, under_a_contact_are_those_of_a_half_space) {
   std::vector<double> edge, moved;
   for (const std::int32_t k : mesh.rim) edge.insert(edge.end(), mesh.x.begin() + 3 * k, mesh.x.begin() + 3 * k + 3);
   moved.resize(edge.size());
-  ASSERT_OK(rollcon_contact_get_stresses_at(on_halfspace, 1, static_cast<std::int64_t>(mesh.rim.size()), edge.data(),
-                                            nullptr, moved.data()));
+  ASSERT_OK(rollcon_contact_get_fields_at(on_halfspace, 1, static_cast<std::int64_t>(mesh.rim.size()), edge.data(),
+                                          ROLLCON_IN_CONTACT, moved.data(), nullptr));
   give_block(mesh, moved);
   contact = press_ball(context, block, ball, frame);
   const std::vector<double> u = displacements(contact);
@@ -79,7 +79,8 @@ TEST_F(body_fields_long, under_a_contact_are_those_of_a_half_space) {
       for (const double across : {0.0, 0.45}) x.insert(x.end(), {along, across, -depth});
   const auto n = static_cast<std::int64_t>(x.size() / 3);
   std::vector<double> s(2 * x.size()), v(x.size()), exact_s(2 * x.size()), exact_v(x.size());
-  ASSERT_OK(rollcon_contact_get_stresses_at(on_halfspace, 1, n, x.data(), exact_s.data(), exact_v.data()));
+  ASSERT_OK(
+      rollcon_contact_get_fields_at(on_halfspace, 1, n, x.data(), ROLLCON_IN_CONTACT, exact_v.data(), exact_s.data()));
   ASSERT_OK(rollcon_body_get_fields_at(block, mesh.nodes(), u.data(), n, x.data(), v.data(), s.data()));
   double pressure = 0, of_stress = 0, of_displacement = 0, largest = 0;
   EXPECT_OK(rollcon_contact_get_stat(on_halfspace, "max_pressure", &pressure));

@@ -32,8 +32,8 @@ class boundary_fields : public ::testing::Test {
     for (const std::int32_t k : mesh.rim) edge.insert(edge.end(), mesh.x.begin() + 3 * k, mesh.x.begin() + 3 * k + 3);
     moved.resize(edge.size());
     on_halfspace = press_ball(context, halfspace, ball, frame);
-    ASSERT_OK(rollcon_contact_get_stresses_at(on_halfspace, 1, static_cast<std::int64_t>(mesh.rim.size()), edge.data(),
-                                              nullptr, moved.data()));
+    ASSERT_OK(rollcon_contact_get_fields_at(on_halfspace, 1, static_cast<std::int64_t>(mesh.rim.size()), edge.data(),
+                                            ROLLCON_IN_CONTACT, moved.data(), nullptr));
     ASSERT_OK(rollcon_body_set_nodes(block, mesh.nodes(), mesh.x.data(), 3, 1));
     ASSERT_OK(rollcon_body_add_elements(block, ROLLCON_QUAD8, static_cast<std::int64_t>(mesh.connectivity.size() / 8),
                                         mesh.connectivity.data(), 0, 5));
@@ -55,8 +55,9 @@ class boundary_fields : public ::testing::Test {
         for (const double across : {0.0, 0.45}) x.insert(x.end(), {along, across, -depth});
     const auto n = static_cast<std::int64_t>(x.size() / 3);
     std::vector<double> s(2 * x.size()), v(x.size()), exact_s(2 * x.size()), exact_v(x.size());
-    EXPECT_OK(rollcon_contact_get_stresses_at(on_halfspace, 1, n, x.data(), exact_s.data(), exact_v.data()));
-    EXPECT_OK(rollcon_contact_get_body_fields_at(contact, 1, n, x.data(), v.data(), s.data()));
+    EXPECT_OK(rollcon_contact_get_fields_at(on_halfspace, 1, n, x.data(), ROLLCON_IN_CONTACT, exact_v.data(),
+                                            exact_s.data()));
+    EXPECT_OK(rollcon_contact_get_fields_at(contact, 1, n, x.data(), ROLLCON_IN_BODY, v.data(), s.data()));
     double pressure = 0, largest = 0;
     Error error;
     EXPECT_OK(rollcon_contact_get_stat(on_halfspace, "max_pressure", &pressure));
@@ -102,7 +103,7 @@ TEST_F(boundary_fields, under_a_contact_are_near_those_of_a_half_space) {
   // Stresses on its surface contain the tractions of the contact; they are written to a file.
   const double place[] = {0.1, 0.05, 0};
   double s[6], t[3];
-  ASSERT_OK(rollcon_contact_get_body_fields_at(contact, 1, 1, place, nullptr, s));
+  ASSERT_OK(rollcon_contact_get_fields_at(contact, 1, 1, place, ROLLCON_IN_BODY, nullptr, s));
   ASSERT_OK(rollcon_contact_write_body(contact, 1, "boundary_fields.vtu"));
   std::ifstream file("boundary_fields.vtu");
   const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
@@ -125,11 +126,10 @@ TEST_F(boundary_fields, under_a_contact_are_near_those_of_a_half_space) {
 
   // The body refuses these, and stays usable.
   const double outside[] = {0, 0, -1, 0, 0, 0.5};
-  EXPECT_FAILS(rollcon_contact_get_body_fields_at(contact, 1, 2, outside, nullptr, s), ARGUMENT, "point 1");
-  EXPECT_FAILS(rollcon_contact_get_body_fields_at(contact, 2, 1, place, nullptr, s), UNSUPPORTED, "rigid");
-  EXPECT_FAILS(rollcon_contact_get_body_fields_at(on_halfspace, 1, 1, place, nullptr, s), UNSUPPORTED, "half-space");
+  EXPECT_FAILS(rollcon_contact_get_fields_at(contact, 1, 2, outside, ROLLCON_IN_BODY, nullptr, s), ARGUMENT, "point 1");
+  EXPECT_FAILS(rollcon_contact_get_fields_at(contact, 2, 1, place, ROLLCON_IN_BODY, nullptr, s), UNSUPPORTED, "rigid");
   EXPECT_FAILS(rollcon_contact_write_body(contact, 1, "/nowhere/at/all.vtu"), IO, "/nowhere");
-  ASSERT_OK(rollcon_contact_get_body_fields_at(contact, 1, 1, place, nullptr, s));
+  ASSERT_OK(rollcon_contact_get_fields_at(contact, 1, 1, place, ROLLCON_IN_BODY, nullptr, s));
 }
 
 }  // namespace

@@ -147,8 +147,8 @@ TEST_F(capacity, outputs_that_are_not_wanted_may_be_null) {
   EXPECT_OK(rollcon_contact_get_sensitivity(contact, ROLLCON_NORMAL, nullptr, nullptr, nullptr, nullptr));
   EXPECT_OK(rollcon_contact_get_displacements_at(contact, 1, 0, nullptr, nullptr));
   const double inside[3] = {0, 0, -1}, stress[6] = {1, 2, 3, 4, 5, 6};
-  EXPECT_OK(rollcon_contact_get_stresses_at(contact, 1, 0, nullptr, nullptr, nullptr));
-  EXPECT_OK(rollcon_contact_get_stresses_at(contact, 1, 1, inside, nullptr, nullptr));
+  EXPECT_OK(rollcon_contact_get_fields_at(contact, 1, 0, nullptr, ROLLCON_IN_CONTACT, nullptr, nullptr));
+  EXPECT_OK(rollcon_contact_get_fields_at(contact, 1, 1, inside, ROLLCON_IN_CONTACT, nullptr, nullptr));
   EXPECT_OK(rollcon_stress_invariants(0, nullptr, nullptr, nullptr, nullptr));
   EXPECT_OK(rollcon_stress_invariants(1, stress, nullptr, nullptr, nullptr));
 }

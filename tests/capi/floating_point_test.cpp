@@ -132,7 +132,7 @@ TEST_F(floating_point, hosts_that_trap_survive_every_call) {
   EXPECT_SURVIVES(rollcon_contact_get_displacements_at(contact, 1, 3, points, v.data()));
   EXPECT_SURVIVES(rollcon_contact_get_displacements_at(contact, 1, 1, bad, v.data()));
   const double inside[6] = {0, 0, 0, 0.3, 0.1, -0.2};
-  EXPECT_SURVIVES(rollcon_contact_get_stresses_at(contact, 1, 2, inside, v.data(), v.data() + 12));
+  EXPECT_SURVIVES(rollcon_contact_get_fields_at(contact, 1, 2, inside, ROLLCON_IN_CONTACT, v.data() + 12, v.data()));
   EXPECT_SURVIVES(rollcon_contact_get_fatigue_index(contact, 1, v.data()));
   EXPECT_SURVIVES(rollcon_stress_invariants(1, v.data(), v.data() + 6, v.data() + 9, v.data() + 10));
   for (std::int32_t i = 0; i < rollcon_stat_count(ROLLCON_OF_CONTACT); ++i) {

@@ -221,17 +221,23 @@ TEST_F(inputs, arguments_of_results) {
   EXPECT_FAILS(rollcon_contact_get_displacements_at(contact, 1, 2, points, v.data()), NONFINITE,
                "coordinate y of point 1");
   const double inside[6] = {0, 0, -1, 0, 0, not_a_number}, outside[6] = {0, 0, -1, 0, 0, 0.5};
-  EXPECT_FAILS(rollcon_contact_get_stresses_at(contact, 0, 1, inside, v.data(), nullptr), ARGUMENT, "which is 0");
-  EXPECT_FAILS(rollcon_contact_get_stresses_at(contact, 1, -1, inside, v.data(), nullptr), ARGUMENT, "n is -1");
-  EXPECT_FAILS(rollcon_contact_get_stresses_at(contact, 1, INT64_MAX, inside, v.data(), nullptr), ARGUMENT,
-               "address space");
-  EXPECT_FAILS(rollcon_contact_get_stresses_at(contact, 1, 1, nullptr, v.data(), nullptr), ARGUMENT, "xyz is NULL");
-  EXPECT_FAILS(rollcon_contact_get_stresses_at(contact, 1, 2, inside, v.data(), nullptr), NONFINITE,
+  EXPECT_FAILS(rollcon_contact_get_fields_at(contact, 0, 1, inside, ROLLCON_IN_CONTACT, nullptr, v.data()), ARGUMENT,
+               "which is 0");
+  EXPECT_FAILS(rollcon_contact_get_fields_at(contact, 1, -1, inside, ROLLCON_IN_CONTACT, nullptr, v.data()), ARGUMENT,
+               "n is -1");
+  EXPECT_FAILS(rollcon_contact_get_fields_at(contact, 1, INT64_MAX, inside, ROLLCON_IN_CONTACT, nullptr, v.data()),
+               ARGUMENT, "address space");
+  EXPECT_FAILS(rollcon_contact_get_fields_at(contact, 1, 1, nullptr, ROLLCON_IN_CONTACT, nullptr, v.data()), ARGUMENT,
+               "xyz is NULL");
+  EXPECT_FAILS(rollcon_contact_get_fields_at(contact, 1, 2, inside, ROLLCON_IN_CONTACT, nullptr, v.data()), NONFINITE,
                "coordinate n of point 1");
-  EXPECT_FAILS(rollcon_contact_get_stresses_at(contact, 1, 2, outside, v.data(), nullptr), ARGUMENT,
+  EXPECT_FAILS(rollcon_contact_get_fields_at(contact, 1, 2, outside, ROLLCON_IN_CONTACT, nullptr, v.data()), ARGUMENT,
                "coordinate n of point 1", "0.5", "0 or less");
-  EXPECT_FAILS(rollcon_contact_get_stresses_at(contact, 2, 1, inside, v.data(), nullptr), UNSUPPORTED,
+  EXPECT_FAILS(rollcon_contact_get_fields_at(contact, 2, 1, inside, ROLLCON_IN_CONTACT, nullptr, v.data()), UNSUPPORTED,
                "body 2 is a rigid body");
+  EXPECT_FAILS(rollcon_contact_get_fields_at(contact, 1, 1, inside, 2, nullptr, v.data()), ARGUMENT, "in_axes is 2");
+  EXPECT_FAILS(rollcon_contact_get_fields_at(contact, 1, 2, inside, ROLLCON_IN_BODY, nullptr, v.data()), NONFINITE,
+               "coordinate z of point 1");
   const double stress[12] = {1, 2, 3, 4, 5, 6, 1, 2, 3, 4, not_a_number, 6};
   EXPECT_FAILS(rollcon_stress_invariants(-1, stress, v.data(), nullptr, nullptr), ARGUMENT, "n is -1");
   EXPECT_FAILS(rollcon_stress_invariants(1, nullptr, v.data(), nullptr, nullptr), ARGUMENT, "stress is NULL");

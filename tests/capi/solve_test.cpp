@@ -32,7 +32,7 @@ TEST_F(solve, results_before_a_solve_are_a_state_error) {
     EXPECT_FAILS(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, v, nullptr), STATE, "solve");
     EXPECT_FAILS(rollcon_contact_get_motion(contact, v, nullptr), STATE, "solve");
     EXPECT_FAILS(rollcon_contact_get_displacements_at(contact, 1, 1, point, v), STATE, "solve");
-    EXPECT_FAILS(rollcon_contact_get_stresses_at(contact, 1, 1, point, v, nullptr), STATE, "solve");
+    EXPECT_FAILS(rollcon_contact_get_fields_at(contact, 1, 1, point, ROLLCON_IN_CONTACT, nullptr, v), STATE, "solve");
     EXPECT_FAILS(rollcon_contact_get_plan(contact, 0, nullptr, &n), STATE, "solve");
     EXPECT_FAILS(rollcon_contact_write(contact, "never_written.vtu"), STATE, "solve");
     if (round == 0) set_scene();

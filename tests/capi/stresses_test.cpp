@@ -42,8 +42,8 @@ class stresses : public ::testing::Test {
   }
   std::vector<double> stress_at(std::int32_t which, const std::vector<double>& xyz) {
     std::vector<double> s(2 * xyz.size());
-    EXPECT_OK(rollcon_contact_get_stresses_at(contact, which, static_cast<std::int64_t>(xyz.size() / 3), xyz.data(),
-                                              s.data(), nullptr));
+    EXPECT_OK(rollcon_contact_get_fields_at(contact, which, static_cast<std::int64_t>(xyz.size() / 3), xyz.data(),
+                                            ROLLCON_IN_CONTACT, nullptr, s.data()));
     return s;
   }
 
@@ -76,7 +76,8 @@ TEST_F(stresses, surface_displacements_are_those_of_the_surface) {
   double worst = 0, largest = 0;
   for (const std::int32_t which : {1, 2}) {
     ASSERT_OK(rollcon_contact_get_displacements_at(contact, which, frame.nodes, xy.data(), v.data()));
-    ASSERT_OK(rollcon_contact_get_stresses_at(contact, which, frame.nodes, frame.x.data(), nullptr, u.data()));
+    ASSERT_OK(rollcon_contact_get_fields_at(contact, which, frame.nodes, frame.x.data(), ROLLCON_IN_CONTACT, u.data(),
+                                            nullptr));
     for (std::size_t k = 0; k < v.size(); ++k) {
       worst = std::max(worst, std::abs(u[k] - v[k]));
       largest = std::max(largest, std::abs(v[k]));
@@ -84,6 +85,21 @@ TEST_F(stresses, surface_displacements_are_those_of_the_surface) {
   }
   std::printf("displacements of both bodies at the nodes: error %.1e (bound 9e-9)\n", worst / largest);
   EXPECT_LE(worst / largest, 9e-9);
+}
+
+TEST_F(stresses, in_axes_of_the_body_are_turned_by_its_pose) {
+  // The body's x, y and z are the contact's t2, n and t1; its origin lies at (3, 4, 5).
+  solve();
+  const double rotation[9] = {0, 0, 1, 1, 0, 0, 0, 1, 0}, origin[3] = {3, 4, 5};
+  ASSERT_OK(rollcon_contact_set_pose(contact, ROLLCON_BODY1, rotation, origin));
+  const double x[3] = {0.3, -0.2, -0.4}, moved[3] = {x[1] - 4, x[2] - 5, x[0] - 3};
+  double u[3], s[6], turned[3], stress[6];
+  ASSERT_OK(rollcon_contact_get_fields_at(contact, ROLLCON_BODY1, 1, x, ROLLCON_IN_CONTACT, u, s));
+  ASSERT_OK(rollcon_contact_get_fields_at(contact, ROLLCON_BODY1, 1, moved, ROLLCON_IN_BODY, turned, stress));
+  const double expected_u[3] = {u[1], u[2], u[0]};
+  const double expected_stress[6] = {s[1], s[2], s[0], s[5], s[3], s[4]};
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(turned[i], expected_u[i], 1e-9 * std::abs(u[2])) << i;
+  for (int i = 0; i < 6; ++i) EXPECT_NEAR(stress[i], expected_stress[i], 1e-8 * largest_pressure()) << i;
 }
 
 TEST_F(stresses, every_plane_below_carries_the_force) {

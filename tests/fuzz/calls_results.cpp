@@ -108,8 +108,8 @@ void stresses_at(World& w) {
   if (!w.in.one_in(8))
     for (std::size_t k = 2; k < xyz.size(); k += 3) xyz[k] = body == 1 ? -std::abs(xyz[k]) : std::abs(xyz[k]);
   Output<double> stress(n > 0 ? 6 * n : 0), u(n > 0 ? 3 * n : 0);
-  const bool good = FUZZ_CALL(w, rollcon_contact_get_stresses_at, c, body, n, maybe_null(w.in, xyz), stress.data(),
-                              w.in.one_in(4) ? nullptr : u.data()) == ROLLCON_OK;
+  const bool good = FUZZ_CALL(w, rollcon_contact_get_fields_at, c, body, n, maybe_null(w.in, xyz), ROLLCON_IN_CONTACT,
+                              w.in.one_in(4) ? nullptr : u.data(), stress.data()) == ROLLCON_OK;
   require(good ? all_finite(stress.values()) : stress.untouched() && u.untouched(),
           good ? "a stress is not finite" : "a failed call wrote into its output");
 }
@@ -131,8 +131,8 @@ void body_fields_under_contact(World& w) {
   const std::int64_t n = array_size(w.in, 4);
   const std::vector<double> x = w.in.reals(static_cast<std::size_t>(n > 0 ? 3 * n : 0));
   Output<double> u(n > 0 ? 3 * n : 0), stress(n > 0 ? 6 * n : 0);
-  const bool good = FUZZ_CALL(w, rollcon_contact_get_body_fields_at, c, body, n, w.in.one_in(8) ? nullptr : x.data(),
-                              u.data(), stress.data()) == ROLLCON_OK;
+  const bool good = FUZZ_CALL(w, rollcon_contact_get_fields_at, c, body, n, w.in.one_in(8) ? nullptr : x.data(),
+                              ROLLCON_IN_BODY, u.data(), stress.data()) == ROLLCON_OK;
   require(good ? all_finite(u.values()) && all_finite(stress.values()) : u.untouched() && stress.untouched(),
           "fields of a body under a contact");
 }

@@ -213,10 +213,12 @@ class Mapping(MappingCase):
         check(contact.displacements_at(2, X[:, :2]), (2, 3), 400.5, "contact_get_displacements_at",
               "contact1 2 2 [1.5 2.5 4.5 5.5] room")
         self.refuses("shape", contact.displacements_at, 2, X)
-        stress, u = contact.stresses_at(2, X)
-        check(u, (2, 3), 500.5, "contact_get_stresses_at", f"contact1 2 2 {WRITTEN} room room")
-        np.testing.assert_equal(stress, 400.5 + np.arange(12).reshape(2, 6))
-        self.refuses("shape", contact.stresses_at, 2, X[:, :2])
+        u, stress = contact.fields_at("body2", X, "body")
+        check(u, (2, 3), 500.5, "contact_get_fields_at", f"contact1 2 2 {WRITTEN} 1 room room")
+        np.testing.assert_equal(stress, 600.5 + np.arange(12).reshape(2, 6))
+        contact.fields_at(2, X)
+        self.told("contact_get_fields_at", f"contact1 2 2 {WRITTEN} 0 room room")
+        self.refuses("shape", contact.fields_at, 2, X[:, :2])
         check(contact.body_displacements(2), (2, 3), 300.5, "contact_get_body_displacements", "contact1 2 6 room room")
         check(self.body.node_stresses(X), (2, 6), 300.5, "body_get_node_stresses", f"body1 2 {WRITTEN} room")
         check(self.body.node_stresses(), (3, 6), 300.5, "body_get_node_stresses", "body1 3 null room")
@@ -228,9 +230,6 @@ class Mapping(MappingCase):
         np.testing.assert_equal(stress, 600.5 + np.arange(12).reshape(2, 6))
         self.body.write("a file", X)
         self.told("body_write", f"body1 <a file> 2 {WRITTEN}")
-        u, stress = contact.body_fields_at(2, X)
-        check(u, (2, 3), 400.5, "contact_get_body_fields_at", f"contact1 2 2 {WRITTEN} room room")
-        np.testing.assert_equal(stress, 500.5 + np.arange(12).reshape(2, 6))
         contact.write_body(2, "a file")
         self.told("contact_write_body", "contact1 2 <a file>")
         self.refuses("shape", self.body.node_stresses, X[:, :2])
@@ -250,7 +249,7 @@ class Mapping(MappingCase):
                                     (contact.tractions, ()), (contact.field, (1,)),
                                     (contact.node_states, ()), (contact.history, ()), (contact.error_function, ()),
                                     (contact.displacements_at, (1, X[:, :2])), (contact.solve, ()),
-                                    (contact.temperatures_at, (X[:, :2],)), (contact.stresses_at, (1, X)),
+                                    (contact.temperatures_at, (X[:, :2],)), (contact.fields_at, (1, X)),
                                     (rc.stress_invariants, (np.hstack([X, X]),)),
                                     (self.body.set, ("a name", 1)), (self.body.get, ("a name",))):
             self.fails(function, *arguments)

@@ -229,7 +229,7 @@ TEST_F(conformal, tables_are_left_aside_and_stresses_inside_refused) {
   EXPECT_EQ(w->patch_stat(0, "by_table"), 0);
   const double point[3] = {0, 0, -1};
   double stress[6];
-  refused([&] { w->contact(0)->stresses_at(1, 1, point, stress, nullptr); }, Status::err_unsupported,
+  refused([&] { w->contact(0)->fields_at(1, false, 1, point, nullptr, stress); }, Status::err_unsupported,
           {"conformal", "plane"});
   refused([&] { w->set_conformal(2); }, Status::err_argument, {"on is 2", "0, 1"});
 }

@@ -4,7 +4,7 @@ function varargout = contact_write_body(varargin)
 % Writes the elements of a body of finite or boundary elements with displacements, smoothed stresses
 % (xx, yy, zz, xy, yz, xz, in ParaView's order) and von Mises's stress at the nodes, under the
 % tractions of the last solve and the body's own loads, as a VTU file for ParaView and meshio. The
-% call is otherwise like rollcon.contact_get_body_fields_at.
+% call is otherwise like rollcon.contact_get_fields_at.
 %
 %   contact (contact)
 %   which (int32, name or number: body of a contact): BODY1 or BODY2

@@ -2,7 +2,7 @@ function varargout = stress_invariants(varargin)
 % STRESS_INVARIANTS  [principal, von_mises, shear] = rollcon.stress_invariants(stress)
 %
 % Returns principal stresses, von Mises's stress and the largest shear stress of n stresses, which may
-% come from rollcon.contact_get_stresses_at or elsewhere. Principal stresses are exact to rounding,
+% come from rollcon.contact_get_fields_at or elsewhere. Principal stresses are exact to rounding,
 % relative to the largest of the three.
 %
 %   stress(n,6) (real): s11, s22, s33, s12, s13, s23, tension positive

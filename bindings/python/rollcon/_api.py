@@ -113,6 +113,10 @@ RAIL = 2
 BODY_BELOW = 1
 BODY_ABOVE = -1
 
+# axes of points
+IN_CONTACT = 0
+IN_BODY = 1
+
 # axes of the track
 IN_TRACK = 0
 IN_WHEELSET = 1
@@ -353,15 +357,12 @@ FUNCTIONS = {
     "rollcon_contact_get_displacements_at": (c_int32, [
         c_void_p, c_int32, c_int64,
         POINTER(c_double), POINTER(c_double)]),
-    "rollcon_contact_get_stresses_at": (c_int32, [
-        c_void_p, c_int32, c_int64,
-        POINTER(c_double), POINTER(c_double), POINTER(c_double)]),
+    "rollcon_contact_get_fields_at": (c_int32, [
+        c_void_p, c_int32, c_int64, POINTER(c_double),
+        c_int32, POINTER(c_double), POINTER(c_double)]),
     "rollcon_contact_get_body_displacements": (c_int32, [
         c_void_p, c_int32, c_int64,
         POINTER(c_double), POINTER(c_int64)]),
-    "rollcon_contact_get_body_fields_at": (c_int32, [
-        c_void_p, c_int32, c_int64,
-        POINTER(c_double), POINTER(c_double), POINTER(c_double)]),
     "rollcon_contact_write_body": (c_int32, [c_void_p, c_int32, c_char_p]),
     "rollcon_contact_get_temperatures_at": (c_int32, [
         c_void_p, c_int64,
@@ -525,6 +526,7 @@ ENUMERATORS = {
     "moving contact": {"itself": 0, "contact_itself": 0},
     "profile of a wheel on its rail": {"wheel": 1, "rail": 2},
     "inside of a profile": {"below": 1, "above": -1, "body_below": 1, "body_above": -1},
+    "axes of points": {"contact": 0, "body": 1, "in_contact": 0, "in_body": 1},
     "axes of the track": {"track": 0, "wheelset": 1, "in_track": 0, "in_wheelset": 1},
     "node status": {"open": 0, "stick": 1, "slip": 2, "excluded": 3},
     "step": {"steady": 0, "rolling_step": 1, "shift_step": 2},
@@ -738,17 +740,13 @@ ARGUMENTS = {
     "rollcon_contact_get_displacements_at": [
         ("contact", ""), ("which", "body of a contact"), ("n", ""), ("xy", ""), ("u", "")
     ],
-    "rollcon_contact_get_stresses_at": [
-        ("contact", ""), ("which", "body of a contact"), ("n", ""), ("xyz", ""), ("stress", ""),
-        ("u", "")
+    "rollcon_contact_get_fields_at": [
+        ("contact", ""), ("which", "body of a contact"), ("n", ""), ("xyz", ""), ("in_axes", "axes
+        of points"), ("u", ""), ("stress", "")
     ],
     "rollcon_contact_get_body_displacements": [
         ("contact", ""), ("which", "body of a contact"), ("capacity", ""), ("u", ""), ("n_values",
         "")
-    ],
-    "rollcon_contact_get_body_fields_at": [
-        ("contact", ""), ("which", "body of a contact"), ("n", ""), ("xyz", ""), ("displacement",
-        ""), ("stress", "")
     ],
     "rollcon_contact_write_body": [("contact", ""), ("which", "body of a contact"), ("path", "")],
     "rollcon_contact_get_temperatures_at": [

@@ -237,14 +237,16 @@ class Contact(Settings, ContactPlain, Handle):
         self._call("get_displacements_at", which, len(xy), points, address)
         return u
 
-    def stresses_at(self, which: int | str, xyz: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-        """Returns stresses [n, 6] (s11, s22, snn, s12, s1n, s2n) and displacements [n, 3] at points xyz[n, 3] inside
-        body 1 (n <= 0) or body 2 (n >= 0), a half-space, in the contact's axes."""
+    def fields_at(self, which: int | str, xyz: ArrayLike,
+                  in_axes: int | str = _api.IN_CONTACT) -> tuple[np.ndarray, np.ndarray]:
+        """Returns displacements [n, 3] and stresses [n, 6] (s11, s22, s33, s12, s13, s23) at points xyz[n, 3] inside
+        body 1 or 2; points and results are in the axes of the contact (body 1 at n <= 0, body 2 at n >= 0) or of the
+        body (IN_BODY)."""
         xyz, points = reals(xyz, 3)
-        stress, first = room(len(xyz), 6)
-        u, second = room(len(xyz), 3)
-        self._call("get_stresses_at", which, len(xyz), points, first, second)
-        return stress, u
+        u, first = room(len(xyz), 3)
+        stress, second = room(len(xyz), 6)
+        self._call("get_fields_at", which, len(xyz), points, in_axes, first, second)
+        return u, stress
 
     def wear(self, law: str, parameters: ArrayLike, y: ArrayLike) -> tuple[np.ndarray, float]:
         """Returns the depth [points] that a pass of the contact wears off at places y along t2, and the volume per
@@ -263,15 +265,6 @@ class Contact(Settings, ContactPlain, Handle):
         u, address = room(need.value // 3, 3)
         self._call("get_body_displacements", which, u.size, address, byref(need))
         return u
-
-    def body_fields_at(self, which: int | str, xyz: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-        """Returns displacements [n, 3] and stresses [n, 6] (s11, s22, s33, s12, s13, s23) at points xyz[n, 3] inside
-        body 1 or 2, of finite or boundary elements, in its axes."""
-        xyz, points = reals(xyz, 3)
-        displacement, first = room(len(xyz), 3)
-        stress, second = room(len(xyz), 6)
-        self._call("get_body_fields_at", which, len(xyz), points, first, second)
-        return displacement, stress
 
     def write_body(self, which: int | str, path: str | os.PathLike) -> None:
         """Writes elements of body 1 or 2 with displacements, smoothed stresses and von Mises's stress, as a VTU
