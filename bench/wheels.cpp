@@ -35,13 +35,13 @@ Wheel::Wheel(double accuracy, bool by_force, CreepForces by, std::int32_t side) 
   must(rollcon_wheelrail_create(context_, body_[0], body_[1], side, &wheel_));
   must(rollcon_wheelrail_set_track(wheel_, 1435, 14, std::atan(1.0 / 40)));
   must(rollcon_wheelrail_set_wheelset(wheel_, 1360, -70, radius));
-  must(rollcon_wheelrail_set_friction(wheel_, mu));
-  must(rollcon_wheelrail_set_accuracy(wheel_, accuracy));
+  must(rollcon_wheelrail_set_friction(wheel_, "coulomb", 1, &mu));
+  must(rollcon_wheelrail_set_real(wheel_, "accuracy", accuracy));
   must(rollcon_wheelrail_prescribe_vertical(wheel_, by_force ? ROLLCON_BY_FORCE : ROLLCON_BY_MOTION, load));
   if (by == CreepForces::solved) return;
   must(rollcon_table_standard(context_, &table_));
   must(rollcon_wheelrail_set_table(wheel_, table_));
-  if (by == CreepForces::table_on_ellipses) must(rollcon_wheelrail_set_hertzian(wheel_, 1));
+  if (by == CreepForces::table_on_ellipses) must(rollcon_wheelrail_set_int(wheel_, "hertzian", 1));
 }
 
 Wheel::~Wheel() {

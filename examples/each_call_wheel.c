@@ -79,11 +79,12 @@ static rollcon_body* steel(rollcon_context* context, const char* profile) {
 
 static rollcon_wheelrail* wheel_on_rail(rollcon_context* context, rollcon_body* tread, rollcon_body* rail,
                                         int32_t side) {
+  const double mu = 0.3;
   rollcon_wheelrail* wheel;
   must(rollcon_wheelrail_create(context, tread, rail, side, &wheel));
   must(rollcon_wheelrail_set_track(wheel, 1435, 14, atan(1.0 / 40)));
   must(rollcon_wheelrail_set_wheelset(wheel, 1360, -70, 460));
-  must(rollcon_wheelrail_set_friction(wheel, 0.3));
+  must(rollcon_wheelrail_set_friction(wheel, "coulomb", 1, &mu));
   must(rollcon_wheelrail_prescribe_vertical(wheel, ROLLCON_BY_FORCE, 1e5));
   return wheel;
 }
@@ -105,8 +106,8 @@ static void wheels(rollcon_context* context) {
   rollcon_table* table;
   double ellipse[9], center[2], of_table[3], looked_up;
   rollcon_contact* contact;
-  must(rollcon_wheelrail_set_accuracy(right, 0.02));
-  must(rollcon_wheelrail_set_roll_outside(right, 1)); /* positions in CONTACT's order */
+  must(rollcon_wheelrail_set_real(right, "accuracy", 0.02));
+  must(rollcon_wheelrail_set_int(right, "roll_outside", 1)); /* positions in CONTACT's order */
   must(rollcon_wheelrail_set_position(right, position));
   must(rollcon_wheelrail_set_velocity(right, velocity));
   must(rollcon_wheelrail_solve(right));
@@ -147,18 +148,18 @@ static void wheels(rollcon_context* context) {
   must(rollcon_wheelrail_solve(right));
   must(rollcon_wheelrail_get_patch_stat(right, 0, "by_table", &looked_up));
   printf("by the table: %s\n", looked_up == 1 ? "yes" : "no");
-  must(rollcon_wheelrail_set_hertzian(right, 1));
+  must(rollcon_wheelrail_set_int(right, "hertzian", 1));
   must(rollcon_wheelrail_solve(right));
   must(rollcon_wheelrail_get_patch_stat(right, 0, "hertzian", &looked_up));
   printf("without solving for pressures: %s\n", looked_up == 1 ? "yes" : "no");
-  must(rollcon_wheelrail_set_hertzian(right, 0));
-  must(rollcon_wheelrail_forget_table(right));
-  must(rollcon_wheelrail_set_conformal(right, 1)); /* frames along the profiles */
+  must(rollcon_wheelrail_set_int(right, "hertzian", 0));
+  must(rollcon_wheelrail_set_table(right, NULL));
+  must(rollcon_wheelrail_set_int(right, "conformal", 1)); /* frames along the profiles */
   must(rollcon_wheelrail_solve(right));
   must(rollcon_wheelrail_get_resultant(right, ROLLCON_IN_TRACK, force, moment));
   printf("conformal: %.1f kN on the rail\n", -force[2] / 1000);
-  must(rollcon_wheelrail_set_conformal(right, 0));
-  must(rollcon_wheelrail_set_friction_by_angle(right, 2, by_angle)); /* a lubricated gauge face */
+  must(rollcon_wheelrail_set_int(right, "conformal", 0));
+  must(rollcon_wheelrail_set_friction(right, "by_angle", 4, by_angle)); /* a lubricated gauge face */
   must(rollcon_wheelrail_find_contact_points(left, right, 2, shift, points));
   must(rollcon_wheelrail_find_conicity(left, right, 2, amplitude, conicity, wavelength));
   printf("conicity %.3f at 2 mm, %.3f at 4 mm\n", conicity[0], conicity[1]);

@@ -159,7 +159,7 @@ int main(int argc, char** argv) {
     must(rollcon_wheelrail_create(context, tread, rail, side == right ? ROLLCON_RIGHT : ROLLCON_LEFT, &wheel[side]));
     must(rollcon_wheelrail_set_track(wheel[side], gauge, gauge_height, cant));
     must(rollcon_wheelrail_set_wheelset(wheel[side], back_to_back, flange_back, radius));
-    must(rollcon_wheelrail_set_friction(wheel[side], mu));
+    must(rollcon_wheelrail_set_friction(wheel[side], "coulomb", 1, &mu));
     must(rollcon_wheelrail_prescribe_vertical(wheel[side], ROLLCON_BY_FORCE, load));
   }
   printf(

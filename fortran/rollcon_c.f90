@@ -1531,15 +1531,6 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_set_position
 
-    function rollcon_wheelrail_set_roll_outside(wheelrail, on) &
-        result(rc) bind(C, name="rollcon_wheelrail_set_roll_outside")
-      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
-      implicit none
-      type(c_ptr), value :: wheelrail
-      integer(c_int32_t), value :: on
-      integer(c_int32_t) :: rc
-    end function rollcon_wheelrail_set_roll_outside
-
     function rollcon_wheelrail_set_velocity(wheelrail, velocity) &
         result(rc) bind(C, name="rollcon_wheelrail_set_velocity")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
@@ -1559,12 +1550,14 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_prescribe_vertical
 
-    function rollcon_wheelrail_set_friction(wheelrail, mu) &
+    function rollcon_wheelrail_set_friction(wheelrail, law, n, parameters) &
         result(rc) bind(C, name="rollcon_wheelrail_set_friction")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
       type(c_ptr), value :: wheelrail
-      real(c_double), value :: mu
+      character(kind=c_char), intent(in) :: law(*)
+      integer(c_int32_t), value :: n
+      real(c_double), intent(in) :: parameters(*)
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_set_friction
 
@@ -1576,51 +1569,6 @@ module rollcon_c
       type(c_ptr), value :: table
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_set_table
-
-    function rollcon_wheelrail_forget_table(wheelrail) &
-        result(rc) bind(C, name="rollcon_wheelrail_forget_table")
-      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
-      implicit none
-      type(c_ptr), value :: wheelrail
-      integer(c_int32_t) :: rc
-    end function rollcon_wheelrail_forget_table
-
-    function rollcon_wheelrail_set_hertzian(wheelrail, on) &
-        result(rc) bind(C, name="rollcon_wheelrail_set_hertzian")
-      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
-      implicit none
-      type(c_ptr), value :: wheelrail
-      integer(c_int32_t), value :: on
-      integer(c_int32_t) :: rc
-    end function rollcon_wheelrail_set_hertzian
-
-    function rollcon_wheelrail_set_conformal(wheelrail, on) &
-        result(rc) bind(C, name="rollcon_wheelrail_set_conformal")
-      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
-      implicit none
-      type(c_ptr), value :: wheelrail
-      integer(c_int32_t), value :: on
-      integer(c_int32_t) :: rc
-    end function rollcon_wheelrail_set_conformal
-
-    function rollcon_wheelrail_set_friction_by_angle(wheelrail, n, points) &
-        result(rc) bind(C, name="rollcon_wheelrail_set_friction_by_angle")
-      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
-      implicit none
-      type(c_ptr), value :: wheelrail
-      integer(c_int64_t), value :: n
-      real(c_double), intent(in) :: points(*)
-      integer(c_int32_t) :: rc
-    end function rollcon_wheelrail_set_friction_by_angle
-
-    function rollcon_wheelrail_set_accuracy(wheelrail, accuracy) &
-        result(rc) bind(C, name="rollcon_wheelrail_set_accuracy")
-      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
-      implicit none
-      type(c_ptr), value :: wheelrail
-      real(c_double), value :: accuracy
-      integer(c_int32_t) :: rc
-    end function rollcon_wheelrail_set_accuracy
 
     function rollcon_wheelrail_solve(wheelrail) result(rc) bind(C, name="rollcon_wheelrail_solve")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
@@ -1704,6 +1652,46 @@ module rollcon_c
       type(c_ptr), value :: wheelrail
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_reset
+
+    function rollcon_wheelrail_set_int(wheelrail, name, value) &
+        result(rc) bind(C, name="rollcon_wheelrail_set_int")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      character(kind=c_char), intent(in) :: name(*)
+      integer(c_int64_t), value :: value
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_set_int
+
+    function rollcon_wheelrail_set_real(wheelrail, name, value) &
+        result(rc) bind(C, name="rollcon_wheelrail_set_real")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      character(kind=c_char), intent(in) :: name(*)
+      real(c_double), value :: value
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_set_real
+
+    function rollcon_wheelrail_get_int(wheelrail, name, value) &
+        result(rc) bind(C, name="rollcon_wheelrail_get_int")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      character(kind=c_char), intent(in) :: name(*)
+      integer(c_int64_t), intent(inout) :: value
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_get_int
+
+    function rollcon_wheelrail_get_real(wheelrail, name, value) &
+        result(rc) bind(C, name="rollcon_wheelrail_get_real")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      character(kind=c_char), intent(in) :: name(*)
+      real(c_double), intent(inout) :: value
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_get_real
 
     function rollcon_wheelrail_get_patch_count(wheelrail, patches) &
         result(rc) bind(C, name="rollcon_wheelrail_get_patch_count")

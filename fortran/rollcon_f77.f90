@@ -1365,14 +1365,6 @@ subroutine rcwpos(iwr, position, ierr)
   ierr = rollcon_wheelrail_set_position(wheelrail_of(iwr), position)
 end subroutine
 
-!> Says in which order positions turn a wheelset.
-subroutine rcword(iwr, ion, ierr)
-  use rollcon_f77_support
-  implicit none
-  integer :: iwr, ion, ierr
-  ierr = rollcon_wheelrail_set_roll_outside(wheelrail_of(iwr), narrow(ion))
-end subroutine
-
 !> Sets the velocity of the wheelset.
 subroutine rcwvel(iwr, velocity, ierr)
   use rollcon_f77_support
@@ -1391,13 +1383,14 @@ subroutine rcwvrt(iwr, ihow, force, ierr)
   ierr = rollcon_wheelrail_prescribe_vertical(wheelrail_of(iwr), narrow(ihow), force)
 end subroutine
 
-!> Sets the coefficient of Coulomb's friction.
-subroutine rcwfri(iwr, xmu, ierr)
+!> Sets the law of friction.
+subroutine rcwfri(iwr, law, n, par, ierr)
   use rollcon_f77_support
   implicit none
-  integer :: iwr, ierr
-  double precision :: xmu
-  ierr = rollcon_wheelrail_set_friction(wheelrail_of(iwr), xmu)
+  integer :: iwr, n, ierr
+  character(len=*) :: law
+  double precision :: par(*)
+  ierr = rollcon_wheelrail_set_friction(wheelrail_of(iwr), c_name(law), narrow(n), par)
 end subroutine
 
 !> Looks forces along the surfaces and spin moments up in a creep-force table from now on, for the equivalent ell.
@@ -1406,48 +1399,6 @@ subroutine rcwtab(iwr, itab, ierr)
   implicit none
   integer :: iwr, itab, ierr
   ierr = rollcon_wheelrail_set_table(wheelrail_of(iwr), table_of(itab))
-end subroutine
-
-!> Solves all patches in full again, like a new handle.
-subroutine rcwnot(iwr, ierr)
-  use rollcon_f77_support
-  implicit none
-  integer :: iwr, ierr
-  ierr = rollcon_wheelrail_forget_table(wheelrail_of(iwr))
-end subroutine
-
-!> Takes Hertz's pressures on an ellipse that each patch's overlap gives, and solves for none, with a creep-force.
-subroutine rcwhtz(iwr, ion, ierr)
-  use rollcon_f77_support
-  implicit none
-  integer :: iwr, ion, ierr
-  ierr = rollcon_wheelrail_set_hertzian(wheelrail_of(iwr), narrow(ion))
-end subroutine
-
-!> Lays the frame of each patch on the profiles, with normals that turn across it, instead of in one plane.
-subroutine rcwcnf(iwr, ion, ierr)
-  use rollcon_f77_support
-  implicit none
-  integer :: iwr, ion, ierr
-  ierr = rollcon_wheelrail_set_conformal(wheelrail_of(iwr), narrow(ion))
-end subroutine
-
-!> Sets coefficients by the inclination of the rail's surface, linear between points and constant beyond them, in.
-subroutine rcwfra(iwr, n, points, ierr)
-  use rollcon_f77_support
-  implicit none
-  integer :: iwr, n, ierr
-  double precision :: points(*)
-  ierr = rollcon_wheelrail_set_friction_by_angle(wheelrail_of(iwr), int(n, c_int64_t), points)
-end subroutine
-
-!> Sets how accurate forces are to be.
-subroutine rcwacc(iwr, accuracy, ierr)
-  use rollcon_f77_support
-  implicit none
-  integer :: iwr, ierr
-  double precision :: accuracy
-  ierr = rollcon_wheelrail_set_accuracy(wheelrail_of(iwr), accuracy)
 end subroutine
 
 !> Finds the patches and solves each as a steady rolling contact, from the last solution where there is one.
@@ -1528,6 +1479,47 @@ subroutine rcwrst(iwr, ierr)
   implicit none
   integer :: iwr, ierr
   ierr = rollcon_wheelrail_reset(wheelrail_of(iwr))
+end subroutine
+
+!> Sets an integer option.
+subroutine rcwsti(iwr, name, ivalue, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ivalue, ierr
+  character(len=*) :: name
+  ierr = rollcon_wheelrail_set_int(wheelrail_of(iwr), c_name(name), int(ivalue, c_int64_t))
+end subroutine
+
+!> Sets a real option.
+subroutine rcwstr(iwr, name, value, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ierr
+  character(len=*) :: name
+  double precision :: value
+  ierr = rollcon_wheelrail_set_real(wheelrail_of(iwr), c_name(name), value)
+end subroutine
+
+!> Returns the value of an integer option.
+subroutine rcwgti(iwr, name, ivalue, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ivalue, ierr
+  character(len=*) :: name
+  integer(c_int64_t) :: value_c
+  value_c = 0
+  ierr = rollcon_wheelrail_get_int(wheelrail_of(iwr), c_name(name), value_c)
+  ivalue = int(value_c)
+end subroutine
+
+!> Returns the value of a real option.
+subroutine rcwgtr(iwr, name, value, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ierr
+  character(len=*) :: name
+  double precision :: value
+  ierr = rollcon_wheelrail_get_real(wheelrail_of(iwr), c_name(name), value)
 end subroutine
 
 !> Returns the number of patches, from 0.

@@ -23,14 +23,16 @@ module rollcon_wheelrail
 
 contains
 
-  !> Takes forces along the surfaces from a creep-force table from now on; forget_table ends it.
+  !> Takes forces along the surfaces from a creep-force table from now on; without a table from none.
   subroutine set_table(self, table, stat, errmsg)
     class(rc_wheelrail), intent(inout) :: self
-    class(rc_table), intent(in) :: table
+    class(rc_table), intent(in), optional :: table
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_wheelrail_set_table(self%handle(), table%handle()), self%handle(), 'rc_wheelrail%set_table', &
-      stat, errmsg)
+    type(c_ptr) :: p
+    p = c_null_ptr
+    if (present(table)) p = table%handle()
+    call finish(rollcon_wheelrail_set_table(self%handle(), p), self%handle(), 'rc_wheelrail%set_table', stat, errmsg)
   end subroutine
 
   !> Returns the contact of a patch, counted from 1, to be read; the next solve of the wheel on its rail changes it.

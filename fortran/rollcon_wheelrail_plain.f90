@@ -24,15 +24,9 @@ module rollcon_wheelrail_plain
     procedure :: set_wheelset => wheelrail_set_wheelset
     procedure :: set_rail_deviation => wheelrail_set_rail_deviation
     procedure :: set_position => wheelrail_set_position
-    procedure :: set_roll_outside => wheelrail_set_roll_outside
     procedure :: set_velocity => wheelrail_set_velocity
     procedure :: prescribe_vertical => wheelrail_prescribe_vertical
     procedure :: set_friction => wheelrail_set_friction
-    procedure :: forget_table => wheelrail_forget_table
-    procedure :: set_hertzian => wheelrail_set_hertzian
-    procedure :: set_conformal => wheelrail_set_conformal
-    procedure :: set_friction_by_angle => wheelrail_set_friction_by_angle
-    procedure :: set_accuracy => wheelrail_set_accuracy
     procedure :: solve => wheelrail_solve
     procedure :: request_cancel => wheelrail_request_cancel
     procedure :: snapshot => wheelrail_snapshot
@@ -49,6 +43,14 @@ module rollcon_wheelrail_plain
     procedure :: from_id
     procedure :: id
     procedure :: handle
+    procedure, private :: set_option_int32
+    procedure, private :: set_option_int64
+    procedure, private :: set_option_real
+    generic :: set => set_option_int32, set_option_int64, set_option_real
+    procedure, private :: get_option_int32
+    procedure, private :: get_option_int64
+    procedure, private :: get_option_real
+    generic :: get => get_option_int32, get_option_int64, get_option_real
     procedure, private :: assign
     generic :: assignment(=) => assign
     final :: finalize
@@ -123,6 +125,77 @@ contains
     p = self%p
   end function
 
+  !> A setting by name; rc_option_info lists them.
+  subroutine set_option_int32(self, name, value, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    character(len=*), intent(in) :: name
+    integer(c_int32_t), intent(in) :: value
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_wheelrail_set_int(self%p, c_text(name), int(value, rc_long)), self%p, &
+      'rc_wheelrail%set', stat, errmsg)
+  end subroutine
+
+  !> A setting by name; rc_option_info lists them.
+  subroutine set_option_int64(self, name, value, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    character(len=*), intent(in) :: name
+    integer(c_int64_t), intent(in) :: value
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_wheelrail_set_int(self%p, c_text(name), value), self%p, &
+      'rc_wheelrail%set', stat, errmsg)
+  end subroutine
+
+  !> A setting by name; rc_option_info lists them.
+  subroutine set_option_real(self, name, value, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    character(len=*), intent(in) :: name
+    real(rc_real), intent(in) :: value
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_wheelrail_set_real(self%p, c_text(name), value), self%p, &
+      'rc_wheelrail%set', stat, errmsg)
+  end subroutine
+
+  !> A setting by name; rc_option_info lists them.
+  subroutine get_option_int32(self, name, value, stat, errmsg)
+    class(rc_wheelrail_plain), intent(in) :: self
+    character(len=*), intent(in) :: name
+    integer(c_int32_t), intent(out) :: value
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer(rc_long) :: wide
+    wide = 0
+    call finish(rollcon_wheelrail_get_int(self%p, c_text(name), wide), self%p, &
+      'rc_wheelrail%get', stat, errmsg)
+    value = int(wide, c_int32_t)
+  end subroutine
+
+  !> A setting by name; rc_option_info lists them.
+  subroutine get_option_int64(self, name, value, stat, errmsg)
+    class(rc_wheelrail_plain), intent(in) :: self
+    character(len=*), intent(in) :: name
+    integer(c_int64_t), intent(out) :: value
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    value = 0
+    call finish(rollcon_wheelrail_get_int(self%p, c_text(name), value), self%p, &
+      'rc_wheelrail%get', stat, errmsg)
+  end subroutine
+
+  !> A setting by name; rc_option_info lists them.
+  subroutine get_option_real(self, name, value, stat, errmsg)
+    class(rc_wheelrail_plain), intent(in) :: self
+    character(len=*), intent(in) :: name
+    real(rc_real), intent(out) :: value
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    value = 0
+    call finish(rollcon_wheelrail_get_real(self%p, c_text(name), value), self%p, &
+      'rc_wheelrail%get', stat, errmsg)
+  end subroutine
+
   !> Says where the rails lie: each is canted, its top is at z = 0, and its gauge side is half the gauge from the middle
   !> of the track.
   subroutine wheelrail_set_track(self, gauge, gauge_height, cant, stat, errmsg)
@@ -171,19 +244,6 @@ contains
     call finish(rollcon_wheelrail_set_position(self%p, position), self%p, 'rc_wheelrail%set_position', stat, errmsg)
   end subroutine
 
-  !> Says in which order positions turn a wheelset. A point of it is pitched about its axle; then it is either yawed
-  !> about z and rolled about x, which is CONTACT's order, or rolled and then yawed, which is that of a new handle.
-  !> Rates of roll and yaw are those of these angles. It counts from the next solve, also for positions that were set
-  !> before. Both orders agree without roll or without yaw.
-  subroutine wheelrail_set_roll_outside(self, on, stat, errmsg)
-    class(rc_wheelrail_plain), intent(inout) :: self
-    integer, intent(in) :: on
-    integer, intent(out), optional :: stat
-    character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_wheelrail_set_roll_outside(self%p, int(on, rc_int)), self%p, 'rc_wheelrail%set_roll_outside', &
-      stat, errmsg)
-  end subroutine
-
   !> Sets the velocity of the wheelset.
   subroutine wheelrail_set_velocity(self, velocity, stat, errmsg)
     class(rc_wheelrail_plain), intent(inout) :: self
@@ -208,77 +268,18 @@ contains
       'rc_wheelrail%prescribe_vertical', stat, errmsg)
   end subroutine
 
-  !> Sets the coefficient of Coulomb's friction. It is not needed where rollcon_wheelrail_set_friction_by_angle gives
-  !> it.
-  subroutine wheelrail_set_friction(self, mu, stat, errmsg)
+  !> Sets the law of friction. "coulomb": mu. "by_angle": coefficients by the inclination of the rail's surface, linear
+  !> between points and constant beyond them: lubricated gauge faces under dry heads. The inclination is atan dz/dy of a
+  !> right rail with y to the right and z down, its cant included, its deviation not: negative on the gauge face; left
+  !> rails are mirrored, so that one table serves both.
+  subroutine wheelrail_set_friction(self, law, parameters, stat, errmsg)
     class(rc_wheelrail_plain), intent(inout) :: self
-    real(rc_real), intent(in) :: mu
+    character(len=*), intent(in) :: law
+    real(rc_real), intent(in), contiguous :: parameters(:)
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_wheelrail_set_friction(self%p, mu), self%p, 'rc_wheelrail%set_friction', stat, errmsg)
-  end subroutine
-
-  !> Solves all patches in full again, like a new handle.
-  subroutine wheelrail_forget_table(self, stat, errmsg)
-    class(rc_wheelrail_plain), intent(inout) :: self
-    integer, intent(out), optional :: stat
-    character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_wheelrail_forget_table(self%p), self%p, 'rc_wheelrail%forget_table', stat, errmsg)
-  end subroutine
-
-  !> Takes Hertz's pressures on an ellipse that each patch's overlap gives, and solves for none, with a creep-force
-  !> table (rollcon_wheelrail_set_table; without one nothing changes). A step takes tens of microseconds instead of
-  !> about a millisecond; docs/wheelrail.md has the errors. Patches have their statistics; their contacts have no
-  !> solution (ROLLCON_ERR_STATE from calls that ask for one). A patch that the table does not have is solved in full;
-  !> statistic hertzian of the patch is 0.
-  subroutine wheelrail_set_hertzian(self, on, stat, errmsg)
-    class(rc_wheelrail_plain), intent(inout) :: self
-    integer, intent(in) :: on
-    integer, intent(out), optional :: stat
-    character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_wheelrail_set_hertzian(self%p, int(on, rc_int)), self%p, 'rc_wheelrail%set_hertzian', stat, &
-      errmsg)
-  end subroutine
-
-  !> Lays the frame of each patch on the profiles, with normals that turn across it, instead of in one plane: for worn
-  !> profiles and flange roots, where normals turn by more than a few degrees within a patch. Its compliance is that of
-  !> half-spaces on the frame unrolled (docs/theory.md, section 11), its operators are made anew at every position, so
-  !> that a step takes tens of milliseconds, and derivatives of the totals are differences of solves. Creep-force tables
-  !> are not used: statistic by_table of a patch is 0.
-  subroutine wheelrail_set_conformal(self, on, stat, errmsg)
-    class(rc_wheelrail_plain), intent(inout) :: self
-    integer, intent(in) :: on
-    integer, intent(out), optional :: stat
-    character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_wheelrail_set_conformal(self%p, int(on, rc_int)), self%p, 'rc_wheelrail%set_conformal', stat, &
-      errmsg)
-  end subroutine
-
-  !> Sets coefficients by the inclination of the rail's surface, linear between points and constant beyond them, in
-  !> place of that of rollcon_wheelrail_set_friction: lubricated gauge faces under dry heads. The inclination is atan
-  !> dz/dy of a right rail with y to the right and z down, its cant included, its deviation not: negative on the gauge
-  !> face; left rails are mirrored, so that one table serves both.
-  subroutine wheelrail_set_friction_by_angle(self, points, stat, errmsg)
-    class(rc_wheelrail_plain), intent(inout) :: self
-    real(rc_real), intent(in), contiguous :: points(:, :)
-    integer, intent(out), optional :: stat
-    character(len=*), intent(inout), optional :: errmsg
-    if (size(points, 1) /= 2) then
-      call finish(ROLLCON_ERR_ARGUMENT, self%p, 'rc_wheelrail%set_friction_by_angle', stat, errmsg, &
-      'the first extent of points must be 2')
-      return
-    end if
-    call finish(rollcon_wheelrail_set_friction_by_angle(self%p, size(points, 2, rc_long), points), self%p, &
-      'rc_wheelrail%set_friction_by_angle', stat, errmsg)
-  end subroutine
-
-  !> Sets how accurate forces are to be: the frames of the patches are as fine as that takes.
-  subroutine wheelrail_set_accuracy(self, accuracy, stat, errmsg)
-    class(rc_wheelrail_plain), intent(inout) :: self
-    real(rc_real), intent(in) :: accuracy
-    integer, intent(out), optional :: stat
-    character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_wheelrail_set_accuracy(self%p, accuracy), self%p, 'rc_wheelrail%set_accuracy', stat, errmsg)
+    call finish(rollcon_wheelrail_set_friction(self%p, c_text(law), size(parameters, 1, rc_int), parameters), self%p, &
+      'rc_wheelrail%set_friction', stat, errmsg)
   end subroutine
 
   !> Finds the patches and solves each as a steady rolling contact, from the last solution where there is one. The
@@ -286,8 +287,8 @@ contains
   !> a profile, or is not within its frame; NO_CONTACT: the wheel is lifted; the log has the numbers. ROLLCON_ERR_STATE
   !> names the call that is missing. ROLLCON_ERR_ARGUMENT: with this z wheel and rail overlap by more than a tenth of
   !> the wheel's radius. ROLLCON_ERR_LOAD: with this y no height brings the wheel on the rail, or no overlap up to a
-  !> tenth of the radius carries the vertical force. ROLLCON_ERR_MESH: a conformal patch
-  !> (rollcon_wheelrail_set_conformal) turns by more than 60 degrees to a side.
+  !> tenth of the radius carries the vertical force. ROLLCON_ERR_MESH: a conformal patch (option conformal) turns by
+  !> more than 60 degrees to a side.
   subroutine wheelrail_solve(self, stat, errmsg)
     class(rc_wheelrail_plain), intent(inout) :: self
     integer, intent(out), optional :: stat

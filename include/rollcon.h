@@ -2014,8 +2014,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_write(const rollcon_cont
    patches and forces. Axes of the track: x forward, y to the right, z down, the origin midway
    between the rails at the height of their top. Roll, yaw and pitch are about x, z and y: a point
    of the wheelset is pitched about its axle, rolled about x, then yawed about z, all axes but the
-   axle's fixed in the track; rollcon_wheelrail_set_roll_outside changes that order. Everything
-   that is set stays; docs/wheelrail.md has the figures. */
+   axle's fixed in the track; the option roll_outside changes that order. Everything that is set
+   stays; docs/wheelrail.md has the figures. */
 
 /*
  * Makes a wheel on its rail. The profile of the wheel has y from the tread's datum, the flange at
@@ -2093,18 +2093,6 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_position(
     rollcon_wheelrail *wheelrail, const double *position);
 
 /*
- * Says in which order positions turn a wheelset. A point of it is pitched about its axle; then it
- * is either yawed about z and rolled about x, which is CONTACT's order, or rolled and then yawed,
- * which is that of a new handle. Rates of roll and yaw are those of these angles. It counts from
- * the next solve, also for positions that were set before. Both orders agree without roll or
- * without yaw.
- *   on         1: the roll outside the yaw; 0: the yaw outside the roll, the standard
- * Source: docs/wheelrail.md.
- */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_roll_outside(
-    rollcon_wheelrail *wheelrail, int32_t on);
-
-/*
  * Sets the velocity of the wheelset.
  *   velocity   [6]; rates of the position, length/time and 1/time; the forward speed, the first,
  *              is not 0; the pitch rate of a wheel that rolls forward is negative
@@ -2124,81 +2112,34 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_prescribe_vertical(
     rollcon_wheelrail *wheelrail, int32_t how, double force);
 
 /*
- * Sets the coefficient of Coulomb's friction. It is not needed where
- * rollcon_wheelrail_set_friction_by_angle gives it.
- *   mu         0 to 10
- * Also returns: ROLLCON_ERR_NONFINITE.
+ * Sets the law of friction. "coulomb": mu. "by_angle": coefficients by the inclination of the
+ * rail's surface, linear between points and constant beyond them: lubricated gauge faces under
+ * dry heads. The inclination is atan dz/dy of a right rail with y to the right and z down, its
+ * cant included, its deviation not: negative on the gauge face; left rails are mirrored, so that
+ * one table serves both.
+ *   law         coulomb or by_angle
+ *   n           parameters of the law: 1; 2, 4, 6, ... for by_angle
+ *   parameters  [n]; mu; angle1, mu1, angle2, mu2, ... with ascending angles, radian.
+ *               Coefficients 0 to 10
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MEMORY.
+ * Source: docs/friction.md.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_friction(
-    rollcon_wheelrail *wheelrail, double mu);
+    rollcon_wheelrail *wheelrail, const char *law, int32_t n, const double *parameters);
 
 /*
  * Looks forces along the surfaces and spin moments up in a creep-force table from now on, for the
  * equivalent ellipse of each patch (rollcon_contact_get_equivalent_ellipse), which is solved
  * without friction: its contact then has pressures alone. A patch that the table does not have
  * (ratio of its axes, Poisson's ratio, or no single ellipse) is solved in full; statistic
- * by_table of the patch is 0. The wheel keeps the table. ROLLCON_ERR_STATE: the table is not made
- * yet.
+ * by_table of the patch is 0. The wheel keeps the table; NULL solves all patches in full again.
+ * ROLLCON_ERR_STATE: the table is not made yet.
+ *   table      NULL: no table
  * Also returns: ROLLCON_ERR_STATE.
  * Source: docs/wheelrail.md.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_table(rollcon_wheelrail *wheelrail,
     const rollcon_table *table);
-
-/*
- * Solves all patches in full again, like a new handle.
- */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_forget_table(
-    rollcon_wheelrail *wheelrail);
-
-/*
- * Takes Hertz's pressures on an ellipse that each patch's overlap gives, and solves for none,
- * with a creep-force table (rollcon_wheelrail_set_table; without one nothing changes). A step
- * takes tens of microseconds instead of about a millisecond; docs/wheelrail.md has the errors.
- * Patches have their statistics; their contacts have no solution (ROLLCON_ERR_STATE from calls
- * that ask for one). A patch that the table does not have is solved in full; statistic hertzian
- * of the patch is 0.
- *   on         1: ellipses of the overlaps; 0: pressures are solved for, the standard
- * Source: docs/wheelrail.md.
- */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_hertzian(
-    rollcon_wheelrail *wheelrail, int32_t on);
-
-/*
- * Lays the frame of each patch on the profiles, with normals that turn across it, instead of in
- * one plane: for worn profiles and flange roots, where normals turn by more than a few degrees
- * within a patch. Its compliance is that of half-spaces on the frame unrolled (docs/theory.md,
- * section 11), its operators are made anew at every position, so that a step takes tens of
- * milliseconds, and derivatives of the totals are differences of solves. Creep-force tables are
- * not used: statistic by_table of a patch is 0.
- *   on         1: along the profiles; 0: in a plane, the standard
- * Source: docs/wheelrail.md.
- */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_conformal(
-    rollcon_wheelrail *wheelrail, int32_t on);
-
-/*
- * Sets coefficients by the inclination of the rail's surface, linear between points and constant
- * beyond them, in place of that of rollcon_wheelrail_set_friction: lubricated gauge faces under
- * dry heads. The inclination is atan dz/dy of a right rail with y to the right and z down, its
- * cant included, its deviation not: negative on the gauge face; left rails are mirrored, so that
- * one table serves both.
- *   n          points; 0: none, one coefficient everywhere
- *   points     [n][2]; inclination, radian, ascending, and mu, 0 to 10; NULL only with n = 0
- * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MEMORY.
- * Source: docs/friction.md.
- */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_friction_by_angle(
-    rollcon_wheelrail *wheelrail, int64_t n, const double *points);
-
-/*
- * Sets how accurate forces are to be: the frames of the patches are as fine as that takes.
- *   accuracy   error of tangential forces over the limit of friction: 0.005 to 1, standard 0.01
- * Also returns: ROLLCON_ERR_NONFINITE.
- * Source: docs/wheelrail.md.
- */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_accuracy(
-    rollcon_wheelrail *wheelrail, double accuracy);
 
 /*
  * Finds the patches and solves each as a steady rolling contact, from the last solution where
@@ -2208,7 +2149,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_accuracy(
  * ROLLCON_ERR_ARGUMENT: with this z wheel and rail overlap by more than a tenth of the wheel's
  * radius. ROLLCON_ERR_LOAD: with this y no height brings the wheel on the rail, or no overlap up
  * to a tenth of the radius carries the vertical force. ROLLCON_ERR_MESH: a conformal patch
- * (rollcon_wheelrail_set_conformal) turns by more than 60 degrees to a side.
+ * (option conformal) turns by more than 60 degrees to a side.
  * Also returns: ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
  *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_TOO_DEEP, ROLLCON_DERAILED,
  *   ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY,
@@ -2317,6 +2258,39 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_copy(
  * frames.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_reset(rollcon_wheelrail *wheelrail);
+
+/* ------------------------------------------------------------------- Wheel on rail: settings */
+/* Settings by name, in the manner of those of a contact. They count from the next solve. */
+
+/*
+ * Sets an integer option.
+ * Also returns: ROLLCON_ERR_OPTION.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_int(rollcon_wheelrail *wheelrail,
+    const char *name, int64_t value);
+
+/*
+ * Sets a real option.
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_OPTION.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_real(rollcon_wheelrail *wheelrail,
+    const char *name, double value);
+
+/*
+ * Returns the value of an integer option.
+ *   value      out
+ * Also returns: ROLLCON_ERR_OPTION.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_get_int(
+    const rollcon_wheelrail *wheelrail, const char *name, int64_t *value);
+
+/*
+ * Returns the value of a real option.
+ *   value      out
+ * Also returns: ROLLCON_ERR_OPTION.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_get_real(
+    const rollcon_wheelrail *wheelrail, const char *name, double *value);
 
 /* -------------------------------------------------------------------- Wheel on rail: results */
 /* Results of the last solve; ROLLCON_ERR_STATE before one. Forces are those on the wheel. */

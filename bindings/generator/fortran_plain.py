@@ -11,7 +11,7 @@ import textwrap
 from generator.table import HANDLES
 
 WIDTH = 118  # the language allows 132
-OPTIONS = ("body", "contact")  # kinds with settings by name
+OPTIONS = ("body", "contact", "wheelrail")  # kinds with settings by name
 
 OPENING = """\
 ! Generated from bindings/api.toml by bindings/generate.py; do not edit.
@@ -152,7 +152,7 @@ VALUES = [("int32", "integer(c_int32_t)", "int"), ("int64", "integer(c_int64_t)"
 
 
 def option_names(kind):
-    """Returns suffixes of the settings that the kind has: bodies have no texts."""
+    """Returns suffixes of the settings that the kind has: others have no texts."""
     return VALUES if kind == "contact" else VALUES[:3]
 
 

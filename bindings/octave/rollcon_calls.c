@@ -1703,16 +1703,6 @@ static void call_wheelrail_set_position(call *self) {
   finish(self, rc);
 }
 
-static void call_wheelrail_set_roll_outside(call *self) {
-  int32_t rc = 0;
-  rollcon_wheelrail *wheelrail = rollcon_wheelrail_from_id(take_handle(self, "wheelrail"));
-  const int32_t on = take_enumerator(self, "on", no_names, 0);
-  no_more(self);
-  rc = rollcon_wheelrail_set_roll_outside(wheelrail, on);
-  if (rc < 0) finish(self, rc);
-  finish(self, rc);
-}
-
 static void call_wheelrail_set_velocity(call *self) {
   int32_t rc = 0;
   rollcon_wheelrail *wheelrail = rollcon_wheelrail_from_id(take_handle(self, "wheelrail"));
@@ -1737,10 +1727,12 @@ static void call_wheelrail_prescribe_vertical(call *self) {
 
 static void call_wheelrail_set_friction(call *self) {
   int32_t rc = 0;
+  int64_t n = -1;
   rollcon_wheelrail *wheelrail = rollcon_wheelrail_from_id(take_handle(self, "wheelrail"));
-  const double mu = take_real(self, "mu");
+  const char *law = take_text(self, "law");
+  const double *parameters = take_reals(self, "parameters", &n, 0, 0);
   no_more(self);
-  rc = rollcon_wheelrail_set_friction(wheelrail, mu);
+  rc = rollcon_wheelrail_set_friction(wheelrail, law, n, parameters);
   if (rc < 0) finish(self, rc);
   finish(self, rc);
 }
@@ -1751,56 +1743,6 @@ static void call_wheelrail_set_table(call *self) {
   rollcon_table *table = rollcon_table_from_id(take_handle(self, "table"));
   no_more(self);
   rc = rollcon_wheelrail_set_table(wheelrail, table);
-  if (rc < 0) finish(self, rc);
-  finish(self, rc);
-}
-
-static void call_wheelrail_forget_table(call *self) {
-  int32_t rc = 0;
-  rollcon_wheelrail *wheelrail = rollcon_wheelrail_from_id(take_handle(self, "wheelrail"));
-  no_more(self);
-  rc = rollcon_wheelrail_forget_table(wheelrail);
-  if (rc < 0) finish(self, rc);
-  finish(self, rc);
-}
-
-static void call_wheelrail_set_hertzian(call *self) {
-  int32_t rc = 0;
-  rollcon_wheelrail *wheelrail = rollcon_wheelrail_from_id(take_handle(self, "wheelrail"));
-  const int32_t on = take_enumerator(self, "on", no_names, 0);
-  no_more(self);
-  rc = rollcon_wheelrail_set_hertzian(wheelrail, on);
-  if (rc < 0) finish(self, rc);
-  finish(self, rc);
-}
-
-static void call_wheelrail_set_conformal(call *self) {
-  int32_t rc = 0;
-  rollcon_wheelrail *wheelrail = rollcon_wheelrail_from_id(take_handle(self, "wheelrail"));
-  const int32_t on = take_enumerator(self, "on", no_names, 0);
-  no_more(self);
-  rc = rollcon_wheelrail_set_conformal(wheelrail, on);
-  if (rc < 0) finish(self, rc);
-  finish(self, rc);
-}
-
-static void call_wheelrail_set_friction_by_angle(call *self) {
-  int32_t rc = 0;
-  int64_t n = -1;
-  rollcon_wheelrail *wheelrail = rollcon_wheelrail_from_id(take_handle(self, "wheelrail"));
-  const double *points = take_reals(self, "points", &n, 2, 1);
-  no_more(self);
-  rc = rollcon_wheelrail_set_friction_by_angle(wheelrail, n < 0 ? 0 : n, points);
-  if (rc < 0) finish(self, rc);
-  finish(self, rc);
-}
-
-static void call_wheelrail_set_accuracy(call *self) {
-  int32_t rc = 0;
-  rollcon_wheelrail *wheelrail = rollcon_wheelrail_from_id(take_handle(self, "wheelrail"));
-  const double accuracy = take_real(self, "accuracy");
-  no_more(self);
-  rc = rollcon_wheelrail_set_accuracy(wheelrail, accuracy);
   if (rc < 0) finish(self, rc);
   finish(self, rc);
 }
@@ -1911,6 +1853,52 @@ static void call_wheelrail_reset(call *self) {
   no_more(self);
   rc = rollcon_wheelrail_reset(wheelrail);
   if (rc < 0) finish(self, rc);
+  finish(self, rc);
+}
+
+static void call_wheelrail_set_int(call *self) {
+  int32_t rc = 0;
+  rollcon_wheelrail *wheelrail = rollcon_wheelrail_from_id(take_handle(self, "wheelrail"));
+  const char *name = take_text(self, "name");
+  const int64_t value = take_integer(self, "value");
+  no_more(self);
+  rc = rollcon_wheelrail_set_int(wheelrail, name, value);
+  if (rc < 0) finish(self, rc);
+  finish(self, rc);
+}
+
+static void call_wheelrail_set_real(call *self) {
+  int32_t rc = 0;
+  rollcon_wheelrail *wheelrail = rollcon_wheelrail_from_id(take_handle(self, "wheelrail"));
+  const char *name = take_text(self, "name");
+  const double value = take_real(self, "value");
+  no_more(self);
+  rc = rollcon_wheelrail_set_real(wheelrail, name, value);
+  if (rc < 0) finish(self, rc);
+  finish(self, rc);
+}
+
+static void call_wheelrail_get_int(call *self) {
+  int32_t rc = 0;
+  rollcon_wheelrail *wheelrail = rollcon_wheelrail_from_id(take_handle(self, "wheelrail"));
+  const char *name = take_text(self, "name");
+  int64_t value = 0;
+  no_more(self);
+  rc = rollcon_wheelrail_get_int(wheelrail, name, &value);
+  if (rc < 0) finish(self, rc);
+  give_real(self, (double)value);
+  finish(self, rc);
+}
+
+static void call_wheelrail_get_real(call *self) {
+  int32_t rc = 0;
+  rollcon_wheelrail *wheelrail = rollcon_wheelrail_from_id(take_handle(self, "wheelrail"));
+  const char *name = take_text(self, "name");
+  double value = 0;
+  no_more(self);
+  rc = rollcon_wheelrail_get_real(wheelrail, name, &value);
+  if (rc < 0) finish(self, rc);
+  give_real(self, (double)value);
   finish(self, rc);
 }
 
@@ -2454,16 +2442,10 @@ const entry calls[] = {
   {"wheelrail_set_wheelset", call_wheelrail_set_wheelset, 1},
   {"wheelrail_set_rail_deviation", call_wheelrail_set_rail_deviation, 1},
   {"wheelrail_set_position", call_wheelrail_set_position, 1},
-  {"wheelrail_set_roll_outside", call_wheelrail_set_roll_outside, 1},
   {"wheelrail_set_velocity", call_wheelrail_set_velocity, 1},
   {"wheelrail_prescribe_vertical", call_wheelrail_prescribe_vertical, 1},
   {"wheelrail_set_friction", call_wheelrail_set_friction, 1},
   {"wheelrail_set_table", call_wheelrail_set_table, 1},
-  {"wheelrail_forget_table", call_wheelrail_forget_table, 1},
-  {"wheelrail_set_hertzian", call_wheelrail_set_hertzian, 1},
-  {"wheelrail_set_conformal", call_wheelrail_set_conformal, 1},
-  {"wheelrail_set_friction_by_angle", call_wheelrail_set_friction_by_angle, 1},
-  {"wheelrail_set_accuracy", call_wheelrail_set_accuracy, 1},
   {"wheelrail_solve", call_wheelrail_solve, 1},
   {"wheelrail_request_cancel", call_wheelrail_request_cancel, 1},
   {"wheelrail_solve_many", call_wheelrail_solve_many, 2},
@@ -2472,6 +2454,10 @@ const entry calls[] = {
   {"wheelrail_rollback", call_wheelrail_rollback, 1},
   {"wheelrail_copy", call_wheelrail_copy, 1},
   {"wheelrail_reset", call_wheelrail_reset, 1},
+  {"wheelrail_set_int", call_wheelrail_set_int, 1},
+  {"wheelrail_set_real", call_wheelrail_set_real, 1},
+  {"wheelrail_get_int", call_wheelrail_get_int, 1},
+  {"wheelrail_get_real", call_wheelrail_get_real, 1},
   {"wheelrail_get_patch_count", call_wheelrail_get_patch_count, 1},
   {"wheelrail_get_resultant", call_wheelrail_get_resultant, 2},
   {"wheelrail_get_derivative", call_wheelrail_get_derivative, 3},

@@ -22,6 +22,8 @@ std::span<const Setting> options_of(int32_t kind) {
       return body_option_table().settings();
     case ROLLCON_OF_CONTACT:
       return option_table();
+    case ROLLCON_OF_WHEELRAIL:
+      return wheel_option_table().settings();
     default:
       return {};
   }

@@ -437,12 +437,6 @@ rollcon_status rollcon_wheelrail_set_position(rollcon_wheelrail *wheelrail,
   });
 }
 
-rollcon_status rollcon_wheelrail_set_roll_outside(rollcon_wheelrail *wheelrail, int32_t on) {
-  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
-    self.set_roll_outside(on);
-  });
-}
-
 rollcon_status rollcon_wheelrail_set_velocity(rollcon_wheelrail *wheelrail,
     const double *velocity) {
   return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
@@ -457,40 +451,10 @@ rollcon_status rollcon_wheelrail_prescribe_vertical(rollcon_wheelrail *wheelrail
   });
 }
 
-rollcon_status rollcon_wheelrail_set_friction(rollcon_wheelrail *wheelrail, double mu) {
+rollcon_status rollcon_wheelrail_set_friction(rollcon_wheelrail *wheelrail, const char *law,
+    int32_t n, const double *parameters) {
   return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
-    self.set_friction(mu);
-  });
-}
-
-rollcon_status rollcon_wheelrail_forget_table(rollcon_wheelrail *wheelrail) {
-  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
-    self.forget_table();
-  });
-}
-
-rollcon_status rollcon_wheelrail_set_hertzian(rollcon_wheelrail *wheelrail, int32_t on) {
-  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
-    self.set_hertzian(on);
-  });
-}
-
-rollcon_status rollcon_wheelrail_set_conformal(rollcon_wheelrail *wheelrail, int32_t on) {
-  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
-    self.set_conformal(on);
-  });
-}
-
-rollcon_status rollcon_wheelrail_set_friction_by_angle(rollcon_wheelrail *wheelrail, int64_t n,
-    const double *points) {
-  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
-    self.set_friction_by_angle(n, points);
-  });
-}
-
-rollcon_status rollcon_wheelrail_set_accuracy(rollcon_wheelrail *wheelrail, double accuracy) {
-  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
-    self.set_accuracy(accuracy);
+    self.set_friction(law, n, parameters);
   });
 }
 
@@ -515,6 +479,36 @@ rollcon_status rollcon_wheelrail_rollback(rollcon_wheelrail *wheelrail, int32_t 
 rollcon_status rollcon_wheelrail_reset(rollcon_wheelrail *wheelrail) {
   return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
     self.reset();
+  });
+}
+
+rollcon_status rollcon_wheelrail_set_int(rollcon_wheelrail *wheelrail, const char *name,
+    int64_t value) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    self.set_int(name, value);
+  });
+}
+
+rollcon_status rollcon_wheelrail_set_real(rollcon_wheelrail *wheelrail, const char *name,
+    double value) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    self.set_real(name, value);
+  });
+}
+
+rollcon_status rollcon_wheelrail_get_int(const rollcon_wheelrail *wheelrail, const char *name,
+    int64_t *value) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    require_pointer(value, "value");
+    *value = self.get_int(name);
+  });
+}
+
+rollcon_status rollcon_wheelrail_get_real(const rollcon_wheelrail *wheelrail, const char *name,
+    double *value) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    require_pointer(value, "value");
+    *value = self.get_real(name);
   });
 }
 

@@ -159,5 +159,6 @@ rollcon_status rollcon_wheelrail_get_contact(const rollcon_wheelrail* wheelrail,
 }
 
 rollcon_status rollcon_wheelrail_set_table(rollcon_wheelrail* wheelrail, const rollcon_table* table) {
-  return with_wheelrail(__func__, wheelrail, [&](WheelRail& w) { w.set_table(table_of(table, "table")); });
+  return with_wheelrail(__func__, wheelrail,
+                        [&](WheelRail& w) { w.set_table(table ? table_of(table, "table") : nullptr); });
 }

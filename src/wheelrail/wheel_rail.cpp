@@ -155,7 +155,7 @@ WheelRail::Slot& WheelRail::slot_for(const OverlapPatch& patch) {
 Status WheelRail::solve_at(double z) {
   z_ = z;
   const WheelMotion motion = motion_at(z);
-  search_->find(motion.pose, found_, !in_.conformal);
+  search_->find(motion.pose, found_, !in_.options.conformal);
   for (const auto& slot : slot_) slot->taken = false;
   active_.clear();
   double deepest = 0;
@@ -204,21 +204,23 @@ Status WheelRail::solve_at(double z) {
 
 void WheelRail::solve_patch(Slot& slot, const OverlapPatch& patch, const WheelMotion& motion) const {
   try {
-    slot.contact.solve(patch, motion, friction_of(patch), fineness_for(in_.accuracy, in_.conformal, on_lattices_),
+    slot.contact.solve(patch, motion, friction_of(patch),
+                       fineness_for(in_.options.accuracy, in_.options.conformal, on_lattices_),
                        slot.give_way);
   } catch (const Error& e) {
-    if (!in_.conformal || e.status() != Status::err_mesh) throw;
+    if (!in_.options.conformal || e.status() != Status::err_mesh) throw;
     fail(Status::err_mesh,
          "the patch at y = %g of the wheel's profile turns by more than 60 degrees from its mean normal to a side, "
-         "which conformal frames do not: check load and profiles, or call rollcon_wheelrail_set_conformal with 0",
+         "which conformal frames do not: check load and profiles, or set the option conformal to 0",
          patch.wheel_y);
   }
 }
 
 // Takes friction at places across the overlap where inclinations are given.
 PatchFriction WheelRail::friction_of(const OverlapPatch& patch) const {
-  PatchFriction friction{
-      .mu = in_.friction, .table = in_.conformal ? nullptr : in_.table.get(), .hertzian = in_.hertzian};
+  PatchFriction friction{.mu = in_.friction,
+                         .table = in_.options.conformal ? nullptr : in_.table.get(),
+                         .hertzian = in_.options.hertzian != 0};
   if (in_.friction_angle.empty()) return friction;
   friction.mu = linear_between(in_.friction_angle, in_.friction_at_angle, search_->rail_angle(patch.reference[1]));
   friction.points = PatchFriction::most;
@@ -260,7 +262,7 @@ double WheelRail::vertical_force() const {
 // Returns Hertz's approach under the load, for the curvatures where the wheel touches first.
 double WheelRail::first_sink(double touch) {
   const double little = 1e-6 * radius_;
-  search_->find(motion_at(touch + little).pose, found_, !in_.conformal);
+  search_->find(motion_at(touch + little).pose, found_, !in_.options.conformal);
   if (found_.empty()) return little;
   const OverlapPatch& patch = *std::max_element(found_.begin(), found_.end(),
                                                 [](const auto& a, const auto& b) { return depth_of(a) < depth_of(b); });

@@ -14,6 +14,7 @@
 #include "wheelrail/contact_search.hpp"
 #include "wheelrail/patch_contact.hpp"
 #include "wheelrail/rail_place.hpp"
+#include "wheelrail/wheel_options.hpp"
 
 namespace rollcon {
 
@@ -37,25 +38,23 @@ class WheelRail {
   void set_wheelset(double back_to_back, double flange_back, double radius);
   void set_rail_deviation(const double* deviation, const double* rate);  ///< y, z, roll
   void set_position(const double* position);                             ///< x, y, z, roll, yaw, pitch
-  /// Makes positions yawed, then rolled, from now on; with 0 they are rolled, then yawed.
-  void set_roll_outside(std::int32_t on);
-  void set_velocity(const double* velocity);  ///< rates of x, y, z, roll, yaw, pitch
+  void set_velocity(const double* velocity);                             ///< rates of x, y, z, roll, yaw, pitch
   /// Prescribes z of the position (how: by motion), or the vertical force on the rail (how: by force).
   void prescribe_vertical(std::int32_t how, double force);
-  void set_friction(double mu);  ///< one coefficient everywhere
-  /// Looks forces along the surfaces up in this table from now on, for what it has. err_state: it is not made.
+  /// Sets "coulomb", one coefficient everywhere, or "by_angle", pairs (inclination of the rail, mu), linear between
+  /// them.
+  void set_friction(const char* law, std::int32_t n, const double* parameters);
+  void set_friction(double mu) { set_friction("coulomb", 1, &mu); }
+  /// Looks forces along the surfaces up in this table from now on, for what it has; null: in none. err_state: it is not
+  /// made.
   void set_table(std::shared_ptr<const ForceTable> table);
-  void forget_table() { in_.table.reset(); }
-  /// Takes Hertz's pressures for each overlap where there is a table, from now on or (0) no longer.
-  void set_hertzian(std::int32_t on);
-  /// Makes frames follow the profiles across the rolling direction, from now on or (0) no longer; without tables then.
-  void set_conformal(std::int32_t on);
+  // Options by name follow: wheel_option_table().
+  void set_int(const char* name, std::int64_t value);
+  void set_real(const char* name, double value) { wheel_option_table().set_real(in_.options, name, value); }
+  std::int64_t get_int(const char* name) const { return wheel_option_table().get_int(in_.options, name); }
+  double get_real(const char* name) const { return wheel_option_table().get_real(in_.options, name); }
   /// Throws err_state where a table gives the forces: it has no tractions and no slip for what is `wanted`.
   void require_solved_friction(const char* wanted) const;
-  /// Sets friction by the rail's inclination, linear between points (angle, mu) with ascending angles; n = 0: that of
-  /// set_friction().
-  void set_friction_by_angle(std::int64_t n, const double* points);
-  void set_accuracy(double accuracy);  ///< error of tangential forces over mu Fn: 0.005 to 1
 
   /// Returns ok or the first of cancelled, not_converged, derailed, too_deep, rim_contact, coarse, no_contact.
   Status solve();
@@ -140,8 +139,8 @@ class WheelRail {
     WheelsetState position, velocity;
     RailDeviation deviation, rate;
     bool position_given = false, velocity_given = false, friction_given = false, by_force = false;
-    bool hertzian = false, conformal = false;
-    double load = 0, friction = 0, accuracy = 0.01;
+    WheelOptions options;
+    double load = 0, friction = 0;
     std::shared_ptr<const ForceTable> table;
     std::vector<double> friction_angle, friction_at_angle;
   };

@@ -1,6 +1,7 @@
 /// Takes what a wheel on its rail is given. Everything of a left one is held as it is in the mirror.
 
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 #include "support/input_checks.hpp"
@@ -16,11 +17,6 @@ WheelsetState state_of(const double* v, const char* name, double side) {
   for (int i = 0; i < 6; ++i)
     if (!std::isfinite(v[i])) fail(Status::err_nonfinite, "entry %d of %s (counting from 0) is %g", i, name, v[i]);
   return {v[0], side * v[1], v[2], side * v[3], side * v[4], v[5]};
-}
-
-bool switched_on(std::int32_t on) {
-  if (on != 0 && on != 1) fail(Status::err_argument, "on is %d; allowed: 0, 1", on);
-  return on == 1;
 }
 
 }  // namespace
@@ -88,10 +84,6 @@ void WheelRail::set_position(const double* position) {
   in_.position_given = true;
 }
 
-void WheelRail::set_roll_outside(std::int32_t on) {
-  in_.position.roll_outside = switched_on(on);
-}
-
 void WheelRail::set_velocity(const double* velocity) {
   const WheelsetState now = state_of(velocity, "velocity", side_);
   if (now.x == 0) fail(Status::err_argument, "the forward speed, entry 0 of velocity, is 0; allowed: any other");
@@ -111,66 +103,54 @@ void WheelRail::prescribe_vertical(std::int32_t how, double force) {
   in_.by_force = by_force;
 }
 
-void WheelRail::set_friction(double mu) {
-  require_finite(mu, "mu");
-  if (!(mu >= 0 && mu <= most_friction)) fail(Status::err_argument, "mu is %g; allowed: 0 to 10", mu);
-  in_.friction = mu;
+void WheelRail::set_friction(const char* law, std::int32_t n, const double* parameters) {
+  require_pointer(law, "law");
+  const bool by_angle = std::strcmp(law, "by_angle") == 0;
+  if (!by_angle && std::strcmp(law, "coulomb") != 0)
+    fail(Status::err_argument, "law is '%.64s'; allowed: coulomb, by_angle", law);
+  if (by_angle ? n < 2 || n % 2 != 0 : n != 1)
+    fail(Status::err_argument, "n is %d; allowed for %s: %s", n, law, by_angle ? "2, 4, 6, ..." : "1");
+  require_pointer(parameters, "parameters");
+  require_finite(n, 1, parameters, "parameters", 0);
+  for (std::int32_t i = by_angle ? 1 : 0; i < n; i += 2) {
+    if (!(parameters[i] >= 0 && parameters[i] <= most_friction))
+      fail(Status::err_argument, "mu, entry %d of parameters (counting from 0), is %g; allowed: 0 to %g", i,
+           parameters[i], most_friction);
+    if (i > 1 && !(parameters[i - 1] > parameters[i - 3]))
+      fail(Status::err_argument,
+           "angle, entry %d of parameters (counting from 0), is %g; allowed: above that before, %g", i - 1,
+           parameters[i - 1], parameters[i - 3]);
+  }
   in_.friction_given = true;
+  in_.friction = by_angle ? 0 : *parameters;
+  in_.friction_angle.clear();
+  in_.friction_at_angle.clear();
+  for (std::int32_t i = 0; by_angle && i < n; i += 2) {
+    in_.friction_angle.push_back(parameters[i]);
+    in_.friction_at_angle.push_back(parameters[i + 1]);
+  }
 }
 
 void WheelRail::set_table(std::shared_ptr<const ForceTable> table) {
-  table->require_made();
+  if (table) table->require_made();
   in_.table = std::move(table);
 }
 
-void WheelRail::set_hertzian(std::int32_t on) {
-  in_.hertzian = switched_on(on);
-}
-
-void WheelRail::set_conformal(std::int32_t on) {
-  in_.conformal = switched_on(on);
-}
-
 void WheelRail::require_solved_friction(const char* wanted) const {
-  if (in_.table && !in_.conformal)
+  if (in_.table && !in_.options.conformal)
     fail(Status::err_state,
          "forces along the surfaces come from a table, which has no tractions and no slip: %s needs a solution; call "
-         "rollcon_wheelrail_forget_table first",
+         "rollcon_wheelrail_set_table with NULL first",
          wanted);
 }
 
-void WheelRail::set_friction_by_angle(std::int64_t n, const double* points) {
-  require_count(n, "n");
-  if (n > 0) require_pointer(points, "points");
-  require_finite(n, 2, points, "points", 0);
-  for (std::int64_t i = 0; i < n; ++i) {
-    const double angle = points[2 * i], mu = points[2 * i + 1];
-    if (!(mu >= 0 && mu <= most_friction))
-      fail(Status::err_argument, "mu of point %lld (counting from 0) is %g; allowed: 0 to %g",
-           static_cast<long long>(i), mu, most_friction);
-    if (i > 0 && !(angle > points[2 * i - 2]))
-      fail(Status::err_argument, "angle of point %lld (counting from 0) is %g; allowed: above that before, %g",
-           static_cast<long long>(i), angle, points[2 * i - 2]);
-  }
-  const auto count = static_cast<std::size_t>(n);
-  in_.friction_angle.resize(count);
-  in_.friction_at_angle.resize(count);
-  for (std::size_t i = 0; i < count; ++i)
-    in_.friction_angle[i] = points[2 * i], in_.friction_at_angle[i] = points[2 * i + 1];
-}
-
-void WheelRail::set_accuracy(double accuracy) {
-  require_finite(accuracy, "accuracy");
-  constexpr double least = 0.005;
-  if (!(accuracy >= least && accuracy <= 1))
-    fail(Status::err_argument, "accuracy is %g; allowed: 0.005 to 1", accuracy);
-  in_.accuracy = accuracy;
-}
-
 void WheelRail::require_friction() const {
-  if (!in_.friction_given && in_.friction_angle.empty())
-    fail(Status::err_state,
-         "something is missing: call rollcon_wheelrail_set_friction or rollcon_wheelrail_set_friction_by_angle first");
+  if (!in_.friction_given) fail(Status::err_state, "something is missing: call rollcon_wheelrail_set_friction first");
+}
+
+void WheelRail::set_int(const char* name, std::int64_t value) {
+  wheel_option_table().set_int(in_.options, name, value);
+  in_.position.roll_outside = in_.options.roll_outside != 0;
 }
 
 void WheelRail::follow_bodies() {

@@ -28,7 +28,7 @@ TEST_F(body_results, arguments) {
   EXPECT_FAILS(rollcon_body_get_displacements(body, -1, u.data()), ARGUMENT, "capacity is -1");
   EXPECT_FAILS(rollcon_body_get_displacements(body, cube.nodes(), nullptr), ARGUMENT, "u is NULL");
   EXPECT_EQ(u, kept);
-  EXPECT_FAILS(rollcon_body_get_stat(body, "iterations", &v), OPTION, "'iterations'", "factorizations");
+  EXPECT_FAILS(rollcon_body_get_stat(body, "iterations", &v), OPTION, "'iterations'", "rollcon_stat_info");
   EXPECT_FAILS(rollcon_body_get_stat(body, nullptr, &v), ARGUMENT, "name is NULL");
   EXPECT_FAILS(rollcon_body_get_stat(body, "bytes", nullptr), ARGUMENT, "value is NULL");
   EXPECT_OK(rollcon_body_get_size(body, nullptr, nullptr));

@@ -270,7 +270,8 @@ TEST_F(wear, wheel_and_rail_lose_what_the_law_says) {
     ASSERT_OK(rollcon_wheelrail_create(context, wheel, rail, side, &one));
     ASSERT_OK(rollcon_wheelrail_set_track(one, 1435, 14, std::atan(1.0 / 40)));
     ASSERT_OK(rollcon_wheelrail_set_wheelset(one, 1360, -70, 460));
-    ASSERT_OK(rollcon_wheelrail_set_friction(one, 0.3));
+    const double mu = 0.3;
+    ASSERT_OK(rollcon_wheelrail_set_friction(one, "coulomb", 1, &mu));
     w.resize(points), r.resize(points);
     ASSERT_GE(rollcon_wheelrail_find_wear(one, 2, positions, velocities, weights, "archard", 1, &i, points, w.data(),
                                           r.data(), volumes, status),

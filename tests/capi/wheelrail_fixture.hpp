@@ -41,7 +41,8 @@ class Wheel : public ::testing::Test {
     ASSERT_OK(rollcon_wheelrail_set_wheelset(w, 1360, -70, 460));
     ASSERT_OK(rollcon_wheelrail_set_position(w, position));
     ASSERT_OK(rollcon_wheelrail_set_velocity(w, velocity));
-    ASSERT_OK(rollcon_wheelrail_set_friction(w, 0.3));
+    const double mu = 0.3;
+    ASSERT_OK(rollcon_wheelrail_set_friction(w, "coulomb", 1, &mu));
   }
 
   static double patch_stat(const rollcon_wheelrail* w, const char* name) {

@@ -89,7 +89,7 @@ std::int32_t ROLLCON_CALL ask_owners(const rollcon_event*, void* user) {
   ++watched.calls;
   const double mu = 0.1;
   EXPECT_EQ(rollcon_contact_set_friction(watched.contact, "coulomb", 1, &mu), ROLLCON_ERR_BUSY);
-  EXPECT_EQ(rollcon_wheelrail_set_friction(watched.wheelrail, mu), ROLLCON_ERR_BUSY);
+  EXPECT_EQ(rollcon_wheelrail_set_friction(watched.wheelrail, "coulomb", 1, &mu), ROLLCON_ERR_BUSY);
   return 1;
 }
 
@@ -101,7 +101,8 @@ TEST_F(wheelrail_handles, contacts_are_busy_while_it_solves_and_may_cancel) {
   Watched watched{right, nullptr, 0};
   ASSERT_OK(rollcon_wheelrail_get_contact(right, 0, &watched.contact));
   ASSERT_OK(rollcon_contact_set_progress(watched.contact, ask_owners, &watched));
-  ASSERT_OK(rollcon_wheelrail_set_friction(right, 0.25));
+  const double mu = 0.25;
+  ASSERT_OK(rollcon_wheelrail_set_friction(right, "coulomb", 1, &mu));
   EXPECT_EQ(rollcon_wheelrail_solve(right), ROLLCON_CANCELLED);
   EXPECT_GT(watched.calls, 0);
   // The callback belongs to the contact, however many handles it has.

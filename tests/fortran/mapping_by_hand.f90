@@ -550,6 +550,10 @@ contains
     type(rc_contact) :: of_patch
     call wheelrail%set_table(table, stat, message)
     call told('wheelrail_set_table', 'wheelrail1 table1', stat)
+    call wheelrail%set_table(stat=stat)
+    call told('wheelrail_set_table', 'wheelrail1 null', stat)
+    call wheelrail%set('a name', 1.5_rc_real, stat)
+    call told('wheelrail_set_real', 'wheelrail1 <a name> 1.5', stat)
     call wheelrail%get_contact(11, of_patch, stat, message)
     call told('wheelrail_get_contact', 'wheelrail1 10 room', stat)
     call told('contact_retain', 'contact2', stat)

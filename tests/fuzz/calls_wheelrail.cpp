@@ -47,8 +47,9 @@ void create(World& w) {
   rollcon_wheelrail_set_wheelset(made, 1360, -70, 460);
   rollcon_wheelrail_set_position(made, position);
   rollcon_wheelrail_set_velocity(made, velocity);
-  rollcon_wheelrail_set_friction(made, 0.3);
-  rollcon_wheelrail_set_accuracy(made, 1);
+  const double mu = 0.3;
+  rollcon_wheelrail_set_friction(made, "coulomb", 1, &mu);
+  rollcon_wheelrail_set_real(made, "accuracy", 1);
 }
 
 void retain(World& w) {
@@ -85,8 +86,14 @@ void set_state(World& w) {
 void set_law(World& w) {
   rollcon_wheelrail* h = w.wheelrail();
   FUZZ_CALL(w, rollcon_wheelrail_prescribe_vertical, h, few(w, 3), w.in.one_in(4) ? w.in.real() : 1e4);
-  FUZZ_CALL(w, rollcon_wheelrail_set_friction, h, w.in.positive());
-  FUZZ_CALL(w, rollcon_wheelrail_set_accuracy, h, w.in.one_in(6) ? w.in.real() : 0.1);
+  const std::vector<double> parameters = w.in.reals(4);
+  const double mu = w.in.positive();
+  if (w.in.one_in(3))
+    FUZZ_CALL(w, rollcon_wheelrail_set_friction, h, w.in.one_in(2) ? "by_angle" : "coulomb", few(w, 5),
+              parameters.data());
+  else
+    FUZZ_CALL(w, rollcon_wheelrail_set_friction, h, "coulomb", 1, &mu);
+  FUZZ_CALL(w, rollcon_wheelrail_set_real, h, "accuracy", w.in.one_in(6) ? w.in.real() : 0.1);
 }
 
 void solve(World& w) {

@@ -70,7 +70,7 @@ def without_friction(context):
 
 def friction_by_angle_alone(context):
     made = wheel(context)
-    made.set_friction_by_angle([[-1.0, 0.1], [0.0, 0.3]])
+    made.set_friction([[-1.0, 0.1], [0.0, 0.3]], "by_angle")
     return str(int(made.solve()))
 
 
@@ -165,7 +165,7 @@ def plan_of_a_mesh_file(context):
 # Each row has a text, words that it has, and words that it has not.
 TEXTS = [
     (spinning_backwards, ["pitch rate, entry 5 of velocity, is 4.4", "has about -4.34"], ["set_velocity"]),
-    (without_friction, ["set_friction or", "set_friction_by_angle first"], []),
+    (without_friction, ["set_friction first"], []),
     (friction_by_angle_alone, ["0"], []),
     (one_wheel_for_both_sides, ["right is a wheel on the left", "ROLLCON_RIGHT"], ["in use"]),
     (light_wheel, ["for 1e-09", "brought it nearer"], []),

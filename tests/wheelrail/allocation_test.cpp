@@ -56,7 +56,7 @@ TEST_F(allocation, warm_steps_allocate_nothing) {
   context->set_threads(1);
   for (const bool by_table : {false, true}) {
     const auto w = make();
-    w->set_accuracy(by_table ? 0.01 : 0.02);
+    w->set_real("accuracy", by_table ? 0.01 : 0.02);
     w->prescribe_vertical(static_cast<std::int32_t>(How::by_force), 10000);
     if (by_table) w->set_table(ForceTable::standard(context));
     std::int64_t most = 0;

@@ -87,8 +87,8 @@ class conformal : public wheels {
     w->set_track(gauge * unit, 14 * unit, 0);
     w->set_wheelset((gauge - 2 * y) * unit, 0, 420 * unit);
     w->set_friction(mu);
-    w->set_accuracy(0.02);
-    w->set_conformal(1);
+    w->set_real("accuracy", 0.02);
+    w->set_int("conformal", 1);
     w->prescribe_vertical(static_cast<std::int32_t>(How::by_force), 10000);
     return w;
   }
@@ -144,7 +144,7 @@ TEST_F(conformal_long, wheel_in_a_groove_beside_contact) {
   for (const Reference& r : {Reference{10.25, 0.0224, -1.0002301, 83.95, 0.01, 0.05, 0.18},
                              {10.05, 0.0174, -1.0006495, 644.4, 0.025, 0.05, 0.12}}) {
     auto w = in_groove(r.groove);
-    w->set_accuracy(0.01);
+    w->set_real("accuracy", 0.01);
     const double rate = roll_freely(*w);
     const std::string name = "R10 in R" + std::to_string(r.groove).substr(0, 5) + ": ";
     expect_error(name + "height", relative(w->stat("z") - bottom, r.z), r.z_bound);
@@ -161,7 +161,7 @@ TEST_F(conformal, agrees_with_a_plane_where_normals_hardly_turn) {
   w->prescribe_vertical(static_cast<std::int32_t>(How::by_force), 10000);
   double total[2][6], pressure[2];
   for (const int on : {0, 1}) {
-    w->set_conformal(on);
+    w->set_int("conformal", on);
     EXPECT_EQ(w->solve(), Status::ok);
     w->resultant(false, total[on], total[on] + 3);
     pressure[on] = w->patch_stat(0, "max_pressure");
@@ -196,7 +196,7 @@ TEST_F(conformal, does_not_depend_on_side_units_or_what_was_solved_before) {
   right->save(0);
   const auto twin = right->copy();
   move(*right, -1.0003, 1, -0.05, 1e-4);
-  right->set_conformal(0);
+  right->set_int("conformal", 0);
   EXPECT_EQ(right->solve(), Status::ok);
   right->restore(0);
   double f[6];
@@ -231,14 +231,14 @@ TEST_F(conformal, tables_are_left_aside_and_stresses_inside_refused) {
   double stress[6];
   refused([&] { w->contact(0)->fields_at(1, false, 1, point, nullptr, stress); }, Status::err_unsupported,
           {"conformal", "plane"});
-  refused([&] { w->set_conformal(2); }, Status::err_argument, {"on is 2", "0, 1"});
+  refused([&] { w->set_int("conformal", 2); }, Status::err_option, {"conformal", "0 to 1"});
 }
 
 TEST_F(conformal, patches_too_steep_are_named_and_the_wheel_goes_on) {
   auto w = in_groove(10.05);
   move(*w, -1.0005);
   w->prescribe_vertical(static_cast<std::int32_t>(How::by_force), 8e4);
-  refused([&] { w->solve(); }, Status::err_mesh, {"60 degrees", "rollcon_wheelrail_set_conformal", "y = "});
+  refused([&] { w->solve(); }, Status::err_mesh, {"60 degrees", "option conformal", "y = "});
   w->prescribe_vertical(static_cast<std::int32_t>(How::by_force), 1e4);
   EXPECT_EQ(w->solve(), Status::ok);
 }
@@ -246,13 +246,13 @@ TEST_F(conformal, patches_too_steep_are_named_and_the_wheel_goes_on) {
 // The flange's contact turns by a few degrees, and its rolling radius by the same path.
 TEST_F(conformal_long, goes_through_flange_contact) {
   auto plane = make(), along = make();
-  along->set_conformal(1);
+  along->set_int("conformal", 1);
   double worst = 0, pressure = 0;
   for (double y = 0; y <= 10; y += 1) {
     double f[2][6], p[2] = {};
     for (const std::size_t i : {0U, 1U}) {
       WheelRail& w = i == 0 ? *plane : *along;
-      w.set_accuracy(0.01);
+      w.set_real("accuracy", 0.01);
       w.prescribe_vertical(static_cast<std::int32_t>(How::by_force), 10000);
       place(w, y);
       EXPECT_EQ(w.solve(), Status::ok) << y;

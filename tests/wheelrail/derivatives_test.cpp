@@ -68,7 +68,7 @@ class derivatives : public wheels {
 TEST_F(derivatives, are_those_of_differences) {
   for (const double y : {2.0, 5.0}) {
     auto w = make();
-    w->set_accuracy(0.02);
+    w->set_real("accuracy", 0.02);
     w->prescribe_vertical(2, 10000);
     put(*w, y, 0, 0, 0);
     ASSERT_EQ(w->solve(), Status::ok);
@@ -87,7 +87,7 @@ TEST_F(derivatives, are_those_of_differences) {
 TEST_F(derivatives, by_table_are_those_of_differences) {
   auto w = make();
   w->set_table(std::shared_ptr<const ForceTable>(ForceTable::standard(context)));
-  w->set_hertzian(1);
+  w->set_int("hertzian", 1);
   w->prescribe_vertical(2, 10000);
   put(*w, 2, 0, 0, 0);
   ASSERT_EQ(w->solve(), Status::ok);

@@ -17,7 +17,7 @@ TEST_F(friction_by_angle, one_coefficient_is_as_before) {
   for (const double y : {0.0, 2.0, 6.0}) {
     const auto plain = make(), varied = make();
     varied->set_friction(0.9);
-    varied->set_friction_by_angle(2, level);
+    varied->set_friction("by_angle", 4, level);
     for (const auto* w : {&plain, &varied}) {
       (*w)->prescribe_vertical(2, 10000);
       place(**w, y);
@@ -27,7 +27,6 @@ TEST_F(friction_by_angle, one_coefficient_is_as_before) {
     plain->resultant(true, force[0].data(), moment[0].data());
     varied->resultant(true, force[1].data(), moment[1].data());
     for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(force[1][c], force[0][c], 1e-9 * 10000);
-    varied->set_friction_by_angle(0, nullptr);
     varied->set_friction(mu);
     ASSERT_GE(varied->solve(), Status::ok);
     varied->resultant(true, force[1].data(), moment[1].data());
@@ -42,7 +41,7 @@ TEST_F(friction_by_angle, each_patch_has_that_of_its_surface) {
   for (const std::int32_t side : {1, -1})
     for (const double y : {0.0, 4.0, 6.5, 7.0}) {
       const auto w = make(side);
-      w->set_friction_by_angle(2, by_angle);
+      w->set_friction("by_angle", 4, by_angle);
       w->prescribe_vertical(2, 10000);
       const double position[6] = {0, side * y, 0, 0, side * 2.4e-3 * y, 0}, fast[6] = {2000, 0, 0, 0, 0, -8};
       w->set_position(position);
@@ -67,9 +66,9 @@ TEST_F(friction_by_angle, each_patch_has_that_of_its_surface) {
 TEST_F(friction_by_angle, refusals) {
   const auto w = make();
   const double falling[] = {0.1, 0.1, 0, 0.2}, much[] = {0, 0.1, 0.1, 11};
-  refused([&] { w->set_friction_by_angle(2, falling); }, Status::err_argument, {"angle of point 1"});
-  refused([&] { w->set_friction_by_angle(2, much); }, Status::err_argument, {"mu of point 1"});
-  refused([&] { w->set_friction_by_angle(2, nullptr); }, Status::err_argument, {"points"});
+  refused([&] { w->set_friction("by_angle", 4, falling); }, Status::err_argument, {"angle, entry 2"});
+  refused([&] { w->set_friction("by_angle", 4, much); }, Status::err_argument, {"mu, entry 3"});
+  refused([&] { w->set_friction("by_angle", 4, nullptr); }, Status::err_argument, {"parameters"});
 }
 
 }  // namespace

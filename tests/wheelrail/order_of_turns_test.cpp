@@ -77,9 +77,9 @@ class order_of_turns : public wheels {
   /// Returns a wheel under 10 kN, or at a height at which it carries about as much.
   std::unique_ptr<WheelRail> standing(std::int32_t side, bool roll_outside, How how) const {
     auto w = make(side);
-    w->set_accuracy(0.02);
+    w->set_real("accuracy", 0.02);
     State s = roll_outside ? given : yaw_outside(given);
-    w->set_roll_outside(roll_outside ? 1 : 0);
+    w->set_int("roll_outside", roll_outside ? 1 : 0);
     w->set_velocity(s.velocity.data());
     w->set_position(s.position.data());
     w->prescribe_vertical(static_cast<std::int32_t>(How::by_force), 10000);
@@ -100,7 +100,7 @@ TEST_F(order_of_turns, matrices_say_where_the_profile_is) {
     const auto w = make(side);
     w->set_position(given.position.data());
     for (const std::int32_t outside : {1, 0}) {
-      w->set_roll_outside(outside);
+      w->set_int("roll_outside", outside);
       w->solve();
       const Matrix m = outside == 1 ? times(about_x(roll), about_z(yaw)) : times(about_z(yaw), about_x(roll));
       const Vec3 own{0, side * (1360 / 2 + 70 + wheel->profile()->at(0).x[0]), 460 + wheel->profile()->at(0).x[1]};
@@ -128,7 +128,7 @@ TEST_F(order_of_turns, one_place_and_motion_has_one_answer) {
       expect_error("moment in the wheelset's axes", length(m_set - times(back, m)) / length(m), 1e-14);
       // The order matters here.
       const auto other = standing(side, true, how);
-      other->set_roll_outside(0);
+      other->set_int("roll_outside", 0);
       other->solve();
       other->resultant(false, f_in.data(), m_in.data());
       EXPECT_GT(length(f - f_in), 1e-3 * length(f));
@@ -173,8 +173,8 @@ TEST_F(order_of_turns, conicity_and_contact_points_are_those_of_either) {
   double conicity[2], roll_at[2];
   for (const std::int32_t on : {0, 1}) {
     const auto left = make(-1), right = make(1);
-    left->set_roll_outside(on);
-    right->set_roll_outside(on);
+    left->set_int("roll_outside", on);
+    right->set_int("roll_outside", on);
     WheelsetGeometry geometry(*left, *right);
     double wavelength = 0;
     conicity[on] = geometry.motion(3, wavelength).conicity;
@@ -188,12 +188,12 @@ TEST_F(order_of_turns, states_keep_it_and_other_values_are_refused) {
   const auto w = standing(1, true, How::by_motion);
   w->save(0);
   const auto before = w->profile_point(1, 0);
-  w->set_roll_outside(0);
+  w->set_int("roll_outside", 0);
   EXPECT_EQ(w->profile_point(1, 0), before);  // results are those of the last solve
   w->restore(0);
   w->solve();
   EXPECT_EQ(w->profile_point(1, 0), before);
-  refused([&] { w->set_roll_outside(2); }, Status::err_argument, {"on is 2", "0, 1"});
+  refused([&] { w->set_int("roll_outside", 2); }, Status::err_option, {"roll_outside", "0 to 1"});
 }
 
 }  // namespace rollcon

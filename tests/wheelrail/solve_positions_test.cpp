@@ -40,7 +40,7 @@ class positions : public wheels {
   }
   std::unique_ptr<WheelRail> make() const {
     auto w = wheels::make();
-    w->set_accuracy(1);
+    w->set_real("accuracy", 1);
     w->prescribe_vertical(2, 10000);
     return w;
   }

@@ -39,7 +39,7 @@ class state : public wheels {
   /// Makes a coarse wheel, which is quick.
   std::unique_ptr<WheelRail> make(std::int32_t side = 1) const {
     auto w = wheels::make(side);
-    w->set_accuracy(1);
+    w->set_real("accuracy", 1);
     return w;
   }
   /// Takes a step of a path that goes from one patch to two.
@@ -97,7 +97,7 @@ TEST_F(state, a_rejected_step_leaves_no_trace) {
     tried->set_velocity(velocity);
     tried->set_friction(0);
     tried->prescribe_vertical(1, 0);
-    tried->set_accuracy(steps % 6 == 0 ? 0.01 : 1);
+    tried->set_real("accuracy", steps % 6 == 0 ? 0.01 : 1);
     step(*tried, 1);
     tried->restore(3);
     if (steps > 0) {
@@ -129,9 +129,9 @@ TEST_F(state, after_a_reset_nothing_is_left_of_what_was) {
   const auto used = make();
   used->prescribe_vertical(2, 10000);
   for (const double y : {0.5, 5.0, 6.4, 5.1}) step(*used, y);
-  used->set_accuracy(0.01);
+  used->set_real("accuracy", 0.01);
   step(*used, 1);
-  used->set_accuracy(1);
+  used->set_real("accuracy", 1);
   for (const double y : {2.0, 5.0, 6.3}) {
     const auto fresh = make();
     fresh->prescribe_vertical(2, 10000);

@@ -148,7 +148,7 @@ TEST_F(wheel_rail_long, manchester_positions_and_forces) {
   for (const Row& r : rows) {
     const auto w = make(r.side);
     place(*w, r);
-    w->set_accuracy(0.005);
+    w->set_real("accuracy", 0.005);
     ASSERT_EQ(w->solve(), Status::ok) << name_of(r);
     ASSERT_EQ(w->patches(), 1) << name_of(r);
     const auto of = [&](const char* what) { return w->patch_stat(0, what); };
@@ -171,7 +171,7 @@ TEST_F(wheel_rail_long, manchester_positions_and_forces) {
 TEST_F(wheel_rail_long, two_patches_give_way_under_each_other) {
   const auto w = make(1);
   place(*w, two_patches);
-  w->set_accuracy(0.005);
+  w->set_real("accuracy", 0.005);
   ASSERT_EQ(w->solve(), Status::ok);
   ASSERT_EQ(w->patches(), 2);
   const double deep = w->patch_stat(0, "normal_force"), shallow = w->patch_stat(1, "normal_force");
@@ -269,7 +269,7 @@ TEST_F(wheel_rail, hertz_is_there) {
     w.set_position(position);
     w.set_velocity(velocity);
     w.prescribe_vertical(2, load);
-    w.set_accuracy(0.005);
+    w.set_real("accuracy", 0.005);
     ASSERT_EQ(w.solve(), Status::ok);
     const closed_forms::Elastic steel{.shear = 82000, .poisson = 0.28};
     const auto hertz =
@@ -357,7 +357,7 @@ TEST_F(wheel_rail, bad_input_is_refused) {
   refused([&] { WheelRail(context, wheel, rail, 0); }, Status::err_argument, "allowed: -1 (left), 1 (right)");
   refused([&] { w.set_track(-1, 14, 0); }, Status::err_argument, "gauge is -1");
   refused([&] { w.set_track(1435, 500, 0); }, Status::err_argument, "gauge_height is 500");
-  refused([&] { w.set_friction(11); }, Status::err_argument, "mu is 11");
+  refused([&] { w.set_friction(11); }, Status::err_argument, "is 11; allowed: 0 to 10");
   const double still[6] = {0, 0, 0, 0, 0, 1}, broken[6] = {0, 0, NAN, 0, 0, 0};
   refused([&] { w.set_velocity(still); }, Status::err_argument, "forward speed");
   refused([&] { w.set_position(broken); }, Status::err_nonfinite, "entry 2 of position");
@@ -431,8 +431,8 @@ TEST_F(wheels, stand_on_a_rail_without_a_side_by_its_origin) {
   w.set_velocity(velocity);
   w.set_position(at);
   w.prescribe_vertical(2, 10000);
-  refused([&] { w.solve(); }, Status::err_state, {"rollcon_wheelrail_set_friction_by_angle"});
-  w.set_friction_by_angle(2, by_angle);
+  refused([&] { w.solve(); }, Status::err_state, {"rollcon_wheelrail_set_friction"});
+  w.set_friction("by_angle", 4, by_angle);
   EXPECT_GE(static_cast<int>(w.solve()), 0);
   EXPECT_NEAR(w.patch_stat(0, "y"), 717.5, 1e-3);
   EXPECT_NEAR(w.stat("vertical_force"), 10000, 0.1);

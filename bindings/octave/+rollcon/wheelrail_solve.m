@@ -7,7 +7,7 @@ function varargout = wheelrail_solve(varargin)
 % log has the numbers. ERR_STATE names the call that is missing. ERR_ARGUMENT: with this z wheel and
 % rail overlap by more than a tenth of the wheel's radius. ERR_LOAD: with this y no height brings the
 % wheel on the rail, or no overlap up to a tenth of the radius carries the vertical force. ERR_MESH: a
-% conformal patch (rollcon.wheelrail_set_conformal) turns by more than 60 degrees to a side.
+% conformal patch (option conformal) turns by more than 60 degrees to a side.
 %
 %   wheelrail (wheelrail)
 %

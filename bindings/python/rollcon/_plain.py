@@ -836,17 +836,6 @@ class WheelrailPlain:
         position, position_at = vector(position, 6)
         self._call("set_position", position_at)
 
-    def set_roll_outside(self, on: int) -> None:
-        """Says in which order positions turn a wheelset. A point of it is pitched about its axle;
-        then it is either yawed about z and rolled about x, which is CONTACT's order, or rolled
-        and then yawed, which is that of a new handle. Rates of roll and yaw are those of these
-        angles. It counts from the next solve, also for positions that were set before. Both
-        orders agree without roll or without yaw.
-
-        on: 1: the roll outside the yaw; 0: the yaw outside the roll, the standard.
-        """
-        self._call("set_roll_outside", on)
-
     def set_velocity(self, velocity: ArrayLike) -> None:
         """Sets the velocity of the wheelset.
 
@@ -865,67 +854,6 @@ class WheelrailPlain:
         """
         self._call("prescribe_vertical", how, force)
 
-    def set_friction(self, mu: float) -> None:
-        """Sets the coefficient of Coulomb's friction. It is not needed where
-        set_friction_by_angle() gives it.
-
-        mu: 0 to 10.
-        """
-        self._call("set_friction", mu)
-
-    def forget_table(self) -> None:
-        """Solves all patches in full again, like a new handle."""
-        self._call("forget_table")
-
-    def set_hertzian(self, on: int) -> None:
-        """Takes Hertz's pressures on an ellipse that each patch's overlap gives, and solves for
-        none, with a creep-force table (set_table(); without one nothing changes). A step takes
-        tens of microseconds instead of about a millisecond; docs/wheelrail.md has the errors.
-        Patches have their statistics; their contacts have no solution (ERR_STATE from calls that
-        ask for one). A patch that the table does not have is solved in full; statistic hertzian
-        of the patch is 0.
-
-        on: 1: ellipses of the overlaps; 0: pressures are solved for, the standard.
-        """
-        self._call("set_hertzian", on)
-
-    def set_conformal(self, on: int) -> None:
-        """Lays the frame of each patch on the profiles, with normals that turn across it, instead
-        of in one plane: for worn profiles and flange roots, where normals turn by more than a few
-        degrees within a patch. Its compliance is that of half-spaces on the frame unrolled
-        (docs/theory.md, section 11), its operators are made anew at every position, so that a
-        step takes tens of milliseconds, and derivatives of the totals are differences of solves.
-        Creep-force tables are not used: statistic by_table of a patch is 0.
-
-        on: 1: along the profiles; 0: in a plane, the standard.
-        """
-        self._call("set_conformal", on)
-
-    def set_friction_by_angle(self, points: ArrayLike | None) -> None:
-        """Sets coefficients by the inclination of the rail's surface, linear between points and
-        constant beyond them, in place of that of set_friction(): lubricated gauge faces under dry
-        heads. The inclination is atan dz/dy of a right rail with y to the right and z down, its
-        cant included, its deviation not: negative on the gauge face; left rails are mirrored, so
-        that one table serves both.
-
-        points: inclination, radian, ascending, and mu, 0 to 10.
-        """
-        if points is None:
-            points = ()
-            points_at = None
-        else:
-            points, points_at = reals(points, 2)
-        self._call("set_friction_by_angle", len(points), points_at)
-
-    def set_accuracy(self, accuracy: float) -> None:
-        """Sets how accurate forces are to be: the frames of the patches are as fine as that
-        takes.
-
-        accuracy: error of tangential forces over the limit of friction: 0.005 to 1, standard
-          0.01.
-        """
-        self._call("set_accuracy", accuracy)
-
     def solve(self) -> int:
         """Finds the patches and solves each as a steady rolling contact, from the last solution
         where there is one. The status is the worst of the patches' in the order that holds for
@@ -934,7 +862,7 @@ class WheelrailPlain:
         missing. ERR_ARGUMENT: with this z wheel and rail overlap by more than a tenth of the
         wheel's radius. ERR_LOAD: with this y no height brings the wheel on the rail, or no
         overlap up to a tenth of the radius carries the vertical force. ERR_MESH: a conformal
-        patch (set_conformal()) turns by more than 60 degrees to a side.
+        patch (option conformal) turns by more than 60 degrees to a side.
         """
         return self._call("solve")
 

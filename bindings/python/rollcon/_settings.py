@@ -1,4 +1,4 @@
-"""Provides settings by name, of contacts and of bodies."""
+"""Provides settings by name, of contacts, bodies and wheels on rails."""
 
 from __future__ import annotations
 

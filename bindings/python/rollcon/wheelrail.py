@@ -11,6 +11,7 @@ import numpy as np
 from ._arrays import reals, room
 from ._library import Handle, RollconError, c_text, call, check, lib, shown
 from ._plain import WheelrailPlain
+from ._settings import Settings
 from .contact import Contact
 
 if TYPE_CHECKING:
@@ -108,7 +109,7 @@ def rolling_radii_coefficient(left: WheelRail, right: WheelRail, shift: float, c
     return points.difference[0] * curve / (radius * (points.right.y[0] - points.left.y[0]))
 
 
-class WheelRail(WheelrailPlain, Handle):
+class WheelRail(Settings, WheelrailPlain, Handle):
     """Takes two profiles, dimensions, position and velocity; gives patches and forces.
 
     side: LEFT or RIGHT ("left", "right"). Patches count from 0.
@@ -128,10 +129,15 @@ class WheelRail(WheelrailPlain, Handle):
         Handle.__init__(wheelrail, handle, context)
         return wheelrail
 
-    def set_table(self, table: Table) -> None:
-        """Takes forces along the surfaces from a Table from now on; forget_table() ends it. Contacts of patches then
-        have pressures alone."""
-        self._call("set_table", table.handle)
+    def set_friction(self, mu: ArrayLike, law: str = "coulomb") -> None:
+        """Sets the law of friction and its parameters; for Coulomb's, the coefficient."""
+        parameters, address = reals(np.ravel(mu))
+        self._call("set_friction", c_text(law, "law"), parameters.size, address)
+
+    def set_table(self, table: Table | None) -> None:
+        """Takes forces along the surfaces from a Table from now on; None ends it. Contacts of patches then have
+        pressures alone."""
+        self._call("set_table", table and table.handle)
 
     def copy(self) -> WheelRail:
         """Returns another WheelRail with the same bodies, inputs and last solution: both go on alike."""
