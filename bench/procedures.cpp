@@ -17,10 +17,10 @@ void must(std::int32_t status, const char* what) {
 
 void add_error_function(Record& record, const scenes::RollingPair& pair) {
   std::int64_t rows = 0;
-  must(rollcon_contact_get_error_function(pair.handle(), 0, nullptr, nullptr, &rows), "get_error_function");
+  must(rollcon_contact_get_history(pair.handle(), "error_function", 0, nullptr, &rows), "get_history");
   std::vector<double> psi(static_cast<std::size_t>(rows)), seconds(psi.size());
-  must(rollcon_contact_get_error_function(pair.handle(), rows, psi.data(), seconds.data(), &rows),
-       "get_error_function");
+  must(rollcon_contact_get_history(pair.handle(), "error_function", rows, psi.data(), nullptr), "get_history");
+  must(rollcon_contact_get_history(pair.handle(), "seconds", rows, seconds.data(), nullptr), "get_history");
   record.series = {{"psi", std::move(psi)}, {"psi_seconds", std::move(seconds)}};
 }
 

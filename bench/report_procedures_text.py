@@ -24,8 +24,8 @@ are options of a contact. [Theory](theory.md), section 12, describes them:
 | | `kept_lu` | factors of an earlier iteration, made anew when they no longer serve; condensed only, its `auto` |
 | `line_search` | `armijo`, `off` | section 11.1 (III); `auto`: armijo |
 
-Combinations that make no sense are refused with the reason. `rollcon_contact_get_error_function` gives the error
-function of every iteration and the time at which it was reached.
+Combinations that make no sense are refused with the reason. The columns `error_function` and `seconds` of
+`rollcon_contact_get_history` tell the error function of every iteration and the time at which it was reached.
 """
 
 CHOICE = """## Which to choose

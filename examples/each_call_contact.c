@@ -151,7 +151,7 @@ static void watching(rollcon_contact* contact) {
 
 static void results(rollcon_contact* contact) {
   const double xy[2] = {0, 0}, xyz[3] = {0, 0, -3};
-  double rows[8 * most_rows], psi[most_rows], seconds[most_rows];
+  double rows[2 * most_rows];
   double force[3], moment[3], creep[3], tilt[2], approach, u[3], stress[6], principal[3], von_mises, shear, index;
   const double archard = 1e-9, across[5] = {-20, -10, 0, 10, 20}; /* mm^2/N; mm */
   const double flat[10] = {-20, 0, -10, 0, 0, 0, 10, 0, 20, 0};
@@ -171,8 +171,7 @@ static void results(rollcon_contact* contact) {
   must(rollcon_contact_get_wear(contact, "archard", 1, &archard, 5, across, depth, NULL));
   must(rollcon_wear_profile(5, flat, depth, ROLLCON_BODY_BELOW, 1e4, 0.01, 0, worn, NULL));
   printf("ten thousand passes wear the middle %s\n", worn[5] > 0 ? "most" : "not at all");
-  must(rollcon_contact_get_history(contact, most_rows, rows, &n));
-  must(rollcon_contact_get_error_function(contact, most_rows, psi, seconds, &n));
+  must(rollcon_contact_get_history(contact, "seconds error_function", most_rows, rows, &n));
   must(rollcon_contact_get_plan(contact, 0, NULL, &n));
   plan = malloc((size_t)n);
   if (!plan) exit(1);

@@ -92,8 +92,8 @@ static rollcon_wheelrail* wheel_on_rail(rollcon_context* context, rollcon_body* 
 static void wheels(rollcon_context* context) {
   const double position[6] = {0, 3, 0, 0, 0, 0}, velocity[6] = {30000, 0, 0, 0, 0, -65.2};
   const double lower[3] = {0, 0.5, 0}, still[3] = {0, 0, 0}, shift[2] = {0, 3}, amplitude[2] = {2, 4};
-  double force[3], moment[3], point[2], origin[3], axes[9], force_rate[3], moment_rate[3], z_rate, pressure, totals[9],
-      points[26], conicity[2], wavelength[2];
+  double force[3], moment[3], point[2], origin[3], axes[9], force_rate[3], moment_rate[3], z_rate, pressure, total,
+      differences[2], conicity[2], wavelength[2];
   const double by_angle[4] = {-1, 0.1, -0.2, 0.3};
   const char* law = "archard";
   const double i = 1e-9; /* mm^2/N */
@@ -130,8 +130,8 @@ static void wheels(rollcon_context* context) {
   must(rollcon_wheelrail_copy(right, &copy));
   must(rollcon_wheelrail_request_cancel(copy));
   must(rollcon_wheelrail_reset(copy));
-  must(rollcon_wheelrail_solve_many(copy, 1, position, velocity, totals, &status));
-  printf("a list of positions: status %d\n", (int)status);
+  must(rollcon_wheelrail_solve_many(copy, 1, position, velocity, "vertical_force", &total, &status));
+  printf("a list of positions: status %d, %.0f kN\n", (int)status, total / 1000);
   must(rollcon_wheelrail_find_wear(copy, 1, position, velocity, NULL, law, 1, &i, 9, w, NULL, NULL, NULL));
   must(rollcon_wheelrail_retain(copy));
   if (rollcon_wheelrail_from_id(rollcon_id_of(copy)) != copy) exit(1);
@@ -160,7 +160,7 @@ static void wheels(rollcon_context* context) {
   printf("conformal: %.1f kN on the rail\n", -force[2] / 1000);
   must(rollcon_wheelrail_set_int(right, "conformal", 0));
   must(rollcon_wheelrail_set_friction(right, "by_angle", 4, by_angle)); /* a lubricated gauge face */
-  must(rollcon_wheelrail_find_contact_points(left, right, 2, shift, points));
+  must(rollcon_wheelrail_find_contact_points(left, right, 2, shift, "radius_difference", differences));
   must(rollcon_wheelrail_find_conicity(left, right, 2, amplitude, conicity, wavelength));
   printf("conicity %.3f at 2 mm, %.3f at 4 mm\n", conicity[0], conicity[1]);
   if (rollcon_stat_count(ROLLCON_OF_WHEELRAIL) < 1 || rollcon_stat_count(ROLLCON_OF_PATCH) < 1) exit(1);

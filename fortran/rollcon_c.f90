@@ -1430,28 +1430,17 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_stat
 
-    function rollcon_contact_get_history(contact, capacity, rows, n_rows) &
+    function rollcon_contact_get_history(contact, columns, capacity, rows, n_rows) &
         result(rc) bind(C, name="rollcon_contact_get_history")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
       type(c_ptr), value :: contact
+      character(kind=c_char), intent(in) :: columns(*)
       integer(c_int64_t), value :: capacity
       real(c_double), intent(out) :: rows(*)
       integer(c_int64_t), intent(inout) :: n_rows
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_history
-
-    function rollcon_contact_get_error_function(contact, capacity, psi, seconds, n_rows) &
-        result(rc) bind(C, name="rollcon_contact_get_error_function")
-      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
-      implicit none
-      type(c_ptr), value :: contact
-      integer(c_int64_t), value :: capacity
-      real(c_double), intent(out) :: psi(*)
-      real(c_double), intent(out) :: seconds(*)
-      integer(c_int64_t), intent(inout) :: n_rows
-      integer(c_int32_t) :: rc
-    end function rollcon_contact_get_error_function
 
     function rollcon_contact_get_plan(contact, capacity, text, needed) &
         result(rc) bind(C, name="rollcon_contact_get_plan")
@@ -1585,14 +1574,15 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_request_cancel
 
-    function rollcon_wheelrail_solve_many(wheelrail, n, positions, velocities, totals, status) &
-        result(rc) bind(C, name="rollcon_wheelrail_solve_many")
+    function rollcon_wheelrail_solve_many(wheelrail, n, positions, velocities, columns, totals, &
+        status) result(rc) bind(C, name="rollcon_wheelrail_solve_many")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
       type(c_ptr), value :: wheelrail
       integer(c_int64_t), value :: n
       real(c_double), intent(in) :: positions(*)
       real(c_double), intent(in) :: velocities(*)
+      character(kind=c_char), intent(in) :: columns(*)
       real(c_double), intent(out) :: totals(*)
       integer(c_int32_t), intent(out) :: status(*)
       integer(c_int32_t) :: rc
@@ -1778,7 +1768,7 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_get_contact
 
-    function rollcon_wheelrail_find_contact_points(left, right, n, shift, points) &
+    function rollcon_wheelrail_find_contact_points(left, right, n, shift, columns, points) &
         result(rc) bind(C, name="rollcon_wheelrail_find_contact_points")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
@@ -1786,6 +1776,7 @@ module rollcon_c
       type(c_ptr), value :: right
       integer(c_int64_t), value :: n
       real(c_double), intent(in) :: shift(*)
+      character(kind=c_char), intent(in) :: columns(*)
       real(c_double), intent(out) :: points(*)
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_find_contact_points

@@ -33,7 +33,6 @@ module rollcon_contact
     procedure :: get_wear
     procedure :: get_temperatures_at
     procedure :: get_history
-    procedure :: get_error_function
   end type
 
 contains
@@ -228,19 +227,6 @@ contains
     end do
   end function
 
-  !> Returns the number of words, separated by blanks.
-  pure integer(rc_long) function words(text)
-    character(len=*), intent(in) :: text
-    logical :: inside
-    integer :: i
-    words = 0
-    inside = .false.
-    do i = 1, len(text)
-      if (text(i:i) /= ' ' .and. .not. inside) words = words + 1
-      inside = text(i:i) /= ' '
-    end do
-  end function
-
   !> Returns tractions on body 1, t(3,n), in local axes if `axes` is absent.
   subroutine get_tractions(self, t, axes, stat, errmsg)
     class(rc_contact), intent(in) :: self
@@ -432,42 +418,24 @@ contains
     if (present(volume)) volume = whole
   end subroutine
 
-  !> Returns rows(8,n): phase, iteration, normal residual, tangential residual, step length, nodes in contact, nodes in
-  !> slip, seconds.
-  subroutine get_history(self, rows, stat, errmsg)
+  !> Returns the iterations of the last solve: rows(columns,n) with the columns asked for, separated by blanks: phase,
+  !> iteration, residual_normal, residual_tangential, step, nodes_contact, nodes_slip, seconds, error_function.
+  subroutine get_history(self, columns, rows, stat, errmsg)
     class(rc_contact), intent(in) :: self
+    character(len=*), intent(in) :: columns
     real(rc_real), allocatable, intent(out) :: rows(:, :)
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
+    real(rc_real) :: none(1)
     integer(rc_long) :: n
     integer(rc_int) :: status
     n = 0
-    allocate (rows(8, 0))
-    status = rollcon_contact_get_history(self%handle(), 0_rc_long, rows, n)
-    deallocate (rows)
-    allocate (rows(8, n))
-    if (n > 0) status = rollcon_contact_get_history(self%handle(), size(rows, 2, rc_long), rows, n)
+    status = rollcon_contact_get_history(self%handle(), c_text(columns), 0_rc_long, none, n)
+    if (status < 0) n = 0
+    allocate (rows(words(columns), n))
+    rows = 0
+    if (n > 0) status = rollcon_contact_get_history(self%handle(), c_text(columns), n, rows, n)
     call finish(status, self%handle(), 'rc_contact%get_history', stat, errmsg)
-  end subroutine
-
-  !> Returns the error function of every row of get_history, and the seconds since the solve began.
-  subroutine get_error_function(self, psi, seconds, stat, errmsg)
-    class(rc_contact), intent(in) :: self
-    real(rc_real), allocatable, intent(out) :: psi(:)
-    real(rc_real), allocatable, intent(out), optional :: seconds(:)
-    integer, intent(out), optional :: stat
-    character(len=*), intent(inout), optional :: errmsg
-    real(rc_real), allocatable :: when(:)
-    integer(rc_long) :: n
-    integer(rc_int) :: status
-    n = 0
-    allocate (psi(0), when(0))
-    status = rollcon_contact_get_error_function(self%handle(), 0_rc_long, psi, when, n)
-    deallocate (psi, when)
-    allocate (psi(n), when(n))
-    if (n > 0) status = rollcon_contact_get_error_function(self%handle(), size(psi, 1, rc_long), psi, when, n)
-    if (present(seconds)) seconds = when
-    call finish(status, self%handle(), 'rc_contact%get_error_function', stat, errmsg)
   end subroutine
 
   pure integer(rc_int) function axes_or_local(axes)

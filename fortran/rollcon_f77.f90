@@ -109,7 +109,7 @@ subroutine rclog(ictx, level, sink, ierr)
   ierr = rollcon_context_set_log(context_of(ictx), narrow(level), c_funloc(call_log), c_loc(b))
 end subroutine
 
-!> Sets the number of threads that each solve, and each preparation of a body, in this context may use.
+!> Sets the most threads that each solve, each preparation of a body and each list of cases, positions or samples.
 subroutine rcthrd(ictx, n, ierr)
   use rollcon_f77_support
   implicit none
@@ -1263,27 +1263,16 @@ subroutine rcstat(icon, name, value, ierr)
   ierr = rollcon_contact_get_stat(contact_of(icon), c_name(name), value)
 end subroutine
 
-!> Returns the iterations of the last solve, one row each.
-subroutine rchist(icon, maxn, rows, nr, ierr)
+!> Returns the iterations of the last solve, one row each, with the columns asked for.
+subroutine rchist(icon, columns, maxn, rows, nr, ierr)
   use rollcon_f77_support
   implicit none
   integer :: icon, maxn, nr, ierr
+  character(len=*) :: columns
   double precision :: rows(*)
   integer(c_int64_t) :: n_rows_c
   n_rows_c = 0
-  ierr = rollcon_contact_get_history(contact_of(icon), int(maxn, c_int64_t), rows, n_rows_c)
-  nr = int(n_rows_c)
-end subroutine
-
-!> Returns the convergence of the last solve.
-subroutine rcerrf(icon, maxn, psi, seconds, nr, ierr)
-  use rollcon_f77_support
-  implicit none
-  integer :: icon, maxn, nr, ierr
-  double precision :: psi(*), seconds(*)
-  integer(c_int64_t) :: n_rows_c
-  n_rows_c = 0
-  ierr = rollcon_contact_get_error_function(contact_of(icon), int(maxn, c_int64_t), psi, seconds, n_rows_c)
+  ierr = rollcon_contact_get_history(contact_of(icon), c_name(columns), int(maxn, c_int64_t), rows, n_rows_c)
   nr = int(n_rows_c)
 end subroutine
 
@@ -1418,15 +1407,17 @@ subroutine rcwstp(iwr, ierr)
 end subroutine
 
 !> Solves many positions on the threads of the context, each by itself from nothing, as after rollcon_wheelrail_r.
-subroutine rcwmny(iwr, n, positions, velocities, totals, istatus, ierr)
+subroutine rcwmny(iwr, n, positions, velocities, columns, totals, istatus, ierr)
   use rollcon_f77_support
   implicit none
   integer :: iwr, n, istatus(*), ierr
   double precision :: positions(*), velocities(*), totals(*)
+  character(len=*) :: columns
   integer(c_int32_t), allocatable :: whole(:)
   call room_77(wheelrail_of(iwr), 'RCWMNY', n, whole, ierr)
   if (ierr /= ROLLCON_OK) return
-  ierr = rollcon_wheelrail_solve_many(wheelrail_of(iwr), int(n, c_int64_t), positions, velocities, totals, whole)
+  ierr = rollcon_wheelrail_solve_many(wheelrail_of(iwr), int(n, c_int64_t), positions, velocities, c_name(columns), &
+    totals, whole)
   call give_integers(whole, istatus)
 end subroutine
 
@@ -1601,13 +1592,14 @@ subroutine rcwcon(iwr, ipatch, icon, ierr)
 end subroutine
 
 !> Finds where both wheels of a wheelset touch over its lateral shift, without yaw.
-subroutine rcwpts(ileft, iright, n, shift, points, ierr)
+subroutine rcwpts(ileft, iright, n, shift, columns, points, ierr)
   use rollcon_f77_support
   implicit none
   integer :: ileft, iright, n, ierr
   double precision :: shift(*), points(*)
+  character(len=*) :: columns
   ierr = rollcon_wheelrail_find_contact_points(wheelrail_of(ileft), wheelrail_of(iright), int(n, c_int64_t), shift, &
-    points)
+    c_name(columns), points)
 end subroutine
 
 !> Finds the equivalent conicities of EN 15302.

@@ -12,7 +12,7 @@ module rollcon_support
   !> This room holds nearly every text of the library; longer ones are asked for a second time.
   integer(rc_long), parameter, public :: usual_text = 4096_rc_long  ! every name and meaning is shorter
 
-  public :: c_text, f_text, f_text_at, finish, nodes_of, is_volume_type, narrow_ids
+  public :: c_text, f_text, f_text_at, finish, nodes_of, is_volume_type, narrow_ids, words
   public :: rc_last_error, rc_last_caveat, rc_version, rc_abi, rc_version_string, rc_build_info, rc_has_feature, rc_status_string
 
 contains
@@ -26,6 +26,19 @@ contains
       copy(i) = text(i:i)
     end do
     copy(len_trim(text) + 1) = c_null_char
+  end function
+
+  !> Returns the number of words, separated by blanks.
+  pure integer(rc_long) function words(text)
+    character(len=*), intent(in) :: text
+    logical :: inside
+    integer :: i
+    words = 0
+    inside = .false.
+    do i = 1, len(text)
+      if (text(i:i) /= ' ' .and. .not. inside) words = words + 1
+      inside = text(i:i) /= ' '
+    end do
   end function
 
   !> Returns the text in a buffer, up to its NUL.

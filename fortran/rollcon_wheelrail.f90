@@ -74,11 +74,13 @@ contains
     call finish(status, self%handle(), 'rc_wheelrail%copy', stat, errmsg)
   end subroutine
 
-  !> Solves many positions(6,n) and velocities(6,n) over threads, each by itself from nothing. totals(9,n): force and
-  !> moment on the wheel in the track, z, vertical force, frictional power; status(n) as solve would return.
-  subroutine solve_many(self, positions, velocities, totals, status, stat, errmsg)
+  !> Solves many positions(6,n) and velocities(6,n) over threads, each by itself from nothing. totals(columns,n) has the
+  !> columns asked for, separated by blanks: force_x, force_y, force_z, moment_x, moment_y, moment_z on the wheel in the
+  !> track, z, vertical_force, friction_power; status(n) as solve would return.
+  subroutine solve_many(self, positions, velocities, columns, totals, status, stat, errmsg)
     class(rc_wheelrail), intent(inout) :: self
     real(rc_real), intent(in), contiguous :: positions(:, :), velocities(:, :)
+    character(len=*), intent(in) :: columns
     real(rc_real), allocatable, intent(out) :: totals(:, :)
     integer(rc_int), allocatable, intent(out), optional :: status(:)
     integer, intent(out), optional :: stat
@@ -90,10 +92,11 @@ contains
         'positions and velocities must both be (6,n)')
       return
     end if
-    allocate (totals(9, size(positions, 2)), state(size(positions, 2)))
+    allocate (totals(words(columns), size(positions, 2)), state(size(positions, 2)))
     totals = 0
     state = 0
-    rc = rollcon_wheelrail_solve_many(self%handle(), size(positions, 2, rc_long), positions, velocities, totals, state)
+    rc = rollcon_wheelrail_solve_many(self%handle(), size(positions, 2, rc_long), positions, velocities, c_text(columns), &
+      totals, state)
     if (present(status)) status = state
     call finish(rc, self%handle(), 'rc_wheelrail%solve_many', stat, errmsg)
   end subroutine
@@ -133,19 +136,21 @@ contains
   end subroutine
 
   !> Finds where both wheels of a rigid wheelset touch rigid rails over its lateral shift; this is the left one.
-  !> points(13,n): z and roll of the wheelset, rolling-radius difference; then y and z of the contact in the track, its
-  !> angle, y on the wheel's profile and rolling radius, of the left wheel and of the right one.
-  subroutine find_contact_points(self, right, shift, points, stat, errmsg)
+  !> points(columns,n) has the columns asked for, separated by blanks: z and roll of the wheelset, radius_difference;
+  !> left_y and left_z of the contact in the track, left_angle, left_wheel_y on the wheel's profile, left_radius;
+  !> right_y, ...
+  subroutine find_contact_points(self, right, shift, columns, points, stat, errmsg)
     class(rc_wheelrail), intent(inout) :: self
     class(rc_wheelrail), intent(inout) :: right
     real(rc_real), intent(in), contiguous :: shift(:)
+    character(len=*), intent(in) :: columns
     real(rc_real), allocatable, intent(out) :: points(:, :)
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    allocate (points(13, size(shift)))
+    allocate (points(words(columns), size(shift)))
     points = 0
     call finish(rollcon_wheelrail_find_contact_points(self%handle(), right%handle(), size(shift, kind=rc_long), shift, &
-      points), self%handle(), 'rc_wheelrail%find_contact_points', stat, errmsg)
+      c_text(columns), points), self%handle(), 'rc_wheelrail%find_contact_points', stat, errmsg)
   end subroutine
 
   !> Returns the equivalent conicity of EN 15302 for each amplitude, and the wavelength of the motion; this is the left

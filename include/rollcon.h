@@ -394,9 +394,12 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_context_set_log(rollcon_context 
     int32_t max_level, rollcon_log_fn fn, void *user);
 
 /*
- * Sets the number of threads that each solve, and each preparation of a body, in this context may
- * use.
- *   n        0 to 4096; 0 (standard): OpenMP decides
+ * Sets the most threads that each solve, each preparation of a body and each list of cases,
+ * positions or samples in this context may use. Many parts use fewer: the BLAS has one thread on
+ * frames of less than 2000 nodes and where operators are not dense, sparse factorisations have
+ * one and that of the BLAS, each case of a list has one, and inside a parallel region of the
+ * caller everything has one.
+ *   n        0 to 4096; 0 (standard): as many as OpenMP would use
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_context_set_threads(rollcon_context *context,
     int32_t n);
@@ -1963,32 +1966,21 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_stat(const rollcon_c
     const char *name, double *value);
 
 /*
- * Returns the iterations of the last solve, one row each: phase, iteration, normal residual,
- * tangential residual, step length, nodes in contact, nodes in slip, seconds. No rows before a
- * solve.
+ * Returns the iterations of the last solve, one row each, with the columns asked for: phase,
+ * iteration, residual_normal, residual_tangential, step (its length), nodes_contact, nodes_slip,
+ * seconds (since the solve began), error_function: half the sum of the squared residuals of the
+ * contact laws over all nodes, each over the largest pressure or tangential traction of the
+ * iterate, and of the squared relative errors of the loads, times the nodes in contact. No rows
+ * before a solve.
+ *   columns   names separated by blanks, each a number of a row
  *   capacity  rows that fit; 0 only asks for the need
- *   rows      [capacity][8], out; NULL only with capacity 0
+ *   rows      [capacity][columns], out; the columns side by side; NULL only with capacity 0
  *   n_rows    out, may be NULL; rows there are; set after ROLLCON_ERR_CAPACITY too
- * Also returns: ROLLCON_ERR_CAPACITY.
- */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_history(
-    const rollcon_contact *contact, int64_t capacity, double *rows, int64_t *n_rows);
-
-/*
- * Returns the convergence of the last solve: the error function of every row of
- * rollcon_contact_get_history, and when it was evaluated. The error function is half the sum of
- * the squared residuals of the contact laws over all nodes, each over the largest pressure or
- * tangential traction of the iterate, and of the squared relative errors of the loads, times the
- * nodes in contact. No rows before a solve.
- *   capacity  rows that fit; 0 only asks for the need
- *   psi       [capacity], out; error function, dimensionless; NULL: not wanted
- *   seconds   [capacity], out; since the solve began; NULL: not wanted
- *   n_rows    out, may be NULL; rows there are; set after ROLLCON_ERR_CAPACITY too
- * Also returns: ROLLCON_ERR_CAPACITY.
+ * Also returns: ROLLCON_ERR_OPTION, ROLLCON_ERR_CAPACITY.
  * Source: docs/procedures.md, error function.
  */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_error_function(
-    const rollcon_contact *contact, int64_t capacity, double *psi, double *seconds,
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_history(
+    const rollcon_contact *contact, const char *columns, int64_t capacity, double *rows,
     int64_t *n_rows);
 
 /*
@@ -2170,25 +2162,27 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_request_cancel(
 /*
  * Solves many positions on the threads of the context, each by itself from nothing, as after
  * rollcon_wheelrail_reset, with what else is set: results do not depend on the other positions,
- * their order, or the number of threads, to the last bit. A row of totals has force and moment on
- * the wheel in the track (rollcon_wheelrail_get_resultant), z, vertical force and frictional
- * power. A position that fails has its negative status and NaN and does not affect the others;
- * texts go to the log as warnings. The status returned is the worst in the order that holds for
- * all calls; CANCELLED says that some were not solved. The wheel and its last solution do not
- * change.
+ * their order, or the number of threads, to the last bit. Columns of totals are force_x, force_y,
+ * force_z, moment_x, moment_y, moment_z on the wheel in the track
+ * (rollcon_wheelrail_get_resultant), z, vertical_force, friction_power. A position that fails has
+ * its negative status and NaN and does not affect the others; texts go to the log as warnings.
+ * The status returned is the worst in the order that holds for all calls; CANCELLED says that
+ * some were not solved. The wheel and its last solution do not change.
  *   n           >= 0
  *   positions   [n][6]; those of rollcon_wheelrail_set_position; NULL only with n = 0
  *   velocities  [n][6]; those of rollcon_wheelrail_set_velocity; NULL only with n = 0
- *   totals      [n][9], out; a row for each position; NULL only with n = 0
+ *   columns     names separated by blanks, each a number of a row
+ *   totals      [n][columns], out; a row for each position, the columns side by side; NULL only
+ *               with n = 0
  *   status      [n], out, may be NULL; what rollcon_wheelrail_solve would return for each
  * Also returns: ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
- *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_TOO_DEEP, ROLLCON_DERAILED, ROLLCON_ERR_STATE,
- *   ROLLCON_ERR_MEMORY, ROLLCON_ERR_MESH.
+ *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_TOO_DEEP, ROLLCON_DERAILED, ROLLCON_ERR_OPTION,
+ *   ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY, ROLLCON_ERR_MESH.
  * Source: docs/wheelrail.md.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_solve_many(
     rollcon_wheelrail *wheelrail, int64_t n, const double *positions, const double *velocities,
-    double *totals, int32_t *status);
+    const char *columns, double *totals, int32_t *status);
 
 /*
  * Finds the wear of wheel and rail by a spectrum of positions: solves them like
@@ -2398,21 +2392,23 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_get_contact(
 
 /*
  * Finds where both wheels of a wheelset touch over its lateral shift, without yaw: the roll
- * follows from contact on both sides. Each row of points has z and roll of the wheelset and its
- * rolling-radius difference, the radius on the right less that on the left; then of the left
- * wheel y and z of the contact in the track, its angle, y on the wheel's profile, and the rolling
- * radius; then the same of the right wheel.
- *   left    made with ROLLCON_LEFT
- *   right   made with ROLLCON_RIGHT
- *   n       >= 0
- *   shift   [n]; y of the wheelset's centre, length; such that both wheels find their rails
- *   points  [n][13], out; a row for each shift; what is behind a shift that fails is not written
- * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ * follows from contact on both sides. Columns of points are z and roll of the wheelset and
+ * radius_difference, the rolling radius on the right less that on the left; of the left wheel
+ * left_y and left_z of the contact in the track, left_angle, left_wheel_y on the wheel's profile,
+ * left_radius; of the right wheel right_y, ...
+ *   left     made with ROLLCON_LEFT
+ *   right    made with ROLLCON_RIGHT
+ *   n        >= 0
+ *   shift    [n]; y of the wheelset's centre, length; such that both wheels find their rails
+ *   columns  names separated by blanks, each a number of a row
+ *   points   [n][columns], out; a row for each shift, the columns side by side; what is behind a
+ *            shift that fails is not written
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_OPTION, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
  * Source: docs/wheelrail.md.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_find_contact_points(
     rollcon_wheelrail *left, rollcon_wheelrail *right, int64_t n, const double *shift,
-    double *points);
+    const char *columns, double *points);
 
 /*
  * Finds the equivalent conicities of EN 15302: those of cones whose free wheelset has the same

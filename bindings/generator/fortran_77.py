@@ -168,7 +168,7 @@ class Routine:
             return self.call.append(f"transpose({name})" if matrix else name)  # C wants it by rows
         shown = {"[n*3]": "LDX,3" if self.variant else "LDX,N"}.get(arg.shape)
         if not shown:
-            words = {"capacity": "MAXN", "n_cases": "NC", "parameters": "NP"}
+            words = {"capacity": "MAXN", "n_cases": "NC", "parameters": "NP", "columns": "NCOL"}
             shown = ",".join(words.get(p, p.upper()) for p in reversed(parts))
         self.dummy(name, "double precision(*)", f"{name.upper()}({shown})")
         self.call.append(name)

@@ -136,6 +136,7 @@ class Call:
             rows = {"n": "n", "capacity": "capacity"}.get(parts[0], "1")
             width = "1" if parts[0] in ("n", "capacity") else parts[0]
             for part in parts[1:]:
+                part = "count_words(columns)" if part == "columns" else part
                 width = part if width == "1" else f"{width} * {part}"
             self.before.append(f"{kind} *{name} = NULL;")
             self.asked.append(f"{name} = room({rows} * ({width}), sizeof *{name});")

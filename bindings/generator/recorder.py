@@ -24,7 +24,8 @@ COUNTS = {"nodes": "RECORD_NODES", "elements": "RECORD_ELEMENTS", "n_rows": "REC
 
 def size(arg):
     """Returns the entries of an array, in C."""
-    words = {"nodes of the type": "record_nodes_of(type)", "parameters": "record_words(parameters)"}
+    words = {"nodes of the type": "record_nodes_of(type)", "parameters": "record_words(parameters)",
+             "columns": "record_words(columns)"}
     return " * ".join(words.get(part, part) for part in re.findall(r"\[(.+?)\]", arg.shape))
 
 

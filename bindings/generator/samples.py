@@ -37,7 +37,7 @@ def text(position):
 def extent(arg):
     total = 1
     for part in re.findall(r"\[(.+?)\]", arg.shape):
-        total *= {"n": N, "nodes": N, "points": N, "n_cases": N, "n*3": 3 * N, "capacity": CAPACITY, "nodes of the type": ELEMENT_NODES}.get(part) or int(part)
+        total *= {"n": N, "nodes": N, "points": N, "n_cases": N, "n*3": 3 * N, "capacity": CAPACITY, "nodes of the type": ELEMENT_NODES, "columns": 2}.get(part) or int(part)
     return total
 
 

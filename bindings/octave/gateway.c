@@ -271,22 +271,27 @@ void finish(call* c, int32_t status) {
   (void)c;
 }
 
+int64_t count_words(const char* text) {
+  int64_t words = 0;
+  while (*text) {
+    text += strspn(text, " ");
+    if (*text) ++words;
+    text += strcspn(text, " ");
+  }
+  return words;
+}
+
 /* ------------------------------------------------------------------------------------------ by hand */
 
 /* Computes [results, status] from (contact, parameters, values, columns): results has a row for each case. */
 void call_contact_solve_many(call* c) {
   rollcon_contact* contact = rollcon_contact_from_id(take_handle(c, "contact"));
-  const char *parameters = take_text(c, "parameters"), *columns, *p;
-  int64_t n = -1, width = 0, words = 0;
+  const char *parameters = take_text(c, "parameters"), *columns;
+  int64_t n = -1, width = 0;
   int32_t *status, worst;
   const double* values;
   double* results;
-  for (p = parameters; *p;) {
-    p += strspn(p, " ");
-    if (*p) ++words;
-    p += strcspn(p, " ");
-  }
-  values = take_reals(c, "values", &n, (int)words, 0);
+  values = take_reals(c, "values", &n, (int)count_words(parameters), 0);
   columns = take_text(c, "columns");
   no_more(c);
   if (*columns) {

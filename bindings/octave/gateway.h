@@ -62,6 +62,7 @@ void finish(call* c, int32_t status);
 /* Ends the call with the error of a function that takes an argument. */
 void refuse(call* c, const char* name, const char* what);
 int nodes_of_type(int32_t type);
+int64_t count_words(const char* text);
 
 /* Is written by hand, because its arguments depend on each other. */
 void call_contact_solve_many(call* c);

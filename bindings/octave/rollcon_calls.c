@@ -1576,35 +1576,16 @@ static void call_contact_get_history(call *self) {
   int64_t capacity = 0;
   int64_t need = 0;
   rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
+  const char *columns = take_text(self, "columns");
   double *rows = NULL;
   no_more(self);
-  rc = rollcon_contact_get_history(contact, capacity, rows, &need);
+  rc = rollcon_contact_get_history(contact, columns, capacity, rows, &need);
   if (rc < 0) finish(self, rc);
   capacity = need;
-  rows = room(capacity * (8), sizeof *rows);
-  rc = rollcon_contact_get_history(contact, capacity, rows, &need);
+  rows = room(capacity * (count_words(columns)), sizeof *rows);
+  rc = rollcon_contact_get_history(contact, columns, capacity, rows, &need);
   if (rc < 0) finish(self, rc);
-  give_reals(self, rows, capacity, 8);
-  finish(self, rc);
-}
-
-static void call_contact_get_error_function(call *self) {
-  int32_t rc = 0;
-  int64_t capacity = 0;
-  int64_t need = 0;
-  rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
-  double *psi = NULL;
-  double *seconds = NULL;
-  no_more(self);
-  rc = rollcon_contact_get_error_function(contact, capacity, psi, seconds, &need);
-  if (rc < 0) finish(self, rc);
-  capacity = need;
-  psi = room(capacity * (1), sizeof *psi);
-  seconds = room(capacity * (1), sizeof *seconds);
-  rc = rollcon_contact_get_error_function(contact, capacity, psi, seconds, &need);
-  if (rc < 0) finish(self, rc);
-  give_reals(self, psi, capacity, 1);
-  give_reals(self, seconds, capacity, 1);
+  give_reals(self, rows, capacity, count_words(columns));
   finish(self, rc);
 }
 
@@ -1772,14 +1753,15 @@ static void call_wheelrail_solve_many(call *self) {
   rollcon_wheelrail *wheelrail = rollcon_wheelrail_from_id(take_handle(self, "wheelrail"));
   const double *positions = take_reals(self, "positions", &n, 6, 1);
   const double *velocities = take_reals(self, "velocities", &n, 6, 1);
+  const char *columns = take_text(self, "columns");
   double *totals = NULL;
   int32_t *status = NULL;
   no_more(self);
-  totals = room(n * (9), sizeof *totals);
+  totals = room(n * (count_words(columns)), sizeof *totals);
   status = room(n * (1), sizeof *status);
-  rc = rollcon_wheelrail_solve_many(wheelrail, n < 0 ? 0 : n, positions, velocities, totals, status);
+  rc = rollcon_wheelrail_solve_many(wheelrail, n < 0 ? 0 : n, positions, velocities, columns, totals, status);
   if (rc < 0) finish(self, rc);
-  give_reals(self, totals, n, 9);
+  give_reals(self, totals, n, count_words(columns));
   give_integers(self, status, n, 0);
   finish(self, rc);
 }
@@ -2020,12 +2002,13 @@ static void call_wheelrail_find_contact_points(call *self) {
   rollcon_wheelrail *left = rollcon_wheelrail_from_id(take_handle(self, "left"));
   rollcon_wheelrail *right = rollcon_wheelrail_from_id(take_handle(self, "right"));
   const double *shift = take_reals(self, "shift", &n, 0, 0);
+  const char *columns = take_text(self, "columns");
   double *points = NULL;
   no_more(self);
-  points = room(n * (13), sizeof *points);
-  rc = rollcon_wheelrail_find_contact_points(left, right, n, shift, points);
+  points = room(n * (count_words(columns)), sizeof *points);
+  rc = rollcon_wheelrail_find_contact_points(left, right, n, shift, columns, points);
   if (rc < 0) finish(self, rc);
-  give_reals(self, points, n, 13);
+  give_reals(self, points, n, count_words(columns));
   finish(self, rc);
 }
 
@@ -2433,7 +2416,6 @@ const entry calls[] = {
   {"stress_invariants", call_stress_invariants, 3},
   {"contact_get_stat", call_contact_get_stat, 1},
   {"contact_get_history", call_contact_get_history, 1},
-  {"contact_get_error_function", call_contact_get_error_function, 2},
   {"contact_get_plan", call_contact_get_plan, 1},
   {"contact_write", call_contact_write, 1},
   {"wheelrail_create", call_wheelrail_create, 1},

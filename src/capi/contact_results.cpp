@@ -1,7 +1,9 @@
 /// Implements the calls that return results of contacts.
 
 #include <algorithm>
+#include <iterator>
 
+#include "capi/columns.hpp"
 #include "capi/guard.hpp"
 #include "capi/results.hpp"
 #include "support/stress_invariants.hpp"
@@ -226,24 +228,22 @@ rollcon_status rollcon_contact_get_stat(const rollcon_contact* contact, const ch
   });
 }
 
-rollcon_status rollcon_contact_get_history(const rollcon_contact* contact, int64_t capacity, double* rows,
-                                           int64_t* n_rows) {
+rollcon_status rollcon_contact_get_history(const rollcon_contact* contact, const char* columns, int64_t capacity,
+                                           double* rows, int64_t* n_rows) {
   return with_contact(__func__, contact, [&](const Contact& c) {
-    const std::span<const double> history = c.history();
-    const auto count = static_cast<std::int64_t>(history.size() / 8);
-    if (wants_copy(count, capacity, rows, "rows", n_rows, "rows")) std::copy(history.begin(), history.end(), rows);
-  });
-}
-
-rollcon_status rollcon_contact_get_error_function(const rollcon_contact* contact, int64_t capacity, double* psi,
-                                                  double* seconds, int64_t* n_rows) {
-  return with_contact(__func__, contact, [&](const Contact& c) {
-    const std::span<const double> merit = c.error_function(), history = c.history();
-    const auto count = static_cast<std::int64_t>(merit.size());
-    const void* wanted = psi ? psi : seconds;
-    if (!wants_copy(count, capacity, wanted, "psi and seconds", n_rows, "rows")) return;
-    if (psi) std::copy(merit.begin(), merit.end(), psi);
-    for (std::size_t k = 0; seconds && k < merit.size(); ++k) seconds[k] = history[8 * k + 7];
+    static constexpr const char* known[] = {"phase",         "iteration",     "residual_normal", "residual_tangential",
+                                            "step",          "nodes_contact", "nodes_slip",      "seconds",
+                                            "error_function"};
+    constexpr std::size_t width = std::size(known);
+    const std::vector<std::size_t> wanted = read_columns(columns, known);
+    const std::span<const double> history = c.history(), merit = c.error_function();
+    if (!wants_copy(std::ssize(merit), capacity, rows, "rows", n_rows, "rows")) return;
+    for (std::size_t k = 0; k < merit.size(); ++k) {
+      double row[width];
+      std::copy_n(history.begin() + static_cast<std::ptrdiff_t>((width - 1) * k), width - 1, row);
+      row[width - 1] = merit[k];
+      rows = copy_columns(wanted, row, rows);
+    }
   });
 }
 

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <vector>
 
+#include "capi/columns.hpp"
 #include "capi/guard.hpp"
 #include "capi/results.hpp"
 #include "support/input_checks.hpp"
@@ -16,16 +17,6 @@ using namespace rollcon;
 using namespace rollcon::capi;
 
 namespace {
-
-/// Calls f(word, length) for each of the words between blanks.
-template <class F>
-void each_word(const char* text, F&& f) {
-  while (text && *text) {
-    const std::size_t blanks = std::strspn(text, " "), length = std::strcspn(text + blanks, " ");
-    if (length > 0) f(text + blanks, length);
-    text += blanks + length;
-  }
-}
 
 std::vector<Parameter> read_parameters(const char* names) {
   static constexpr const char* known[] = {"longitudinal", "lateral", "normal", "spin", "friction", "tilt_1", "tilt_2"};

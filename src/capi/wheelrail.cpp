@@ -1,8 +1,10 @@
 /// Implements the calls that make wheels on rails and return their results and the contacts of their patches.
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
+#include "capi/columns.hpp"
 #include "capi/guard.hpp"
 #include "capi/results.hpp"
 #include "support/input_checks.hpp"
@@ -62,8 +64,12 @@ rollcon_status rollcon_wheelrail_request_cancel(rollcon_wheelrail* wheelrail) {
 }
 
 rollcon_status rollcon_wheelrail_solve_many(rollcon_wheelrail* wheelrail, int64_t n, const double* positions,
-                                            const double* velocities, double* totals, int32_t* status) {
+                                            const double* velocities, const char* columns, double* totals,
+                                            int32_t* status) {
   return with_wheelrail(__func__, wheelrail, [&](WheelRail& w) {
+    static constexpr const char* known[] = {"force_x",  "force_y", "force_z",        "moment_x",      "moment_y",
+                                            "moment_z", "z",       "vertical_force", "friction_power"};
+    const std::vector<std::size_t> wanted = read_columns(columns, known);
     require_count(n, "n");
     constexpr int64_t most = int64_t{1} << 40;
     if (n > most)
@@ -74,7 +80,11 @@ rollcon_status rollcon_wheelrail_solve_many(rollcon_wheelrail* wheelrail, int64_
       require_pointer(velocities, "velocities");
       require_pointer(totals, "totals");
     }
-    return solve_positions(w, {n, positions, velocities}, totals, status);
+    std::vector<double> all(std::size(known) * static_cast<std::size_t>(n));
+    const Status worst = solve_positions(w, {n, positions, velocities}, all.data(), status);
+    for (auto row = all.begin(); row != all.end(); row += std::ssize(known))
+      totals = copy_columns(wanted, &*row, totals);
+    return worst;
   });
 }
 

@@ -1,5 +1,8 @@
 /// Implements the calls for the geometry of wheelsets on rails, both sides together.
 
+#include <iterator>
+
+#include "capi/columns.hpp"
 #include "capi/guard.hpp"
 #include "support/input_checks.hpp"
 #include "wheelrail/wheelset_geometry.hpp"
@@ -42,16 +45,20 @@ void for_each_entry(std::int64_t n, const double* value, const char* name, F&& f
 }  // namespace
 
 rollcon_status rollcon_wheelrail_find_contact_points(rollcon_wheelrail* left, rollcon_wheelrail* right, int64_t n,
-                                                     const double* shift, double* points) {
+                                                     const double* shift, const char* columns, double* points) {
   return with_wheelset(__func__, left, right, [&](WheelsetGeometry& geometry) {
-    constexpr std::int64_t columns = 13;
+    static constexpr const char* known[] = {"z",           "roll",          "radius_difference", "left_y",  "left_z",
+                                            "left_angle",  "left_wheel_y",  "left_radius",       "right_y", "right_z",
+                                            "right_angle", "right_wheel_y", "right_radius"};
+    const std::vector<std::size_t> wanted = read_columns(columns, known);
     if (n > 0) require_pointer(points, "points");
     for_each_entry(n, shift, "shift", [&](std::int64_t i) {
       const WheelsetGeometry::Standing stand = geometry.at(shift[i], WheelsetGeometry::Height::axle);
-      double* to = points + columns * i;
+      double row[std::size(known)], *to = row;
       for (const double v : {stand.z, stand.roll, stand.difference()}) *to++ = v;
       for (const WheelRail::Touch& touch : stand.touch)
         for (const double v : {touch.y, touch.z, touch.angle, touch.wheel_y, touch.rolling_radius}) *to++ = v;
+      points = copy_columns(wanted, row, points);
     });
   });
 }

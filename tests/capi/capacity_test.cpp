@@ -131,13 +131,16 @@ TEST_F(capacity, tractions_status_and_history) {
   EXPECT_EQ(s.back(), -777);
 
   std::int64_t rows = 0, again = 0;
-  ASSERT_OK(rollcon_contact_get_history(contact, 0, nullptr, &rows));
+  constexpr const char* columns = "seconds step";
+  ASSERT_OK(rollcon_contact_get_history(contact, columns, 0, nullptr, &rows));
   ASSERT_GE(rows, 2);
-  std::vector<double> history(static_cast<std::size_t>(8 * rows) + 1, -777);
-  EXPECT_EQ(rollcon_contact_get_history(contact, rows - 1, history.data(), &again), ROLLCON_ERR_CAPACITY);
+  std::vector<double> history(static_cast<std::size_t>(2 * rows) + 1, -777);
+  EXPECT_EQ(rollcon_contact_get_history(contact, columns, rows - 1, history.data(), &again), ROLLCON_ERR_CAPACITY);
   EXPECT_EQ(again, rows);
-  EXPECT_OK(rollcon_contact_get_history(contact, rows, history.data(), nullptr));
+  EXPECT_OK(rollcon_contact_get_history(contact, columns, rows, history.data(), nullptr));
   EXPECT_EQ(history.back(), -777);
+  EXPECT_FAILS(rollcon_contact_get_history(contact, "seconds stap", rows, history.data(), nullptr), OPTION,
+               "columns has 'stap'", "error_function");
 }
 
 TEST_F(capacity, outputs_that_are_not_wanted_may_be_null) {

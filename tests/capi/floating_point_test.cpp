@@ -140,7 +140,7 @@ TEST_F(floating_point, hosts_that_trap_survive_every_call) {
     EXPECT_SURVIVES(rollcon_contact_get_stat(contact, text, v.data()));
   }
   EXPECT_SURVIVES(rollcon_stat_count(ROLLCON_OF_CONTACT));
-  EXPECT_SURVIVES(rollcon_contact_get_history(contact, 1, v.data(), &i64));
+  EXPECT_SURVIVES(rollcon_contact_get_history(contact, "step", 1, v.data(), &i64));
   EXPECT_SURVIVES(rollcon_contact_get_plan(contact, 4096, text, &i64));
   EXPECT_SURVIVES(rollcon_contact_write(contact, "no/such/folder/out.vtu"));
   EXPECT_SURVIVES(rollcon_event_get_int(nullptr, ROLLCON_EVENT_PHASE, &i64));

@@ -166,47 +166,41 @@ TEST_F(procedure_statuses, forces_beyond_friction_are_never_solved) {
 }
 
 TEST_F(procedure_statuses, error_function_falls_to_the_tolerance) {
+  constexpr const char* columns = "error_function seconds residual_normal";
+  constexpr std::size_t width = 3;
   std::int64_t rows = -1;
-  ASSERT_EQ(rollcon_contact_get_error_function(contact, 0, nullptr, nullptr, &rows), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_get_history(contact, columns, 0, nullptr, &rows), ROLLCON_OK);
   EXPECT_EQ(rows, 0) << "before a solve";
   for (const Procedure& p : all_procedures()) {
     SCOPED_TRACE(p.name());
     set(p);
     ASSERT_EQ(solve_cold(), ROLLCON_OK);
-    std::int64_t history = 0;
-    ASSERT_EQ(rollcon_contact_get_history(contact, 0, nullptr, &history), ROLLCON_OK);
-    ASSERT_EQ(rollcon_contact_get_error_function(contact, 0, nullptr, nullptr, &rows), ROLLCON_OK);
-    ASSERT_EQ(rows, history);
+    ASSERT_EQ(rollcon_contact_get_history(contact, columns, 0, nullptr, &rows), ROLLCON_OK);
     const auto n = static_cast<std::size_t>(rows);
-    std::vector<double> psi(n + 1, -7), seconds(n + 1, -7), table(8 * n);
+    std::vector<double> table(width * n + 1, -7);
     std::int64_t needed = 0;
-    EXPECT_EQ(rollcon_contact_get_error_function(contact, rows - 1, psi.data(), seconds.data(), &needed),
-              ROLLCON_ERR_CAPACITY);
+    EXPECT_EQ(rollcon_contact_get_history(contact, columns, rows - 1, table.data(), &needed), ROLLCON_ERR_CAPACITY);
     EXPECT_EQ(needed, rows);
-    EXPECT_EQ(psi[0], -7);
-    ASSERT_EQ(rollcon_contact_get_error_function(contact, rows, psi.data(), seconds.data(), nullptr), ROLLCON_OK);
-    EXPECT_EQ(psi[n], -7);
-    EXPECT_EQ(seconds[n], -7);
-    ASSERT_EQ(rollcon_contact_get_history(contact, rows, table.data(), nullptr), ROLLCON_OK);
+    EXPECT_EQ(table[0], -7);
+    ASSERT_EQ(rollcon_contact_get_history(contact, columns, rows, table.data(), nullptr), ROLLCON_OK);
+    EXPECT_EQ(table[width * n], -7);
     for (std::size_t k = 0; k < n; ++k) {
-      EXPECT_TRUE(std::isfinite(psi[k])) << k;
-      EXPECT_GE(psi[k], 0) << k;
-      EXPECT_EQ(seconds[k], table[8 * k + 7]);
-      EXPECT_GE(seconds[k], k > 0 ? seconds[k - 1] : 0);
+      const double psi = table[width * k], seconds = table[width * k + 1], residual = table[width * k + 2];
+      EXPECT_TRUE(std::isfinite(psi)) << k;
+      EXPECT_GE(psi, 0) << k;
+      EXPECT_GE(seconds, k > 0 ? table[width * k - 2] : 0);
       // One pair's residual is a part of the sum.
-      EXPECT_GE(psi[k], 0.49 * table[8 * k + 2] * table[8 * k + 2]) << k;
+      EXPECT_GE(psi, 0.49 * residual * residual) << k;
     }
-    EXPECT_LE(psi[n - 1], 1e-16) << "largest residual 1e-10";
-    EXPECT_LT(psi[n - 1], 1e-10 * psi[0]);
+    EXPECT_LE(table[width * (n - 1)], 1e-16) << "largest residual 1e-10";
+    EXPECT_LT(table[width * (n - 1)], 1e-10 * table[0]);
     std::vector<double> alone(n);
-    ASSERT_EQ(rollcon_contact_get_error_function(contact, rows, alone.data(), nullptr, nullptr), ROLLCON_OK);
-    EXPECT_EQ(alone, std::vector<double>(psi.begin(), psi.end() - 1));
-    ASSERT_EQ(rollcon_contact_get_error_function(contact, rows, nullptr, alone.data(), nullptr), ROLLCON_OK);
-    EXPECT_EQ(alone, std::vector<double>(seconds.begin(), seconds.end() - 1));
+    ASSERT_EQ(rollcon_contact_get_history(contact, "error_function", rows, alone.data(), nullptr), ROLLCON_OK);
+    for (std::size_t k = 0; k < n; ++k) EXPECT_EQ(alone[k], table[width * k]);
   }
-  EXPECT_FAILS(rollcon_contact_get_error_function(contact, -1, nullptr, nullptr, &rows), ARGUMENT, "capacity");
+  EXPECT_FAILS(rollcon_contact_get_history(contact, columns, -1, nullptr, &rows), ARGUMENT, "capacity");
   ASSERT_EQ(rollcon_contact_reset(contact), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_get_error_function(contact, 0, nullptr, nullptr, &rows), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_get_history(contact, columns, 0, nullptr, &rows), ROLLCON_OK);
   EXPECT_EQ(rows, 0) << "forgotten";
 }
 

@@ -198,25 +198,30 @@ TEST_F(wheelrail, bad_inputs_are_named_and_change_nothing) {
 TEST_F(wheelrail, geometry_of_a_wheelset) {
   rollcon_wheelrail* left = made(ROLLCON_LEFT);
   const double shift[2] = {1, -1}, bad[2] = {0, 500}, amplitude[2] = {3, -3}, nan = std::nan("");
-  double points[2][13], conicity[2], wavelength[2];
+  constexpr const char* columns = "radius_difference left_y right_y left_radius right_radius";
+  double points[2][5], conicity[2], wavelength[2];
   EXPECT_FAILS(rollcon_wheelrail_find_conicity(left, right, 1, amplitude, conicity, nullptr), STATE, "set_track");
   give(right);
   give(left, -1);
-  ASSERT_OK(rollcon_wheelrail_find_contact_points(left, right, 2, shift, points[0]));
-  expect_error("odd difference, mm", points[0][2] + points[1][2], 1e-12);
-  expect_error("points on the other side, mm", points[0][3] + points[1][8], 1e-11);
-  expect_error("radii and difference, mm", points[0][12] - points[0][7] - points[0][2], 0);
+  ASSERT_OK(rollcon_wheelrail_find_contact_points(left, right, 2, shift, columns, points[0]));
+  expect_error("odd difference, mm", points[0][0] + points[1][0], 1e-12);
+  expect_error("points on the other side, mm", points[0][1] + points[1][2], 1e-11);
+  expect_error("radii and difference, mm", points[0][4] - points[0][3] - points[0][0], 0);
   ASSERT_OK(rollcon_wheelrail_find_conicity(left, right, 1, amplitude, conicity, wavelength));
   expect_error("conicity beside 0.18", conicity[0] - 0.18, 2e-3);
   ASSERT_OK(rollcon_wheelrail_find_conicity(left, right, 0, nullptr, nullptr, nullptr));
-  EXPECT_FAILS(rollcon_wheelrail_find_contact_points(left, right, 2, bad, points[0]), ARGUMENT, "entry 1 of shift",
-               "the shift is 500");
-  EXPECT_FAILS(rollcon_wheelrail_find_contact_points(left, right, 1, &nan, points[0]), NONFINITE, "entry 0 of shift");
-  EXPECT_FAILS(rollcon_wheelrail_find_contact_points(left, right, -1, shift, points[0]), ARGUMENT, "n is -1");
-  EXPECT_FAILS(rollcon_wheelrail_find_contact_points(left, right, 1, shift, nullptr), ARGUMENT, "points is NULL");
-  EXPECT_FAILS(rollcon_wheelrail_find_contact_points(left, nullptr, 1, shift, points[0]), ARGUMENT, "right is NULL");
-  EXPECT_FAILS(rollcon_wheelrail_find_contact_points(right, left, 1, shift, points[0]), ARGUMENT, "left is a wheel");
-  EXPECT_FAILS(rollcon_wheelrail_find_contact_points(left, left, 1, shift, points[0]), ARGUMENT,
+  EXPECT_FAILS(rollcon_wheelrail_find_contact_points(left, right, 2, bad, columns, points[0]), ARGUMENT,
+               "entry 1 of shift", "the shift is 500");
+  EXPECT_FAILS(rollcon_wheelrail_find_contact_points(left, right, 1, &nan, columns, points[0]), NONFINITE,
+               "entry 0 of shift");
+  EXPECT_FAILS(rollcon_wheelrail_find_contact_points(left, right, -1, shift, columns, points[0]), ARGUMENT, "n is -1");
+  EXPECT_FAILS(rollcon_wheelrail_find_contact_points(left, right, 1, shift, columns, nullptr), ARGUMENT,
+               "points is NULL");
+  EXPECT_FAILS(rollcon_wheelrail_find_contact_points(left, nullptr, 1, shift, columns, points[0]), ARGUMENT,
+               "right is NULL");
+  EXPECT_FAILS(rollcon_wheelrail_find_contact_points(right, left, 1, shift, columns, points[0]), ARGUMENT,
+               "left is a wheel");
+  EXPECT_FAILS(rollcon_wheelrail_find_contact_points(left, left, 1, shift, columns, points[0]), ARGUMENT,
                "right is a wheel on the left");
   EXPECT_FAILS(rollcon_wheelrail_find_conicity(left, reinterpret_cast<rollcon_wheelrail*>(wheel), 1, amplitude,
                                                conicity, nullptr),
@@ -232,7 +237,8 @@ TEST_F(wheelrail, states_copies_and_lists) {
   ASSERT_OK(rollcon_wheelrail_solve(right));
   const double position[2][6] = {{0, 4, 0, 0, 9.6e-3, 0}, {0, 5, 0, 0, 1.2e-2, 0}};
   const double velocity[2][6] = {{2000, 0, 0, 0, 0, -4.34}, {2000, 0, 0, 0, 0, -4.34}};
-  double kept[3], now[3], totals[2][9];
+  constexpr const char* columns = "force_z vertical_force";
+  double kept[3], now[3], totals[2][2];
   std::int32_t status[2] = {9, 9};
   ASSERT_OK(rollcon_wheelrail_get_resultant(right, ROLLCON_IN_TRACK, kept, nullptr));
   EXPECT_FAILS(rollcon_wheelrail_rollback(right, 0), STATE, "rollcon_wheelrail_snapshot");
@@ -247,16 +253,21 @@ TEST_F(wheelrail, states_copies_and_lists) {
     ASSERT_OK(rollcon_wheelrail_get_resultant(w, ROLLCON_IN_TRACK, now, nullptr));
     EXPECT_EQ(std::memcmp(now, kept, sizeof now), 0);
   }
-  ASSERT_OK(rollcon_wheelrail_solve_many(right, 2, position[0], velocity[0], totals[0], status));
+  ASSERT_OK(rollcon_wheelrail_solve_many(right, 2, position[0], velocity[0], columns, totals[0], status));
   EXPECT_EQ(status[0] + status[1], 0);
-  expect_error("vertical force of the list, N", totals[1][7] - 10000, 2e-2);
-  ASSERT_OK(rollcon_wheelrail_solve_many(right, 0, nullptr, nullptr, nullptr, nullptr));
-  EXPECT_FAILS(rollcon_wheelrail_solve_many(right, -1, position[0], velocity[0], totals[0], status), ARGUMENT,
+  expect_error("vertical force of the list, N", totals[1][1] - 10000, 2e-2);
+  ASSERT_OK(rollcon_wheelrail_solve_many(right, 0, nullptr, nullptr, columns, nullptr, nullptr));
+  EXPECT_FAILS(rollcon_wheelrail_solve_many(right, -1, position[0], velocity[0], columns, totals[0], status), ARGUMENT,
                "n is -1");
-  EXPECT_FAILS(rollcon_wheelrail_solve_many(right, 1, nullptr, velocity[0], totals[0], status), ARGUMENT,
+  EXPECT_FAILS(rollcon_wheelrail_solve_many(right, 1, nullptr, velocity[0], columns, totals[0], status), ARGUMENT,
                "positions is NULL");
-  EXPECT_FAILS(rollcon_wheelrail_solve_many(right, 1, position[0], velocity[0], nullptr, status), ARGUMENT,
+  EXPECT_FAILS(rollcon_wheelrail_solve_many(right, 1, position[0], velocity[0], columns, nullptr, status), ARGUMENT,
                "totals is NULL");
+  EXPECT_EQ(-totals[1][0], totals[1][1]);
+  EXPECT_FAILS(rollcon_wheelrail_solve_many(right, 1, position[0], velocity[0], "z speed", totals[0], status), OPTION,
+               "columns has 'speed'", "vertical_force");
+  EXPECT_FAILS(rollcon_wheelrail_solve_many(right, 1, position[0], velocity[0], nullptr, totals[0], status), ARGUMENT,
+               "columns is NULL");
   EXPECT_FAILS(rollcon_wheelrail_copy(right, nullptr), ARGUMENT, "copy is NULL");
   // A request from before a solve does not count.
   ASSERT_OK(rollcon_wheelrail_request_cancel(right));

@@ -12,14 +12,15 @@ using namespace sensitivity_test;
 
 // Returns the seconds of an iteration of the part that ends the solve.
 double seconds_of_an_iteration(const RollingPair& pair) {
+  constexpr const char* columns = "phase iteration seconds";
   std::int64_t count = 0;
-  must(rollcon_contact_get_history(pair.handle(), 0, nullptr, &count));
-  std::vector<double> rows(static_cast<std::size_t>(8 * count));
-  must(rollcon_contact_get_history(pair.handle(), count, rows.data(), nullptr));
-  const double* last = &rows[rows.size() - 8];
+  must(rollcon_contact_get_history(pair.handle(), columns, 0, nullptr, &count));
+  std::vector<double> rows(static_cast<std::size_t>(3 * count));
+  must(rollcon_contact_get_history(pair.handle(), columns, count, rows.data(), nullptr));
+  const double* last = &rows[rows.size() - 3];
   const double* first = last;
-  while (first != rows.data() && first[-8] == last[0]) first -= 8;
-  return (last[7] - first[7]) / (last[1] - first[1]);
+  while (first != rows.data() && first[-3] == last[0]) first -= 3;
+  return (last[2] - first[2]) / (last[1] - first[1]);
 }
 
 struct Cost {

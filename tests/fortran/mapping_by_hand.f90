@@ -361,7 +361,7 @@ contains
 
   !> Tests results: the frame has 3 nodes, a field 6 values, a solve 2 iterations.
   subroutine results()
-    real(rc_real), allocatable :: v(:, :), s(:), seconds(:)
+    real(rc_real), allocatable :: v(:, :), s(:)
     integer(rc_int), allocatable :: states(:)
     call body%get_displacements(v, stat)
     call told('body_get_displacements', 'body1 3 room', stat)
@@ -398,13 +398,9 @@ contains
     call refused('contact1', stat, message, 'rc_contact%get_temperatures_at: the first extent of xy must be 2')
     call stresses()
     call inside_bodies()
-    call contact%get_history(v, stat)
-    call told('contact_get_history', 'contact1 2 room room', stat)
-    call gave_reals('history', reshape(v, [16]), 200.5_rc_real)
-    call contact%get_error_function(s, seconds, stat)
-    call told('contact_get_error_function', 'contact1 2 room room room', stat)
-    call gave_reals('error function', s, 200.5_rc_real)
-    call gave_reals('its seconds', seconds, 300.5_rc_real)
+    call contact%get_history('phase  seconds step ', v, stat)
+    call told('contact_get_history', 'contact1 <phase  seconds step> 2 room room', stat)
+    call gave_reals('history', reshape(v, [6]), 300.5_rc_real)
     call failing(v, s, states)
   end subroutine
 
@@ -496,10 +492,8 @@ contains
     call status_is('field of vectors', stat, int(ROLLCON_ERR_STATE))
     call contact%get_node_states(states, stat)
     call status_is('states', stat, int(ROLLCON_ERR_STATE))
-    call contact%get_history(v, stat)
+    call contact%get_history('phase', v, stat)
     call status_is('history', stat, int(ROLLCON_ERR_STATE))
-    call contact%get_error_function(s, stat=stat)
-    call status_is('error function', stat, int(ROLLCON_ERR_STATE))
     call body%get_displacements(v, stat, message)
     call failed('displacements', stat, message)
   end subroutine
@@ -575,20 +569,21 @@ contains
     integer(rc_int), allocatable :: states(:)
     type(rc_wheelrail) :: other
     call answers(ROLLCON_OK)
-    call wheelrail%find_contact_points(wheelrail, [1.5_rc_real, 2.5_rc_real], points, stat, message)
-    call told('wheelrail_find_contact_points', 'wheelrail1 wheelrail1 2 [1.5 2.5] room', stat)
-    call gave_reals('points', reshape(points, [26]), 400.5_rc_real)
+    call wheelrail%find_contact_points(wheelrail, [1.5_rc_real, 2.5_rc_real], 'z right_radius', points, stat, message)
+    call told('wheelrail_find_contact_points', 'wheelrail1 wheelrail1 2 [1.5 2.5] <z right_radius> room', stat)
+    call gave_reals('points', reshape(points, [4]), 500.5_rc_real)
     call wheelrail%find_conicity(wheelrail, [1.5_rc_real, 2.5_rc_real], conicity, wavelength, stat, message)
     call told('wheelrail_find_conicity', 'wheelrail1 wheelrail1 2 [1.5 2.5] room room', stat)
     call gave_reals('conicity', conicity, 400.5_rc_real)
     call gave_reals('wavelength', wavelength, 500.5_rc_real)
     call wheelrail%solve_many(reshape([1.5_rc_real, 2.5_rc_real, 3.5_rc_real, 4.5_rc_real, 5.5_rc_real, 6.5_rc_real], &
-      [6, 1]), reshape([6.5_rc_real, 5.5_rc_real, 4.5_rc_real, 3.5_rc_real, 2.5_rc_real, 1.5_rc_real], [6, 1]), totals, &
+      [6, 1]), reshape([6.5_rc_real, 5.5_rc_real, 4.5_rc_real, 3.5_rc_real, 2.5_rc_real, 1.5_rc_real], [6, 1]), 'z', totals, &
       states, stat, message)
-    call told('wheelrail_solve_many', 'wheelrail1 1 [1.5 2.5 3.5 4.5 5.5 6.5] [6.5 5.5 4.5 3.5 2.5 1.5] room room', stat)
-    call gave_reals('totals', reshape(totals, [9]), 400.5_rc_real)
-    call demand(all(states == 500), 'states of positions')
-    call wheelrail%solve_many(reshape([1.5_rc_real], [1, 1]), reshape([1.5_rc_real], [1, 1]), totals, stat=stat)
+    call told('wheelrail_solve_many', &
+      'wheelrail1 1 [1.5 2.5 3.5 4.5 5.5 6.5] [6.5 5.5 4.5 3.5 2.5 1.5] <z> room room', stat)
+    call gave_reals('totals', reshape(totals, [1]), 500.5_rc_real)
+    call demand(all(states == 600), 'states of positions')
+    call wheelrail%solve_many(reshape([1.5_rc_real], [1, 1]), reshape([1.5_rc_real], [1, 1]), 'z', totals, stat=stat)
     call demand(stat == ROLLCON_ERR_ARGUMENT, 'six components')
     call wheelrail%find_wear(reshape([1.5_rc_real, 2.5_rc_real, 3.5_rc_real, 4.5_rc_real, 5.5_rc_real, 6.5_rc_real], &
       [6, 1]), reshape([6.5_rc_real, 5.5_rc_real, 4.5_rc_real, 3.5_rc_real, 2.5_rc_real, 1.5_rc_real], [6, 1]), &
@@ -609,11 +604,11 @@ contains
     call demand(.not. c_associated(other%handle()), 'a failure leaves no copy')
     call answers(ROLLCON_ERR_STATE)
     call wheelrail%solve_many(reshape([1.5_rc_real, 2.5_rc_real, 3.5_rc_real, 4.5_rc_real, 5.5_rc_real, 6.5_rc_real], &
-      [6, 1]), reshape([6.5_rc_real, 5.5_rc_real, 4.5_rc_real, 3.5_rc_real, 2.5_rc_real, 1.5_rc_real], [6, 1]), totals, &
+      [6, 1]), reshape([6.5_rc_real, 5.5_rc_real, 4.5_rc_real, 3.5_rc_real, 2.5_rc_real, 1.5_rc_real], [6, 1]), 'z', totals, &
       states, stat, message)
     call failed('wheelrail_solve_many', stat, message)
     call answers(ROLLCON_ERR_STATE)
-    call wheelrail%find_contact_points(wheelrail, [1.5_rc_real], points, stat, message)
+    call wheelrail%find_contact_points(wheelrail, [1.5_rc_real], 'z', points, stat, message)
     call failed('wheelrail_find_contact_points', stat, message)
     call answers(ROLLCON_ERR_STATE)
     call wheelrail%find_conicity(wheelrail, [1.5_rc_real], conicity, wavelength, stat, message)

@@ -71,7 +71,7 @@ TEST(automatic_loads, a_solution_that_is_gone_takes_its_extrapolation_along) {
     EXPECT_EQ(rollcon_contact_get_stat(pair.handle(), "t_gamma", &t_gamma), ROLLCON_ERR_STATE);
     EXPECT_EQ(rollcon_contact_get_sensitivity(pair.handle(), ROLLCON_NORMAL, force, nullptr, nullptr, nullptr),
               ROLLCON_ERR_STATE);
-    EXPECT_EQ(rollcon_contact_get_history(pair.handle(), 0, nullptr, &rows), ROLLCON_OK);
+    EXPECT_EQ(rollcon_contact_get_history(pair.handle(), "step", 0, nullptr, &rows), ROLLCON_OK);
     EXPECT_EQ(rows, 0);
   };
   ASSERT_EQ(pair.solve(), ROLLCON_OK);

@@ -193,16 +193,11 @@ void stat(World& w) {
 void history(World& w) {
   const rollcon_contact* c = w.contact();
   std::int64_t rows = 0;
-  rollcon_contact_get_history(c, 0, nullptr, &rows);
-  if (w.in.one_in(2)) {
-    ask_rows<double>(w, rows, 8, [&](std::int64_t fit, double* out) {
-      return FUZZ_CALL(w, rollcon_contact_get_history, c, fit, out, nullptr);
-    });
-  } else {
-    ask<double>(w, rows, [&](std::int64_t capacity, double* out, std::int64_t* told) {
-      return FUZZ_CALL(w, rollcon_contact_get_error_function, c, capacity, out, nullptr, told);
-    });
-  }
+  const char* columns = w.in.one_in(8) ? "seconds none" : "phase step error_function";
+  rollcon_contact_get_history(c, columns, 0, nullptr, &rows);
+  ask_rows<double>(w, rows, 3, [&](std::int64_t fit, double* out) {
+    return FUZZ_CALL(w, rollcon_contact_get_history, c, columns, fit, out, nullptr);
+  });
 }
 
 void plan(World& w) {

@@ -242,12 +242,12 @@ class Mapping(MappingCase):
         check(contact.temperatures_at(X[:, :2]), (2, 2), 300.5, "contact_get_temperatures_at",
               "contact1 2 [1.5 2.5 4.5 5.5] room")
         self.refuses("shape", contact.temperatures_at, X)
-        check(contact.history(), (2, 8), 200.5, "contact_get_history", "contact1 2 room room")
-        np.testing.assert_equal(contact.error_function(), [[200.5, 300.5], [201.5, 301.5]])
-        self.told("contact_get_error_function", "contact1 2 room room room")
+        check(contact.history("step seconds"), (2, 2), 300.5, "contact_get_history",
+              "contact1 <step seconds> 2 room room")
+        self.assertEqual(contact.history().shape, (2, 9))
         for function, arguments in ((self.body.displacements, ()), (self.body.node_stresses, ()),
                                     (contact.tractions, ()), (contact.field, (1,)),
-                                    (contact.node_states, ()), (contact.history, ()), (contact.error_function, ()),
+                                    (contact.node_states, ()), (contact.history, ()),
                                     (contact.displacements_at, (1, X[:, :2])), (contact.solve, ()),
                                     (contact.temperatures_at, (X[:, :2],)), (contact.fields_at, (1, X)),
                                     (rc.stress_invariants, (np.hstack([X, X]),)),
@@ -330,8 +330,9 @@ class Mapping(MappingCase):
     def test_wheelsets(self):
         wheelrail = self.wheelrail
         points = rc.contact_points(wheelrail, wheelrail, [1.5, 2.5])
-        self.told("wheelrail_find_contact_points", "wheelrail1 wheelrail1 2 [1.5 2.5] room")
-        numbers = np.arange(26).reshape(2, 13) + 400.5
+        self.told("wheelrail_find_contact_points", "wheelrail1 wheelrail1 2 [1.5 2.5] <z roll radius_difference left_y left_z left_angle left_wheel_y "
+                  "left_radius right_y right_z right_angle right_wheel_y right_radius> room")
+        numbers = np.arange(26).reshape(2, 13) + 500.5
         for column, got in zip(numbers.T, (points.z, points.roll, points.difference, points.left.y, points.left.z,
                                            points.left.angle, points.left.wheel_y, points.left.rolling_radius,
                                            points.right.y, points.right.z, points.right.angle, points.right.wheel_y,
@@ -344,12 +345,13 @@ class Mapping(MappingCase):
         positions, velocities = [[1.5, 2.5, 3.5, 4.5, 5.5, 6.5]], [[6.5, 5.5, 4.5, 3.5, 2.5, 1.5]]
         many = wheelrail.solve_many(positions, velocities)
         self.told("wheelrail_solve_many",
-                  "wheelrail1 1 [1.5 2.5 3.5 4.5 5.5 6.5] [6.5 5.5 4.5 3.5 2.5 1.5] room room")
-        np.testing.assert_array_equal(many.force, [[400.5, 401.5, 402.5]])
-        np.testing.assert_array_equal(many.moment, [[403.5, 404.5, 405.5]])
+                  "wheelrail1 1 [1.5 2.5 3.5 4.5 5.5 6.5] [6.5 5.5 4.5 3.5 2.5 1.5] <force_x force_y force_z moment_x "
+                  "moment_y moment_z z vertical_force friction_power> room room")
+        np.testing.assert_array_equal(many.force, [[500.5, 501.5, 502.5]])
+        np.testing.assert_array_equal(many.moment, [[503.5, 504.5, 505.5]])
         np.testing.assert_array_equal([many.z[0], many.vertical_force[0], many.friction_power[0]],
-                                      [406.5, 407.5, 408.5])
-        np.testing.assert_array_equal(many.status, [500])
+                                      [506.5, 507.5, 508.5])
+        np.testing.assert_array_equal(many.status, [600])
         self.refuses("2 positions, but 1", wheelrail.solve_many, 2 * positions, velocities)
         wear = wheelrail.find_wear(positions, velocities, "a law", [8.5], 2, weights=[7.5])
         self.told("wheelrail_find_wear", "wheelrail1 1 [1.5 2.5 3.5 4.5 5.5 6.5] [6.5 5.5 4.5 3.5 2.5 1.5] [7.5] "

@@ -24,7 +24,7 @@ class Results(Scene):
         np.testing.assert_allclose(contact.field(rc.FIELD_POINT, rc.GLOBAL), self.x, atol=1e-14)
         np.testing.assert_array_equal(contact.node_states() == rc.OPEN, pressure <= 0)
         rows = contact.history()
-        np.testing.assert_array_equal(contact.error_function()[:, 1], rows[:, 7])
+        np.testing.assert_array_equal(contact.history("seconds step")[:, 0], rows[:, 7])
         self.assertTrue(contact.plan())
         self.assertTrue(all(np.isfinite(contact.stat(name)) for name, *_ in rc.stat_table()))
         self.assertEqual(rc.version_string().replace("-", ""), rc.__version__)  # in the form of PEP 440

@@ -382,10 +382,7 @@ FUNCTIONS = {
         POINTER(c_double), POINTER(c_double)]),
     "rollcon_contact_get_stat": (c_int32, [c_void_p, c_char_p, POINTER(c_double)]),
     "rollcon_contact_get_history": (c_int32, [
-        c_void_p, c_int64,
-        POINTER(c_double), POINTER(c_int64)]),
-    "rollcon_contact_get_error_function": (c_int32, [
-        c_void_p, c_int64, POINTER(c_double),
+        c_void_p, c_char_p, c_int64,
         POINTER(c_double), POINTER(c_int64)]),
     "rollcon_contact_get_plan": (c_int32, [c_void_p, c_int64, c_char_p, POINTER(c_int64)]),
     "rollcon_contact_write": (c_int32, [c_void_p, c_char_p]),
@@ -406,8 +403,8 @@ FUNCTIONS = {
     "rollcon_wheelrail_solve": (c_int32, [c_void_p]),
     "rollcon_wheelrail_request_cancel": (c_int32, [c_void_p]),
     "rollcon_wheelrail_solve_many": (c_int32, [
-        c_void_p, c_int64, POINTER(c_double),
-        POINTER(c_double), POINTER(c_double), POINTER(c_int32)]),
+        c_void_p, c_int64, POINTER(c_double), POINTER(c_double),
+        c_char_p, POINTER(c_double), POINTER(c_int32)]),
     "rollcon_wheelrail_find_wear": (c_int32, [
         c_void_p, c_int64, POINTER(c_double), POINTER(c_double), POINTER(c_double), c_char_p, c_int32,
         POINTER(c_double), c_int64, POINTER(c_double), POINTER(c_double), POINTER(c_double), POINTER(c_int32)]),
@@ -437,7 +434,7 @@ FUNCTIONS = {
     "rollcon_wheelrail_get_contact": (c_int32, [c_void_p, c_int32, POINTER(c_void_p)]),
     "rollcon_wheelrail_find_contact_points": (c_int32, [
         c_void_p, c_void_p, c_int64,
-        POINTER(c_double), POINTER(c_double)]),
+        POINTER(c_double), c_char_p, POINTER(c_double)]),
     "rollcon_wheelrail_find_conicity": (c_int32, [
         c_void_p, c_void_p, c_int64,
         POINTER(c_double), POINTER(c_double), POINTER(c_double)]),
@@ -765,10 +762,7 @@ ARGUMENTS = {
     ],
     "rollcon_contact_get_stat": [("contact", ""), ("name", ""), ("value", "")],
     "rollcon_contact_get_history": [
-        ("contact", ""), ("capacity", ""), ("rows", ""), ("n_rows", "")
-    ],
-    "rollcon_contact_get_error_function": [
-        ("contact", ""), ("capacity", ""), ("psi", ""), ("seconds", ""), ("n_rows", "")
+        ("contact", ""), ("columns", ""), ("capacity", ""), ("rows", ""), ("n_rows", "")
     ],
     "rollcon_contact_get_plan": [("contact", ""), ("capacity", ""), ("text", ""), ("needed", "")],
     "rollcon_contact_write": [("contact", ""), ("path", "")],
@@ -793,8 +787,8 @@ ARGUMENTS = {
     "rollcon_wheelrail_solve": [("wheelrail", "")],
     "rollcon_wheelrail_request_cancel": [("wheelrail", "")],
     "rollcon_wheelrail_solve_many": [
-        ("wheelrail", ""), ("n", ""), ("positions", ""), ("velocities", ""), ("totals", ""),
-        ("status", "")
+        ("wheelrail", ""), ("n", ""), ("positions", ""), ("velocities", ""), ("columns", ""),
+        ("totals", ""), ("status", "")
     ],
     "rollcon_wheelrail_find_wear": [
         ("wheelrail", ""), ("n_cases", ""), ("positions", ""), ("velocities", ""), ("weights",
@@ -829,7 +823,7 @@ ARGUMENTS = {
     ],
     "rollcon_wheelrail_get_contact": [("wheelrail", ""), ("patch", ""), ("contact", "")],
     "rollcon_wheelrail_find_contact_points": [
-        ("left", ""), ("right", ""), ("n", ""), ("shift", ""), ("points", "")
+        ("left", ""), ("right", ""), ("n", ""), ("shift", ""), ("columns", ""), ("points", "")
     ],
     "rollcon_wheelrail_find_conicity": [
         ("left", ""), ("right", ""), ("n", ""), ("amplitude", ""), ("conicity", ""),

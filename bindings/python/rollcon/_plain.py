@@ -20,10 +20,13 @@ if TYPE_CHECKING:
 class ContextPlain:
 
     def set_threads(self, n: int) -> None:
-        """Sets the number of threads that each solve, and each preparation of a body, in this
-        context may use.
+        """Sets the most threads that each solve, each preparation of a body and each list of
+        cases, positions or samples in this context may use. Many parts use fewer: the BLAS has
+        one thread on frames of less than 2000 nodes and where operators are not dense, sparse
+        factorisations have one and that of the BLAS, each case of a list has one, and inside a
+        parallel region of the caller everything has one.
 
-        n: 0 to 4096; 0 (standard): OpenMP decides.
+        n: 0 to 4096; 0 (standard): as many as OpenMP would use.
         """
         self._call("set_threads", n)
 

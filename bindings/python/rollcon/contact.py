@@ -22,6 +22,9 @@ if TYPE_CHECKING:
     from .status import Status
 
 
+HISTORY = "phase iteration residual_normal residual_tangential step nodes_contact nodes_slip seconds error_function"
+
+
 class Event:
     """Holds what a progress callback may read; it is valid during the callback only."""
 
@@ -278,25 +281,14 @@ class Contact(Settings, ContactPlain, Handle):
         self._call("get_temperatures_at", len(xy), points, address)
         return temperature
 
-    def history(self) -> np.ndarray:
-        """Returns one row per iteration: phase, iteration, normal residual, tangential residual, step length, nodes
-        in contact, nodes in slip, seconds."""
-        need = c_int64()
-        self._call("get_history", 0, None, byref(need))
-        rows, address = room(need.value, 8)
-        self._call("get_history", len(rows), address, byref(need))
+    def history(self, columns: str = HISTORY) -> np.ndarray:
+        """Returns one row per iteration with the columns asked for, names separated by blanks; all of them: phase,
+        iteration, residual_normal, residual_tangential, step, nodes_contact, nodes_slip, seconds, error_function."""
+        text, need = c_text(columns, "columns"), c_int64()
+        self._call("get_history", text, 0, None, byref(need))
+        rows, address = room(need.value, len(columns.split()))
+        self._call("get_history", text, len(rows), address, byref(need))
         return rows
-
-    def error_function(self) -> np.ndarray:
-        """Returns the error function of every row of history(), and seconds since the solve began: one row (psi,
-        seconds) per iteration."""
-        need = c_int64()
-        self._call("get_error_function", 0, None, None, byref(need))
-        columns, psi = room(2, need.value)
-        if need.value > 0:
-            seconds = columns[1].ctypes.data_as(type(psi))
-            self._call("get_error_function", need.value, psi, seconds, byref(need))
-        return columns.T
 
     @property
     def force(self) -> np.ndarray:

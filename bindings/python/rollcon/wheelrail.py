@@ -20,6 +20,11 @@ if TYPE_CHECKING:
     from .table import Table
 
 
+_TOUCH = ("y", "z", "angle", "wheel_y", "radius")
+_POINTS = " ".join(["z roll radius_difference", *(f"{side}_{name}" for side in ("left", "right") for name in _TOUCH)])
+_TOTALS = "force_x force_y force_z moment_x moment_y moment_z z vertical_force friction_power"
+
+
 class Touch:
     """Says where a wheel touches, over the shifts: y, z and angle in the track, wheel_y on the wheel's profile,
     rolling_radius; [n] each."""
@@ -65,7 +70,7 @@ def contact_points(left: WheelRail, right: WheelRail, shift: ArrayLike) -> Conta
     shift: y of the wheelset's centre."""
     shift, shift_at = reals(shift)
     table, table_at = room(len(shift), 13)
-    left._call("find_contact_points", right.handle, len(shift), shift_at, table_at)
+    left._call("find_contact_points", right.handle, len(shift), shift_at, c_text(_POINTS, "columns"), table_at)
     return ContactPoints(shift, table)
 
 
@@ -154,7 +159,8 @@ class WheelRail(Settings, WheelrailPlain, Handle):
             raise ValueError(f"{len(positions)} positions, but {len(velocities)} velocities")
         totals, totals_at = room(len(positions), 9)
         status, status_at = room(len(positions), dtype=np.int32)
-        worst = self._call("solve_many", len(positions), positions_at, velocities_at, totals_at, status_at)
+        worst = self._call("solve_many", len(positions), positions_at, velocities_at, c_text(_TOTALS, "columns"), totals_at,
+                           status_at)
         return Positions(worst, status, totals)
 
     def find_wear(self, positions: ArrayLike, velocities: ArrayLike, law: str, parameters: ArrayLike,
