@@ -3,7 +3,8 @@
 OPTIONS = """The standard procedure eliminates the bodies' unknowns once and solves the contact by an exact semismooth
 Newton iteration with a start and fallbacks of its own ([theory](theory.md), section 6). The procedures of
 Rodriguez-Tembleque and Abascal (Int. J. Solids Struct. 47, 2010, section 11; numbers in brackets are its equations)
-are options of a contact. [Theory](theory.md), section 12, describes them:
+are chosen by `rollcon_contact_set_procedure(contact, "system=monolithic jacobian=reduced")`; `linear_solver`,
+`linear_tolerance` and `preconditioner` are settings of a contact. [Theory](theory.md), section 12, describes them:
 
 | option | value | what it is |
 | --- | --- | --- |

@@ -129,6 +129,7 @@ static void options(rollcon_contact* contact) {
   char text[400], doc[400];
   must(rollcon_contact_set_int(contact, "max_iterations", 80));
   must(rollcon_contact_set_real(contact, "tolerance", 1e-9));
+  must(rollcon_contact_set_procedure(contact, "")); /* the library's own iteration, the standard */
   must(rollcon_contact_get_int(contact, "max_iterations", &most));
   must(rollcon_contact_get_real(contact, "tolerance", &tolerance));
   must(rollcon_contact_get_str(contact, "operators", sizeof text, text, NULL));

@@ -150,6 +150,7 @@ module rollcon_c
   integer(c_int32_t), parameter :: rollcon_of_contact = 3_c_int32_t
   integer(c_int32_t), parameter :: rollcon_of_wheelrail = 4_c_int32_t
   integer(c_int32_t), parameter :: rollcon_of_patch = 6_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_of_procedure = 7_c_int32_t
 
   ! event key
   integer(c_int32_t), parameter :: rollcon_event_phase = 1_c_int32_t
@@ -1113,6 +1114,15 @@ module rollcon_c
       integer(c_int64_t), intent(inout) :: needed
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_str
+
+    function rollcon_contact_set_procedure(contact, procedure) &
+        result(rc) bind(C, name="rollcon_contact_set_procedure")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      character(kind=c_char), intent(in) :: procedure(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_set_procedure
 
     function rollcon_contact_set_progress(contact, fn, user) &
         result(rc) bind(C, name="rollcon_contact_set_progress")

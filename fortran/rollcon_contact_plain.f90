@@ -44,6 +44,7 @@ module rollcon_contact_plain
     procedure :: set_friction_across => contact_set_friction_across
     procedure :: set_heat => contact_set_heat
     procedure :: set_friction_field => contact_set_friction_field
+    procedure :: set_procedure => contact_set_procedure
     procedure :: request_cancel => contact_request_cancel
     procedure :: solve => contact_solve
     procedure :: repeat_step => contact_repeat_step
@@ -520,7 +521,7 @@ contains
   !> friction falls several solutions may exist then: a solve from nothing begins with the friction of rest, a warm one
   !> continues the last solution, the plan says which; ROLLCON_FIELD_FRICTION gives the coefficient at the node's slip.
   !> Where rollcon_contact_set_friction_field gives coefficients, each is the greatest of its node (at rest) and the law
-  !> keeps its ratios. The published procedures (options "system" and "jacobian") take "coulomb" alone
+  !> keeps its ratios. The published procedures (rollcon_contact_set_procedure) take "coulomb" alone
   !> (ROLLCON_ERR_UNSUPPORTED at the solve).
   subroutine contact_set_friction(self, law, parameters, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
@@ -550,8 +551,8 @@ contains
 
   !> Puts a thin elastic layer between the bodies that gives way along the surface in proportion to the tangential
   !> traction at each point, in series with both: thickness over shear modulus. The displacements of the bodies do not
-  !> contain it, slip does. The monolithic form (option "system") does not take it (ROLLCON_ERR_UNSUPPORTED at the
-  !> solve).
+  !> contain it, slip does. The monolithic system (rollcon_contact_set_procedure) does not take it
+  !> (ROLLCON_ERR_UNSUPPORTED at the solve).
   subroutine contact_set_layer(self, flexibility, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     real(rc_real), intent(in) :: flexibility
@@ -618,6 +619,19 @@ contains
       'rc_contact%set_friction_field', stat, errmsg)
   end subroutine
 
+  !> Chooses one of the published solution procedures in place of the library's own iteration, by options and values:
+  !> "system=monolithic jacobian=reduced"; what is not named has its standard value, and "" is the library's own.
+  !> rollcon_option_info lists them (ROLLCON_OF_PROCEDURE). Combinations that make no sense are ROLLCON_ERR_OPTION when
+  !> a solve begins, builds without the procedures ROLLCON_ERR_UNSUPPORTED.
+  subroutine contact_set_procedure(self, procedure, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    character(len=*), intent(in) :: procedure
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_set_procedure(self%p, c_text(procedure)), self%p, 'rc_contact%set_procedure', stat, &
+      errmsg)
+  end subroutine
+
   !> Asks a running solve to stop (an atomic store): at its next iteration, or, while bodies and operators are prepared,
   !> within moments; only a sparse factorisation runs to its end. The solve returns ROLLCON_CANCELLED; the contact stays
   !> usable. What was cancelled during its preparation has no results, and the next solve prepares it anew.
@@ -636,7 +650,7 @@ contains
   !> fail the way rollcon_body_prepare does (ROLLCON_ERR_MESH, ROLLCON_ERR_SINGULAR); the text names the body. Creepages
   !> (whose slip, times speed or stiffness, would come to 1e305) and approaches (to pressures of 1e150) that double
   !> precision cannot calculate with are ROLLCON_ERR_ARGUMENT; the text names a node and what is allowed. Nodes that are
-  !> never to touch may have any gap, with the option "system" = monolithic up to that limit.
+  !> never to touch may have any gap, with the monolithic system (rollcon_contact_set_procedure) up to that limit.
   subroutine contact_solve(self, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     integer, intent(out), optional :: stat

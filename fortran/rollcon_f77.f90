@@ -975,6 +975,15 @@ subroutine rcgets(icon, name, text, ierr)
   call give_text(contact_of(icon), 'RCGETS', buffer, text, ierr)
 end subroutine
 
+!> Chooses one of the published solution procedures in place of the library's own iteration, by options and value.
+subroutine rcproc(icon, procedure, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ierr
+  character(len=*) :: procedure
+  ierr = rollcon_contact_set_procedure(contact_of(icon), c_name(procedure))
+end subroutine
+
 !> Sets the callback that is called once per iteration, and about every tenth of a second while bodies and operat.
 subroutine rcprog(icon, watch, ierr)
   use rollcon_f77_support

@@ -264,7 +264,8 @@ enum {
   ROLLCON_OF_BODY      = 2,    /* a body */
   ROLLCON_OF_CONTACT   = 3,    /* a contact */
   ROLLCON_OF_WHEELRAIL = 4,    /* a wheel on its rail */
-  ROLLCON_OF_PATCH     = 6     /* a patch of a wheel on its rail */
+  ROLLCON_OF_PATCH     = 6,    /* a patch of a wheel on its rail */
+  ROLLCON_OF_PROCEDURE = 7     /* options of rollcon_contact_set_procedure */
 };
 
 /* Entries of an event that a progress callback can read: integers below 100, reals above. */
@@ -1368,7 +1369,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_prescribe(rollcon_contac
  * begins with the friction of rest, a warm one continues the last solution, the plan says which;
  * ROLLCON_FIELD_FRICTION gives the coefficient at the node's slip. Where
  * rollcon_contact_set_friction_field gives coefficients, each is the greatest of its node (at
- * rest) and the law keeps its ratios. The published procedures (options "system" and "jacobian")
+ * rest) and the law keeps its ratios. The published procedures (rollcon_contact_set_procedure)
  * take "coulomb" alone (ROLLCON_ERR_UNSUPPORTED at the solve).
  *   law         a name of a law
  *   n           parameters of the law: 1; 3 for the orthotropic ones; 3 or 5 for those that fall;
@@ -1401,8 +1402,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_friction_memory(
 /*
  * Puts a thin elastic layer between the bodies that gives way along the surface in proportion to
  * the tangential traction at each point, in series with both: thickness over shear modulus. The
- * displacements of the bodies do not contain it, slip does. The monolithic form (option "system")
- * does not take it (ROLLCON_ERR_UNSUPPORTED at the solve).
+ * displacements of the bodies do not contain it, slip does. The monolithic system
+ * (rollcon_contact_set_procedure) does not take it (ROLLCON_ERR_UNSUPPORTED at the solve).
  *   flexibility  thickness over shear modulus, length^3/force, >= 0; 0: no layer
  * Also returns: ROLLCON_ERR_NONFINITE.
  * Source: docs/friction.md.
@@ -1510,6 +1511,19 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_real(const rollcon_c
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_str(const rollcon_contact *contact,
     const char *name, int64_t capacity, char *text, int64_t *needed);
 
+/*
+ * Chooses one of the published solution procedures in place of the library's own iteration, by
+ * options and values: "system=monolithic jacobian=reduced"; what is not named has its standard
+ * value, and "" is the library's own. rollcon_option_info lists them (ROLLCON_OF_PROCEDURE).
+ * Combinations that make no sense are ROLLCON_ERR_OPTION when a solve begins, builds without the
+ * procedures ROLLCON_ERR_UNSUPPORTED.
+ *   procedure  option=value, separated by blanks
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_OPTION.
+ * Source: docs/procedures.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_procedure(rollcon_contact *contact,
+    const char *procedure);
+
 /* ------------------------------------------------------------------------ Solve, watch, stop */
 /* Each solve finds one steady state, or one step in time (rollcon_contact_set_step), started from
    the last one. */
@@ -1565,8 +1579,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_request_cancel(rollcon_c
  * ROLLCON_ERR_SINGULAR); the text names the body. Creepages (whose slip, times speed or
  * stiffness, would come to 1e305) and approaches (to pressures of 1e150) that double precision
  * cannot calculate with are ROLLCON_ERR_ARGUMENT; the text names a node and what is allowed.
- * Nodes that are never to touch may have any gap, with the option "system" = monolithic up to
- * that limit.
+ * Nodes that are never to touch may have any gap, with the monolithic system
+ * (rollcon_contact_set_procedure) up to that limit.
  * Also returns: ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
  *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_INACCURATE, ROLLCON_TOO_DEEP, ROLLCON_ERR_MESH,
  *   ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY, ROLLCON_ERR_OPTION,

@@ -124,10 +124,12 @@ static const enumerator names_of_kind_of_object[] = {
   {"contact", 3},
   {"wheelrail", 4},
   {"patch", 6},
+  {"procedure", 7},
   {"of_body", 2},
   {"of_contact", 3},
   {"of_wheelrail", 4},
   {"of_patch", 6},
+  {"of_procedure", 7},
   {NULL, 0}};
 static const enumerator names_of_profile_of_a_wheel_on_its_rail[] = {
   {"wheel", 1},
@@ -1200,6 +1202,16 @@ static void call_contact_get_str(call *self) {
   rc = rollcon_contact_get_str(contact, name, capacity, text_buffer, &need);
   if (rc < 0) finish(self, rc);
   give_text(self, text_buffer);
+  finish(self, rc);
+}
+
+static void call_contact_set_procedure(call *self) {
+  int32_t rc = 0;
+  rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
+  const char *procedure = take_text(self, "procedure");
+  no_more(self);
+  rc = rollcon_contact_set_procedure(contact, procedure);
+  if (rc < 0) finish(self, rc);
   finish(self, rc);
 }
 
@@ -2389,6 +2401,7 @@ const entry calls[] = {
   {"contact_get_int", call_contact_get_int, 1},
   {"contact_get_real", call_contact_get_real, 1},
   {"contact_get_str", call_contact_get_str, 1},
+  {"contact_set_procedure", call_contact_set_procedure, 1},
   {"contact_request_cancel", call_contact_request_cancel, 1},
   {"contact_solve", call_contact_solve, 1},
   {"contact_solve_many", call_contact_solve_many, 2},

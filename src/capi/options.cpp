@@ -22,6 +22,8 @@ std::span<const Setting> options_of(int32_t kind) {
       return body_option_table().settings();
     case ROLLCON_OF_CONTACT:
       return option_table();
+    case ROLLCON_OF_PROCEDURE:
+      return procedure_table();
     case ROLLCON_OF_WHEELRAIL:
       return wheel_option_table().settings();
     default:
@@ -45,8 +47,9 @@ const StatisticInfo* statistic_of(int32_t kind, int32_t i) {
 }
 
 void require_row(int32_t kind, int32_t i, int32_t count, const char* what) {
-  if (kind < ROLLCON_OF_BODY || kind > ROLLCON_OF_PATCH)
-    fail(Status::err_argument, "kind is %d; allowed: 2 (body), 3 (contact), 4 (wheelrail), 6 (patch)", kind);
+  if (kind < ROLLCON_OF_BODY || kind > ROLLCON_OF_PROCEDURE)
+    fail(Status::err_argument, "kind is %d; allowed: 2 (body), 3 (contact), 4 (wheelrail), 6 (patch), 7 (procedure)",
+         kind);
   if (count == 0) fail(Status::err_argument, "kind is %d, of which there are no %s", kind, what);
   if (i < 0 || i >= count) fail(Status::err_argument, "i is %d; allowed: 0 to %d", i, count - 1);
 }

@@ -378,6 +378,12 @@ rollcon_status rollcon_contact_get_str(const rollcon_contact *contact, const cha
   });
 }
 
+rollcon_status rollcon_contact_set_procedure(rollcon_contact *contact, const char *procedure) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    self.scene.options.set_procedure(procedure);
+  });
+}
+
 rollcon_status rollcon_contact_solve(rollcon_contact *contact) {
   return with_contact(__func__, contact, [&](Contact& self) {
     return self.solve();

@@ -100,8 +100,8 @@ void describe_procedure(std::string& text, const Solution& s, const Effort& effo
          static_cast<long long>(effort.unknowns), static_cast<long long>(effort.nonzeros));
   else
     line(text, "system: condensed, %lld unknowns", static_cast<long long>(effort.unknowns));
-  line(text, "iteration: generalised Newton method with line search, jacobian %s, linear solver %s", o.jacobian.c_str(),
-       o.linear_solver.c_str());
+  line(text, "iteration: generalised Newton method with line search, jacobian %s, linear solver %s",
+       o.procedure.jacobian.c_str(), o.linear_solver.c_str());
 }
 
 // Says where the solution came from; fallbacks after the first look wherever they can.

@@ -31,14 +31,13 @@ TEST_F(components, absent_procedures_are_refused_by_name_and_the_standard_one_wo
   ASSERT_OK(rollcon_contact_set_str(contact, "convection", "godunov"));
   ASSERT_OK(rollcon_contact_solve(contact));
   for (const auto& [option, value] : {std::pair{"system", "monolithic"}, std::pair{"jacobian", "b_derivative"}}) {
-    ASSERT_OK(rollcon_contact_set_str(contact, option, value));
+    ASSERT_OK(rollcon_contact_set_procedure(contact, (std::string(option) + "=" + value).c_str()));
     if (rollcon_has_feature("procedures"))
       EXPECT_OK(rollcon_contact_solve(contact));
     else
       EXPECT_FAILS(rollcon_contact_solve(contact), UNSUPPORTED, option, value, "component PROCEDURES",
                    "ROLLCON_WITH_PROCEDURES");
-    ASSERT_OK(rollcon_contact_set_str(contact, "system", "condensed"));
-    ASSERT_OK(rollcon_contact_set_str(contact, "jacobian", "exact"));
+    ASSERT_OK(rollcon_contact_set_procedure(contact, ""));
   }
   EXPECT_OK(rollcon_contact_solve(contact));
 }

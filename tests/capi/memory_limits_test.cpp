@@ -101,12 +101,12 @@ TEST_F(MemoryLimits, the_monolithic_system_of_a_large_frame_is_refused) {
   if (!rollcon_has_feature("procedures")) GTEST_SKIP() << "this build has no procedures";
   in_child(250e6, [&] {
     take_frame(44);
-    ASSERT_OK(rollcon_contact_set_str(contact, "system", "monolithic"));
+    ASSERT_OK(rollcon_contact_set_procedure(contact, "system=monolithic"));
     // The need is 264 n^2 bytes.
     expect_refusal(rollcon_contact_solve(contact),
                    "the monolithic system of a frame of 2025 nodes on half-spaces needs 1.08",
-                   "set option 'system' to 'condensed'");
-    ASSERT_OK(rollcon_contact_set_str(contact, "system", "condensed"));
+                   "choose the condensed system");
+    ASSERT_OK(rollcon_contact_set_procedure(contact, ""));
     expect_usable();
   });
 }

@@ -205,8 +205,7 @@ TEST_F(procedure_statuses, error_function_falls_to_the_tolerance) {
 }
 
 TEST_F(procedure_statuses, results_that_need_operators_come_without_a_standard_solve_before) {
-  set("system", "monolithic");
-  set("jacobian", "b_derivative");
+  set("procedure", "system=monolithic jacobian=b_derivative");
   ASSERT_EQ(solve_cold(), ROLLCON_OK) << error();
   double force[3] = {}, estimate = 0;
   ASSERT_EQ(rollcon_contact_get_sensitivity(contact, ROLLCON_LONGITUDINAL, force, nullptr, nullptr, nullptr),

@@ -53,7 +53,12 @@ class ProcedureScene : public Api {
     ASSERT_OK(rollcon_contact_set_creep(contact, -8e-4, 4e-4, 2e-4));
   }
 
-  void set(const char* name, const char* value) { ASSERT_OK(rollcon_contact_set_str(contact, name, value)); }
+  void set(const char* name, const char* value) {
+    if (std::string(name) == "procedure")
+      ASSERT_OK(rollcon_contact_set_procedure(contact, value));
+    else
+      ASSERT_OK(rollcon_contact_set_str(contact, name, value));
+  }
   void set(const char* name, double value) { ASSERT_OK(rollcon_contact_set_real(contact, name, value)); }
   void set(const Procedure& p) {
     p.each([&](const char* option, const char* value) { set(option, value); });

@@ -14,36 +14,35 @@ struct Setting {
 };
 
 struct Senseless {
-  std::vector<Setting> set;
+  std::vector<Setting> set;        ///< "procedure" has its options
   std::vector<std::string> words;  ///< words of the message: the option and the reason
 };
 
 const Senseless senseless[] = {
-    {{{"slip_estimate", "jacobi"}}, {"slip_estimate", "'jacobi'", "jacobian", "reduced"}},
-    {{{"slip_estimate", "extrapolation"}, {"jacobian", "b_derivative"}},
+    {{{"procedure", "slip_estimate=jacobi"}}, {"slip_estimate", "'jacobi'", "jacobian", "reduced"}},
+    {{{"procedure", "slip_estimate=extrapolation jacobian=b_derivative"}},
      {"slip_estimate", "'extrapolation'", "'b_derivative'", "reduced"}},
-    {{{"slip_estimate", "pseudo_temporal"}, {"jacobian", "simplified"}, {"system", "monolithic"}},
+    {{{"procedure", "slip_estimate=pseudo_temporal jacobian=simplified system=monolithic"}},
      {"slip_estimate", "'pseudo_temporal'", "'simplified'", "reduced"}},
-    {{{"jacobian", "reduced"}, {"convection", "characteristic"}},
+    {{{"procedure", "jacobian=reduced"}, {"convection", "characteristic"}},
      {"jacobian", "'reduced'", "convection", "'characteristic'", "godunov", "least_squares"}},
-    {{{"jacobian", "reduced"}, {"convection", "characteristic"}, {"system", "monolithic"}},
+    {{{"procedure", "jacobian=reduced system=monolithic"}, {"convection", "characteristic"}},
      {"jacobian", "'reduced'", "convection", "'characteristic'"}},
     {{{"preconditioner", "bodies"}, {"linear_solver", "gmres"}},
      {"preconditioner", "'bodies'", "system", "'condensed'"}},
-    {{{"preconditioner", "bodies"}, {"linear_solver", "lu"}, {"system", "monolithic"}},
+    {{{"procedure", "system=monolithic"}, {"preconditioner", "bodies"}, {"linear_solver", "lu"}},
      {"preconditioner", "'bodies'", "linear_solver", "'lu'", "gmres"}},
-    {{{"preconditioner", "kept_lu"}, {"linear_solver", "gmres"}, {"system", "monolithic"}},
+    {{{"procedure", "system=monolithic"}, {"preconditioner", "kept_lu"}, {"linear_solver", "gmres"}},
      {"preconditioner", "'kept_lu'", "system", "'monolithic'", "bodies"}},
     {{{"preconditioner", "none"}}, {"preconditioner", "'none'", "linear_solver", "'auto'"}},
     {{{"preconditioner", "diagonal"}, {"linear_solver", "lu"}},
      {"preconditioner", "'diagonal'", "linear_solver", "'lu'", "gmres"}},
     {{{"preconditioner", "none"}, {"linear_solver", "gmres"}}, {"preconditioner", "'none'", "jacobian", "'exact'"}},
-    {{{"line_search", "armijo"}}, {"line_search", "'armijo'", "jacobian", "'exact'"}},
-    {{{"line_search", "off"}}, {"line_search", "'off'", "jacobian", "'exact'"}},
+    {{{"procedure", "line_search=armijo"}}, {"line_search", "'armijo'", "jacobian", "'exact'"}},
+    {{{"procedure", "line_search=off"}}, {"line_search", "'off'", "jacobian", "'exact'"}},
 };
 
-const char* const texts[] = {"system",         "jacobian",    "slip_estimate", "linear_solver",
-                             "preconditioner", "line_search", "convection"};
+const char* const texts[] = {"linear_solver", "preconditioner", "convection"};
 
 }  // namespace
 
@@ -75,10 +74,24 @@ TEST_F(procedures, combinations_without_sense_are_refused_with_the_reason) {
     double t[3];
     EXPECT_EQ(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, t, nullptr), ROLLCON_ERR_STATE)
         << "a failed solve discards the last solution";
+    set("procedure", "");
     for (std::size_t i = 0; i < std::size(texts); ++i) set(texts[i], before[i].c_str());
     ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK) << error();
     EXPECT_LT(difference(results().traction, reference.traction), 1e-8);
   }
+}
+
+TEST_F(procedures, unknown_words_are_refused_and_change_nothing) {
+  set("procedure", "system=monolithic");
+  EXPECT_FAILS(rollcon_contact_set_procedure(contact, "monolithic"), OPTION, "'monolithic'", "system=monolithic");
+  EXPECT_FAILS(rollcon_contact_set_procedure(contact, "system=other"), OPTION, "system", "'other'", "condensed");
+  EXPECT_FAILS(rollcon_contact_set_procedure(contact, "jacobian=exact tolerance=1"), OPTION, "'tolerance'", "jacobian");
+  EXPECT_FAILS(rollcon_contact_set_procedure(contact, nullptr), ARGUMENT, "procedure is NULL");
+  EXPECT_FAILS(rollcon_contact_set_str(contact, "system", "condensed"), OPTION, "'system'");
+  ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
+  char plan[8192];
+  ASSERT_EQ(rollcon_contact_get_plan(contact, sizeof plan, plan, nullptr), ROLLCON_OK);
+  EXPECT_NE(std::string(plan).find("monolithic"), std::string::npos) << plan;
 }
 
 TEST_F(procedures, a_tolerance_needs_gmres) {
@@ -100,12 +113,11 @@ TEST_F(procedures, line_searches_belong_to_the_published_ones) {
   for (const char* search : {"auto", "armijo", "off"})
     for (const char* system : {"condensed", "monolithic"})
       for (const char* jacobian : {"exact", "b_derivative", "simplified", "reduced"}) {
-        const Procedure p{system, jacobian};
-        set(p);
-        set("line_search", "auto");
         const bool own = std::string(system) == "condensed" && std::string(jacobian) == "exact";
-        if (!own) set("line_search", search);
-        ASSERT_EQ(solve_cold(), ROLLCON_OK) << p.name() << " " << search;
+        const std::string procedure =
+            std::string("system=") + system + " jacobian=" + jacobian + " line_search=" + (own ? "auto" : search);
+        set("procedure", procedure.c_str());
+        ASSERT_EQ(solve_cold(), ROLLCON_OK) << procedure;
         worst = std::max(worst, difference(results().traction, reference.traction));
       }
   std::printf("line searches: tractions differ by %.1e (bound 1e-6)\n", worst);

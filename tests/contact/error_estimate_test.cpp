@@ -127,8 +127,8 @@ TEST(error_estimate, is_that_of_the_motions_however_they_were_prescribed) {
 TEST(error_estimate, is_the_same_after_any_procedure) {
   if (ROLLCON_BUILD_PROCEDURES == 0) GTEST_SKIP() << "this build has no published procedures";
   const auto standard = rolling(10, rigid), monolithic = rolling(10, rigid), published = rolling(10, rigid);
-  monolithic->contact->scene.options.set_text("system", "monolithic");
-  published->contact->scene.options.set_text("jacobian", "b_derivative");
+  monolithic->contact->scene.options.set_procedure("system=monolithic");
+  published->contact->scene.options.set_procedure("jacobian=b_derivative");
   for (Pair* pair : {standard.get(), monolithic.get(), published.get()}) ASSERT_EQ(pair->contact->solve(), Status::ok);
   expect_same(estimates(*monolithic->contact), estimates(*standard->contact), 1e-5, "monolithic");
   expect_same(estimates(*published->contact), estimates(*standard->contact), 1e-5, "b_derivative");

@@ -205,7 +205,7 @@ TEST(Lattice, AnythingElseIsRefusedByName) {
   EXPECT_EQ(triangles.solve(), ROLLCON_COARSE);
   if (!have_fft()) return;
   auto regular = make(Case{.name = "procedure"}, "fft");
-  regular->option("jacobian", "b_derivative");
+  regular->option("procedure", "jacobian=b_derivative");
   EXPECT_NE(error_of(*regular).find("jacobian"), std::string::npos);
 }
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -16,7 +17,14 @@ using Texts = std::vector<std::pair<const char*, const char*>>;
 
 Options with(const Texts& texts) {
   Options o;
-  for (const auto& [name, value] : texts) o.set_text(name, value);
+  std::string procedure;
+  for (const auto& [name, value] : texts)
+    if (std::any_of(procedure_table().begin(), procedure_table().end(),
+                    [&](const Setting& s) { return std::string(s.name) == name; }))
+      procedure += std::string(name) + "=" + value + " ";
+    else
+      o.set_text(name, value);
+  o.set_procedure(procedure.c_str());
   return o;
 }
 

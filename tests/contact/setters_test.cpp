@@ -131,8 +131,11 @@ std::vector<Change> changes() {
        nothing},
       {"accuracy", real("accuracy", 1e-7), whole_compliance},
       {"convection", text("convection", "least_squares"), scheme},
-      {"monolithic", text("system", "monolithic"), {"scale_builds", "kernel_evaluations"}, 1e-9},
-      {"published", text("jacobian", "simplified"), {"scale_builds"}, 1e-9},
+      {"monolithic",
+       [](Contact& c) { c.scene.options.set_procedure("system=monolithic"); },
+       {"scale_builds", "kernel_evaluations"},
+       1e-9},
+      {"published", [](Contact& c) { c.scene.options.set_procedure("jacobian=simplified"); }, {"scale_builds"}, 1e-9},
   };
   if (ROLLCON_BUILD_PROCEDURES == 0)  // the last two are published procedures
     list.erase(list.end() - 2, list.end());

@@ -215,7 +215,7 @@ TEST(tilt, is_the_same_by_every_way_that_solves) {
     {"dense", [](Options& o) { o.set_text("operators", "dense"); }},
     {"GMRES", [](Options& o) { o.set_text("linear_solver", "gmres"); }},
 #if ROLLCON_BUILD_PROCEDURES
-    {"monolithic", [](Options& o) { o.set_text("system", "monolithic"); }},
+    {"monolithic", [](Options& o) { o.set_procedure("system=monolithic"); }},
 #endif
   };
   for (const Way& way : ways) {

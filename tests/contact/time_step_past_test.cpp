@@ -200,8 +200,7 @@ TEST(TimeStep, sensitivities) {
 TEST(TimeStep, published_procedures) {
   const auto walk = [](const char* system, const char* jacobian) {
     KalkerSpheres s(10, "dense");
-    s.scene().options.set_text("system", system);
-    s.scene().options.set_text("jacobian", jacobian);
+    s.scene().options.set_procedure(("system=" + std::string(system) + " jacobian=" + jacobian).c_str());
     s.scene().options.set_real("accuracy", 1e-8);
     s.scene().set_creep(-1e-3, 3e-4, 1e-4);
     s.scene().set_step(rolling_step, 0.5);

@@ -94,7 +94,7 @@ TEST(friction_laws, published_procedures_refuse) {
     RollingPair pair(steel, steel);
     pair.rectangle(ElementType::quad4, 8, 8, 1.3, 1.3).gap_quadratic(0.01, 0.01).approach(0.02);
     give(pair, t);
-    pair.option("system", "monolithic");
+    pair.option("procedure", "system=monolithic");
     EXPECT_EQ(rollcon_contact_solve(pair.handle()), ROLLCON_ERR_UNSUPPORTED);
     EXPECT_NE(std::string(rollcon_last_error()).find("Coulomb's law alone"), std::string::npos) << rollcon_last_error();
     pair.friction(0.3);

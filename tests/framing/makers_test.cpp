@@ -112,7 +112,7 @@ TEST(makers, published_procedures_solve_on_strips) {
     for (const char* system : {"condensed", "monolithic"}) {
       RollingPair pair(steel, steel);
       pair.gap_quadratic(hertz.A, hertz.B).load(hertz.load).friction(0.3).creep(1e-4, 0, 0);
-      pair.option("jacobian", jacobian).option("system", system);
+      pair.option("procedure", (std::string("system=") + system + " jacobian=" + jacobian).c_str());
       ASSERT_EQ(rollcon_contact_frame_ellipse(pair.handle(), 12, 8, 2, 1, 0), ROLLCON_OK);
       EXPECT_EQ(pair.solve(), ROLLCON_OK) << jacobian << ' ' << system;
       const double force = pair.solution().force[0];

@@ -201,6 +201,7 @@ void set_option_in_range(World& w) {
   if (std::strcmp(name, "frame_accuracy") == 0) low = least_frame_accuracy;
   const double value = low + part * part * part * (high - low);
   rollcon_contact* c = w.contact();
+  if (w.in.one_in(16)) FUZZ_CALL(w, rollcon_contact_set_procedure, c, w.in.one_in(2) ? "" : "line_search=off system");
   if (type == ROLLCON_TYPE_INT && high <= 1)
     FUZZ_CALL(w, rollcon_contact_set_int, c, name, static_cast<std::int64_t>(value + 0.5));
   if (type == ROLLCON_TYPE_REAL) FUZZ_CALL(w, rollcon_contact_set_real, c, name, value);

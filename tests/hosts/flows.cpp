@@ -168,8 +168,7 @@ std::vector<double> monolithic(Caller& call) {
   roll_sphere(call, h, 6);
   CALL(rollcon_contact_prescribe, h.contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.02);
   CALL(rollcon_contact_set_str, h.contact, "convection", "godunov");
-  CALL(rollcon_contact_set_str, h.contact, "system", "monolithic");
-  CALL(rollcon_contact_set_str, h.contact, "jacobian", "exact");
+  CALL(rollcon_contact_set_procedure, h.contact, "system=monolithic jacobian=exact");
   CALL(rollcon_contact_set_str, h.contact, "linear_solver", "gmres");
   std::vector<double> out = solve(call, h);
   end(call, h);

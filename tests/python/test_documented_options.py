@@ -41,6 +41,9 @@ class DocumentedOptions(unittest.TestCase):
     def test_of_bodies(self):
         self.same(documented("body option"), rc.option_table("body"))
 
+    def test_of_procedures(self):
+        self.same(documented("procedure option"), rc.option_table("procedure"))
+
     def test_of_wheels(self):
         self.same(documented("wheel option"), rc.option_table("wheelrail"))
 

@@ -17,12 +17,10 @@ struct Procedure {
   std::string name() const {
     return system + " " + jacobian + " " + slip_estimate + " " + linear_solver + " " + preconditioner;
   }
-  /// Calls set(option, name) for each.
+  /// Calls set(option, name) for each, and set("procedure", choices).
   template <class Set>
   void each(Set&& set) const {
-    set("system", system.c_str());
-    set("jacobian", jacobian.c_str());
-    set("slip_estimate", slip_estimate.c_str());
+    set("procedure", ("system=" + system + " jacobian=" + jacobian + " slip_estimate=" + slip_estimate).c_str());
     set("linear_solver", linear_solver.c_str());
     set("preconditioner", preconditioner.c_str());
   }

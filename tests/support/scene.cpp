@@ -216,7 +216,9 @@ RollingPair& RollingPair::friction(double mu) {
 }
 
 RollingPair& RollingPair::option(const char* name, const char* value) {
-  check(rollcon_contact_set_str(contact_, name, value), name);
+  const bool procedure = std::string(name) == "procedure";
+  check(procedure ? rollcon_contact_set_procedure(contact_, value) : rollcon_contact_set_str(contact_, name, value),
+        name);
   return *this;
 }
 

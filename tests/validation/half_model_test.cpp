@@ -43,14 +43,14 @@ TEST_P(HalfModels, carries_half_of_the_forces) {
 
 TEST(HalfModel, is_for_the_condensed_form) {
   const auto half = block(0, 0.3, 1e-3);
-  half->option("system", "monolithic");
+  half->option("procedure", "system=monolithic");
   try {
     half->solve();
     FAIL() << "a half model was solved in monolithic form";
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find("plane of symmetry"), std::string::npos) << error.what();
   }
-  half->option("system", "condensed");
+  half->option("procedure", "");
   EXPECT_EQ(half->solve(), ROLLCON_COARSE) << "few nodes touch";
 }
 

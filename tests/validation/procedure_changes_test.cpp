@@ -31,7 +31,7 @@ class ProcedureChanges : public ::testing::TestWithParam<const char*> {
  protected:
   std::unique_ptr<RollingPair> pair(int rings, const char* scheme = "least_squares") const {
     auto p = example3::pair(disc(rings), scheme, 1);
-    p->option("system", GetParam()).option("jacobian", "b_derivative");
+    p->option("procedure", (std::string("jacobian=b_derivative system=") + GetParam()).c_str());
     return p;
   }
 };

@@ -12,7 +12,7 @@ function varargout = contact_set_friction(varargin)
 % several solutions may exist then: a solve from nothing begins with the friction of rest, a warm one
 % continues the last solution, the plan says which; FIELD_FRICTION gives the coefficient at the node's
 % slip. Where rollcon.contact_set_friction_field gives coefficients, each is the greatest of its node
-% (at rest) and the law keeps its ratios. The published procedures (options "system" and "jacobian")
+% (at rest) and the law keeps its ratios. The published procedures (rollcon.contact_set_procedure)
 % take "coulomb" alone (ERR_UNSUPPORTED at the solve).
 %
 %   contact (contact)

@@ -10,7 +10,7 @@ function varargout = contact_solve(varargin)
 % ERR_SINGULAR); the text names the body. Creepages (whose slip, times speed or stiffness, would come
 % to 1e305) and approaches (to pressures of 1e150) that double precision cannot calculate with are
 % ERR_ARGUMENT; the text names a node and what is allowed. Nodes that are never to touch may have any
-% gap, with the option "system" = monolithic up to that limit.
+% gap, with the monolithic system (rollcon.contact_set_procedure) up to that limit.
 %
 %   contact (contact)
 %

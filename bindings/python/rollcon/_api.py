@@ -148,6 +148,7 @@ OF_BODY = 2
 OF_CONTACT = 3
 OF_WHEELRAIL = 4
 OF_PATCH = 6
+OF_PROCEDURE = 7
 
 # event key
 EVENT_PHASE = 1
@@ -328,6 +329,7 @@ FUNCTIONS = {
     "rollcon_contact_get_int": (c_int32, [c_void_p, c_char_p, POINTER(c_int64)]),
     "rollcon_contact_get_real": (c_int32, [c_void_p, c_char_p, POINTER(c_double)]),
     "rollcon_contact_get_str": (c_int32, [c_void_p, c_char_p, c_int64, c_char_p, POINTER(c_int64)]),
+    "rollcon_contact_set_procedure": (c_int32, [c_void_p, c_char_p]),
     "rollcon_contact_set_progress": (c_int32, [c_void_p, progress_fn, c_void_p]),
     "rollcon_event_get_int": (c_int32, [c_void_p, c_int32, POINTER(c_int64)]),
     "rollcon_event_get_real": (c_int32, [c_void_p, c_int32, POINTER(c_double)]),
@@ -531,8 +533,8 @@ ENUMERATORS = {
     },
     "option type": {"int": 1, "real": 2, "str": 3, "type_int": 1, "type_real": 2, "type_str": 3},
     "kind of object": {
-        "body": 2, "contact": 3, "wheelrail": 4, "patch": 6, "of_body": 2, "of_contact": 3,
-        "of_wheelrail": 4, "of_patch": 6
+        "body": 2, "contact": 3, "wheelrail": 4, "patch": 6, "procedure": 7, "of_body": 2,
+        "of_contact": 3, "of_wheelrail": 4, "of_patch": 6, "of_procedure": 7
     },
     "event key": {
         "phase": 1, "iteration": 2, "residual": 101, "seconds": 102, "event_phase": 1,
@@ -701,6 +703,7 @@ ARGUMENTS = {
     "rollcon_contact_get_str": [
         ("contact", ""), ("name", ""), ("capacity", ""), ("text", ""), ("needed", "")
     ],
+    "rollcon_contact_set_procedure": [("contact", ""), ("procedure", "")],
     "rollcon_contact_set_progress": [("contact", ""), ("fn", ""), ("user", "")],
     "rollcon_event_get_int": [("event", ""), ("key", "event key"), ("value", "")],
     "rollcon_event_get_real": [("event", ""), ("key", "event key"), ("value", "")],

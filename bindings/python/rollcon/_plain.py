@@ -576,7 +576,7 @@ class ContactPlain:
         """Puts a thin elastic layer between the bodies that gives way along the surface in
         proportion to the tangential traction at each point, in series with both: thickness over
         shear modulus. The displacements of the bodies do not contain it, slip does. The
-        monolithic form (option "system") does not take it (ERR_UNSUPPORTED at the solve).
+        monolithic system (set_procedure()) does not take it (ERR_UNSUPPORTED at the solve).
 
         flexibility: thickness over shear modulus, length^3/force, >= 0; 0: no layer.
         """
@@ -634,6 +634,17 @@ class ContactPlain:
         else:
             mu, mu_at = reals(mu)
         self._call("set_friction_field", len(mu), mu_at)
+
+    def set_procedure(self, procedure: str) -> None:
+        """Chooses one of the published solution procedures in place of the library's own
+        iteration, by options and values: "system=monolithic jacobian=reduced"; what is not named
+        has its standard value, and "" is the library's own. rollcon_option_info lists them
+        (OF_PROCEDURE). Combinations that make no sense are ERR_OPTION when a solve begins, builds
+        without the procedures ERR_UNSUPPORTED.
+
+        procedure: option=value, separated by blanks.
+        """
+        self._call("set_procedure", c_text(procedure, "procedure"))
 
     def request_cancel(self) -> None:
         """Asks a running solve to stop (an atomic store): at its next iteration, or, while bodies

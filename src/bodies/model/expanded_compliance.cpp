@@ -16,7 +16,7 @@ void require_direct(std::int64_t points, std::int64_t nodes, ExpandedCompliance&
   const auto rows = static_cast<double>(3 * points);
   const auto copied = static_cast<double>(3 * nodes + 2 * (points - nodes));
   const double bytes = 8 * columns * (rows + copied);
-  require_memory({bytes, bytes}, "set option 'system' to 'condensed', or take a coarser frame",
+  require_memory({bytes, bytes}, "choose the condensed system (rollcon_contact_set_procedure), or take a coarser frame",
                  "the monolithic system of a frame of %lld nodes on half-spaces needs", static_cast<long long>(nodes));
   out.direct.resize(3 * points, 3 * nodes);
   std::fill_n(out.direct.data(), static_cast<std::size_t>(9 * points * nodes), 0.0);

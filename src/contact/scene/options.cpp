@@ -1,5 +1,8 @@
 #include "contact/scene/options.hpp"
 
+#include <sstream>
+#include <utility>
+
 #include "contact/convection/convection.hpp"
 
 namespace rollcon {
@@ -29,20 +32,26 @@ const SettingTable<Options>& table() {
        "the last solution; 0: from nothing."},
       {"operators", &Options::operators, "auto|dense|table|fft",
        "Matrices of integrals; on regular frames above half-spaces from a table, or convolutions."},
-      {"system", &Options::system, "condensed|monolithic",
-       "The bodies' own unknowns eliminated, or written out as in (48), (58), (62)."},
-      {"jacobian", &Options::jacobian, "exact|b_derivative|simplified|reduced",
-       "exact: the standard iteration; else the published one with (68)-(70), with (77)-(83), or "
-       "with the reduced unknowns of its section 11.8."},
-      {"slip_estimate", &Options::slip_estimate, "auto|jacobi|pseudo_temporal|extrapolation",
-       "Of sticking pairs with jacobian = reduced: (90), (91) or (92)."},
       {"linear_tolerance", &Options::linear_tolerance, 0, 0.9,
        "Relative residual at which gmres stops, and the largest of gmres_adaptive, eta_max of (73); 0: chosen by the "
        "iteration, 0.01."},
       {"preconditioner", &Options::preconditioner, "auto|none|diagonal|bodies|kept_lu",
        "Of gmres. bodies: their matrices, factorised once (system = monolithic). kept_lu: the "
        "factors of an earlier iteration (system = condensed)."},
-      {"line_search", &Options::line_search, "auto|armijo|off",
+  };
+  return rows;
+}
+
+const SettingTable<ProcedureChoices>& procedures() {
+  static const SettingTable<ProcedureChoices> rows{
+      {"system", &ProcedureChoices::system, "condensed|monolithic",
+       "The bodies' own unknowns eliminated, or written out as in (48), (58), (62)."},
+      {"jacobian", &ProcedureChoices::jacobian, "exact|b_derivative|simplified|reduced",
+       "exact: the standard iteration; else the published one with (68)-(70), with (77)-(83), or "
+       "with the reduced unknowns of its section 11.8."},
+      {"slip_estimate", &ProcedureChoices::slip_estimate, "auto|jacobi|pseudo_temporal|extrapolation",
+       "Of sticking pairs with jacobian = reduced: (90), (91) or (92)."},
+      {"line_search", &ProcedureChoices::line_search, "auto|armijo|off",
        "Of the published iterations, section 11.1; off: full steps."},
   };
   return rows;
@@ -52,6 +61,25 @@ const SettingTable<Options>& table() {
 
 std::span<const Setting> option_table() {
   return table().settings();
+}
+
+std::span<const Setting> procedure_table() {
+  return procedures().settings();
+}
+
+void Options::set_procedure(const char* choices) {
+  require_pointer(choices, "procedure");
+  ProcedureChoices chosen;
+  std::istringstream words(choices);
+  for (std::string word; words >> word;) {
+    const std::size_t sign = word.find('=');
+    if (sign == std::string::npos)
+      fail(Status::err_option, "procedure has '%.60s'; allowed: options and values, like system=monolithic",
+           word.c_str());
+    procedures().set_text(chosen, word.substr(0, sign).c_str(), word.substr(sign + 1).c_str());
+  }
+  if (chosen != procedure) ++revision;
+  procedure = std::move(chosen);
 }
 
 void Options::set_int(const char* name, std::int64_t value) {

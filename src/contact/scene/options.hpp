@@ -10,7 +10,14 @@
 
 namespace rollcon {
 
-std::span<const Setting> option_table();  ///< all options of a contact
+std::span<const Setting> option_table();     ///< all options of a contact
+std::span<const Setting> procedure_table();  ///< those of set_procedure()
+
+/// Holds what chooses a published solution procedure (contact/scene/procedure.hpp).
+struct ProcedureChoices {
+  std::string system = "condensed", jacobian = "exact", slip_estimate = "auto", line_search = "auto";
+  bool operator==(const ProcedureChoices&) const = default;
+};
 
 struct Options {
   double tolerance = 1e-10;                   // "tolerance"
@@ -23,15 +30,13 @@ struct Options {
   std::string linear_solver = "auto";         // "linear_solver"
   std::int64_t warm_start = 2;                // "warm_start"
   std::string operators = "auto";             // "operators"
-  // Settings of the published solution procedures (contact/scene/procedure.hpp).
-  std::string system = "condensed";     // "system"
-  std::string jacobian = "exact";       // "jacobian"
-  std::string slip_estimate = "auto";   // "slip_estimate"
-  double linear_tolerance = 0;          // "linear_tolerance"
-  std::string preconditioner = "auto";  // "preconditioner"
-  std::string line_search = "auto";     // "line_search"
-  std::int64_t revision = 0;            ///< number of changes
+  double linear_tolerance = 0;                // "linear_tolerance"
+  std::string preconditioner = "auto";        // "preconditioner"
+  ProcedureChoices procedure;
+  std::int64_t revision = 0;  ///< number of changes
 
+  /// Chooses by words like system=monolithic; what is not named has its standard value. err_option.
+  void set_procedure(const char* choices);
   /// Throw err_option for an unknown name, a wrong type, or a value out of range (the message names them).
   void set_int(const char* name, std::int64_t value);
   void set_real(const char* name, double value);

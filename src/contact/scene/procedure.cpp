@@ -49,26 +49,27 @@ bool iterative(LinearMethod method) {
 }  // namespace
 
 Procedure choose_procedure(const Options& o) {
+  const ProcedureChoices& c = o.procedure;
   Procedure p;
-  p.monolithic = o.system == "monolithic";
-  p.jacobian = find(jacobians, o.jacobian);
-  p.estimate = find(estimates, o.slip_estimate);
+  p.monolithic = c.system == "monolithic";
+  p.jacobian = find(jacobians, c.jacobian);
+  p.estimate = find(estimates, c.slip_estimate);
   p.linear = find(methods, o.linear_solver);
   if (o.linear_tolerance > 0) (p.linear == LinearMethod::gmres_adaptive ? p.eta_max : p.eta) = o.linear_tolerance;
   p.preconditioner = find(preconditioners, o.preconditioner);
-  p.line_search = find(searches, o.line_search);
+  p.line_search = find(searches, c.line_search);
 
   if (ROLLCON_BUILD_PROCEDURES == 0 && !p.standard())
     fail(Status::err_unsupported,
          "system is '%s' and jacobian is '%s', but this build of rollcon has no published solution "
          "procedures (component PROCEDURES: ROLLCON_WITH_PROCEDURES is OFF); allowed: condensed "
          "and exact",
-         o.system.c_str(), o.jacobian.c_str());
-  if (o.slip_estimate != "auto" && p.jacobian != Jacobian::reduced)
+         c.system.c_str(), c.jacobian.c_str());
+  if (c.slip_estimate != "auto" && p.jacobian != Jacobian::reduced)
     fail(Status::err_option,
          "slip_estimate is '%s' but jacobian is '%s': only jacobian = reduced estimates the slip of "
          "sticking pairs, the others solve for it",
-         o.slip_estimate.c_str(), o.jacobian.c_str());
+         c.slip_estimate.c_str(), c.jacobian.c_str());
   if (p.jacobian == Jacobian::reduced && o.convection == "characteristic")
     fail(Status::err_option,
          "jacobian is 'reduced' but convection is 'characteristic': the estimates (90)-(92) need a "
@@ -94,7 +95,7 @@ Procedure choose_procedure(const Options& o) {
     fail(Status::err_option,
          "line_search is '%s' but jacobian is 'exact' and system 'condensed', which have a search of their own: choose "
          "jacobian = b_derivative, simplified or reduced, or system = monolithic",
-         o.line_search.c_str());
+         c.line_search.c_str());
   return p;
 }
 
