@@ -20,11 +20,14 @@ using namespace rollcon::capi;
 // clang-format off
 """
 
-GUARDS = {"context": "with_object(__func__, Kind::context, context, [&](Object& self) {{\n{}  }})",
-          "body": "with_body(__func__, body, [&](Body& self) {{\n{}  }})",
-          "contact": "with_contact(__func__, contact, [&](Contact& self) {{\n{}  }})",
-          "wheelrail": "with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {{\n{}  }})",
-          "table": "with_table(__func__, table, [&](ForceTable& self) {{\n{}  }})"}
+GUARDS = {"context": "with_object(__func__, Kind::context, context, [&](Object& self) {{\n{}  }});",
+          "body": "with_body(__func__, body, [&](Body& self) {{\n{}  }});",
+          "contact": "with_contact(__func__, contact, [&](Contact& self) {{\n{}  }});",
+          "wheelrail": "with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {{\n{}  }});",
+          "table": "with_table(__func__, table, [&](ForceTable& self) {{\n{}  }});"}
+
+
+SHARED = "return with_shared(__func__, Kind::{0}, {0}, [&](Object& self) {{\n{1}  }});"
 
 
 def statement(function):
@@ -42,13 +45,27 @@ def statement(function):
     return f'require_pointer({results[0].name}, "{results[0].name}"); *{results[0].name} = {call};'
 
 
+def body(function):
+    """Returns what a function does, or nothing if it is written by hand."""
+    kind = function.group
+    if function.name.endswith("_retain"):
+        return f"return retain(__func__, Kind::{kind}, {kind});"
+    if function.name.endswith("_release"):
+        return f"release(Kind::{kind}, {kind});"
+    if function.name.endswith("_from_id"):
+        return f"return static_cast<rollcon_{kind}*>(const_cast<void*>(HandleTable::from_id(id)));"
+    if "capi" not in function.plain:
+        return ""
+    lines = "".join(f"    {line};\n" for line in statement(function).rstrip(";").split("; "))
+    if function.threads.startswith("any"):
+        return SHARED.format(kind, lines.replace("self.", f"self.{kind}->"))
+    return "return " + GUARDS[kind].format(lines)
+
+
 def write(table):
     out = [OPENING]
     for function in table.functions:
-        if "capi" not in function.plain:
-            continue
-        head = declaration(return_type(function.returns) + function.name, function.args)
-        lines = "".join(f"    {line};\n" for line in statement(function).rstrip(";").split("; "))
-        body = GUARDS[function.group].format(lines)
-        out.append(f"\n{head[:-1]} {{\n  return {body};\n}}\n")
+        if body(function):
+            head = declaration(return_type(function.returns) + function.name, function.args)
+            out.append(f"\n{head[:-1]} {{\n  {body(function)}\n}}\n")
     return "".join(out) + "\n// clang-format on\n"

@@ -56,25 +56,10 @@ rollcon_status rollcon_body_copy(const rollcon_body* body, rollcon_body** copy) 
   });
 }
 
-rollcon_status rollcon_body_retain(rollcon_body* body) {
-  return retain(__func__, Kind::body, body);
-}
-
-void rollcon_body_release(rollcon_body* body) {
-  release(Kind::body, body);
-}
-
 rollcon_status rollcon_body_prepare(rollcon_body* body) {
   return with_object(__func__, Kind::body, body, [](Object& object) {
     const BlasThreads blas(object.context->threads());
     object.body->prepare();
-  });
-}
-
-rollcon_status rollcon_body_get_profile_length(const rollcon_body* body, double* length) {
-  return with_body(__func__, body, [&](const Body& b) {
-    require_pointer(length, "length");
-    *length = b.profile_length();
   });
 }
 

@@ -86,7 +86,6 @@ rollcon_status rollcon_body_write(const rollcon_body* body, const char* path, in
 
 rollcon_status rollcon_body_get_stat(const rollcon_body* body, const char* name, double* value) {
   return with_body(__func__, body, [&](const Body& b) {
-    require_pointer(name, "name");
     require_pointer(value, "value");
     *value = body_statistic(b, name);
   });

@@ -21,19 +21,20 @@ void each_word(const char* text, F&& f) {
   }
 }
 
-/// Returns the places of the wanted columns among those known, in the order asked for. err_option: an unknown name.
-inline std::vector<std::size_t> read_columns(const char* columns, std::span<const char* const> known) {
-  require_pointer(columns, "columns");
+/// Returns the places of the wanted names among those known, in the order asked for; `unknown` for others.
+inline std::vector<std::size_t> read_names(const char* names, const char* argument, std::span<const char* const> known,
+                                           Status unknown = Status::err_option) {
+  require_pointer(names, argument);
   std::vector<std::size_t> wanted;
-  each_word(columns, [&](const char* word, std::size_t length) {
+  each_word(names, [&](const char* word, std::size_t length) {
     const auto at = std::find_if(known.begin(), known.end(), [&](const char* name) {
       return std::strlen(name) == length && std::memcmp(name, word, length) == 0;
     });
     if (at == known.end()) {
       std::string allowed;
       for (const char* name : known) allowed += (allowed.empty() ? "" : ", ") + std::string(name);
-      fail(Status::err_option, "columns has '%.*s'; allowed: %s", static_cast<int>(std::min<std::size_t>(length, 60)),
-           word, allowed.c_str());
+      fail(unknown, "%s has '%.*s'; allowed: %s", argument, static_cast<int>(std::min<std::size_t>(length, 60)), word,
+           allowed.c_str());
     }
     wanted.push_back(static_cast<std::size_t>(at - known.begin()));
   });

@@ -35,11 +35,3 @@ rollcon_status rollcon_contact_create(rollcon_context* context, rollcon_body* bo
     *contact = static_cast<rollcon_contact*>(const_cast<void*>(handles().insert(Kind::contact, std::move(object))));
   });
 }
-
-rollcon_status rollcon_contact_retain(rollcon_contact* contact) {
-  return retain(__func__, Kind::contact, contact);
-}
-
-void rollcon_contact_release(rollcon_contact* contact) {
-  release(Kind::contact, contact);
-}

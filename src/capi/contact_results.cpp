@@ -220,14 +220,6 @@ rollcon_status rollcon_stress_invariants(int64_t n, const double* stress, double
   });
 }
 
-rollcon_status rollcon_contact_get_stat(const rollcon_contact* contact, const char* name, double* value) {
-  return with_contact(__func__, contact, [&](const Contact& c) {
-    require_pointer(name, "name");
-    require_pointer(value, "value");
-    *value = c.stat(name);
-  });
-}
-
 rollcon_status rollcon_contact_get_history(const rollcon_contact* contact, const char* columns, int64_t capacity,
                                            double* rows, int64_t* n_rows) {
   return with_contact(__func__, contact, [&](const Contact& c) {
@@ -235,7 +227,7 @@ rollcon_status rollcon_contact_get_history(const rollcon_contact* contact, const
                                             "step",          "nodes_contact", "nodes_slip",      "seconds",
                                             "error_function"};
     constexpr std::size_t width = std::size(known);
-    const std::vector<std::size_t> wanted = read_columns(columns, known);
+    const std::vector<std::size_t> wanted = read_names(columns, "columns", known);
     const std::span<const double> history = c.history(), merit = c.error_function();
     if (!wants_copy(std::ssize(merit), capacity, rows, "rows", n_rows, "rows")) return;
     for (std::size_t k = 0; k < merit.size(); ++k) {

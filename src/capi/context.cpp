@@ -8,15 +8,6 @@
 using namespace rollcon;
 using namespace rollcon::capi;
 
-namespace {
-
-template <class Handle>
-Handle* as_handle(const void* handle) {
-  return static_cast<Handle*>(const_cast<void*>(handle));
-}
-
-}  // namespace
-
 rollcon_status rollcon_context_create(int32_t header_abi, rollcon_context** context) {
   if (context) *context = nullptr;
   return guarded(__func__, nullptr, [&] {
@@ -28,16 +19,8 @@ rollcon_status rollcon_context_create(int32_t header_abi, rollcon_context** cont
            header_abi, ROLLCON_VERSION_STRING, ROLLCON_ABI);
     auto object = std::make_shared<Object>();
     object->context = std::make_shared<Context>();
-    *context = as_handle<rollcon_context>(handles().insert(Kind::context, std::move(object)));
+    *context = static_cast<rollcon_context*>(const_cast<void*>(handles().insert(Kind::context, std::move(object))));
   });
-}
-
-rollcon_status rollcon_context_retain(rollcon_context* context) {
-  return retain(__func__, Kind::context, context);
-}
-
-void rollcon_context_release(rollcon_context* context) {
-  release(Kind::context, context);
 }
 
 rollcon_status rollcon_context_set_log(rollcon_context* context, int32_t max_level, rollcon_log_fn fn, void* user) {
@@ -59,24 +42,4 @@ rollcon_status rollcon_context_check(const rollcon_context* context) {
 
 int32_t rollcon_id_of(const void* handle) {
   return handles().id_of(handle);
-}
-
-rollcon_context* rollcon_context_from_id(int32_t id) {
-  return as_handle<rollcon_context>(HandleTable::from_id(id));
-}
-
-rollcon_body* rollcon_body_from_id(int32_t id) {
-  return as_handle<rollcon_body>(HandleTable::from_id(id));
-}
-
-rollcon_wheelrail* rollcon_wheelrail_from_id(int32_t id) {
-  return as_handle<rollcon_wheelrail>(HandleTable::from_id(id));
-}
-
-rollcon_table* rollcon_table_from_id(int32_t id) {
-  return as_handle<rollcon_table>(HandleTable::from_id(id));
-}
-
-rollcon_contact* rollcon_contact_from_id(int32_t id) {
-  return as_handle<rollcon_contact>(HandleTable::from_id(id));
 }

@@ -14,10 +14,18 @@ using namespace rollcon::capi;
 
 // clang-format off
 
+void rollcon_context_release(rollcon_context *context) {
+  release(Kind::context, context);
+}
+
 rollcon_status rollcon_context_set_threads(rollcon_context *context, int32_t n) {
   return with_object(__func__, Kind::context, context, [&](Object& self) {
     self.context->set_threads(n);
   });
+}
+
+void rollcon_body_release(rollcon_body *body) {
+  release(Kind::body, body);
 }
 
 rollcon_status rollcon_body_set_elastic(rollcon_body *body, int32_t tag, double young,
@@ -192,6 +200,17 @@ rollcon_status rollcon_body_revolve_profile(rollcon_body *body, const double *or
   return with_body(__func__, body, [&](Body& self) {
     self.revolve_profile(origin, axis, radius);
   });
+}
+
+rollcon_status rollcon_body_get_profile_length(const rollcon_body *body, double *length) {
+  return with_body(__func__, body, [&](Body& self) {
+    require_pointer(length, "length");
+    *length = self.profile_length();
+  });
+}
+
+void rollcon_contact_release(rollcon_contact *contact) {
+  release(Kind::contact, contact);
 }
 
 rollcon_status rollcon_contact_frame_nodes(rollcon_contact *contact, int64_t n, const double *x,
@@ -384,6 +403,12 @@ rollcon_status rollcon_contact_set_procedure(rollcon_contact *contact, const cha
   });
 }
 
+rollcon_status rollcon_contact_request_cancel(rollcon_contact *contact) {
+  return with_shared(__func__, Kind::contact, contact, [&](Object& self) {
+    self.contact->request_cancel();
+  });
+}
+
 rollcon_status rollcon_contact_solve(rollcon_contact *contact) {
   return with_contact(__func__, contact, [&](Contact& self) {
     return self.solve();
@@ -408,11 +433,23 @@ rollcon_status rollcon_contact_reset(rollcon_contact *contact) {
   });
 }
 
+rollcon_status rollcon_contact_get_stat(const rollcon_contact *contact, const char *name,
+    double *value) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    require_pointer(value, "value");
+    *value = self.stat(name);
+  });
+}
+
 rollcon_status rollcon_contact_get_plan(const rollcon_contact *contact, int64_t capacity,
     char *text, int64_t *needed) {
   return with_contact(__func__, contact, [&](Contact& self) {
     copy_text(self.plan(), capacity, text, needed);
   });
+}
+
+void rollcon_wheelrail_release(rollcon_wheelrail *wheelrail) {
+  release(Kind::wheelrail, wheelrail);
 }
 
 rollcon_status rollcon_wheelrail_set_track(rollcon_wheelrail *wheelrail, double gauge,
@@ -470,6 +507,12 @@ rollcon_status rollcon_wheelrail_solve(rollcon_wheelrail *wheelrail) {
   });
 }
 
+rollcon_status rollcon_wheelrail_request_cancel(rollcon_wheelrail *wheelrail) {
+  return with_shared(__func__, Kind::wheelrail, wheelrail, [&](Object& self) {
+    self.wheelrail->request_cancel();
+  });
+}
+
 rollcon_status rollcon_wheelrail_snapshot(rollcon_wheelrail *wheelrail, int32_t place) {
   return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
     self.save(place);
@@ -518,6 +561,74 @@ rollcon_status rollcon_wheelrail_get_real(const rollcon_wheelrail *wheelrail, co
   });
 }
 
+rollcon_status rollcon_wheelrail_get_patch_count(const rollcon_wheelrail *wheelrail,
+    int64_t *patches) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    require_pointer(patches, "patches");
+    *patches = self.patches();
+  });
+}
+
+rollcon_status rollcon_wheelrail_get_stat(const rollcon_wheelrail *wheelrail, const char *name,
+    double *value) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    require_pointer(value, "value");
+    *value = self.stat(name);
+  });
+}
+
+rollcon_status rollcon_wheelrail_get_patch_stat(const rollcon_wheelrail *wheelrail,
+    int32_t patch, const char *name, double *value) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    require_pointer(value, "value");
+    *value = self.patch_stat(patch, name);
+  });
+}
+
+rollcon_status rollcon_context_retain(rollcon_context *context) {
+  return retain(__func__, Kind::context, context);
+}
+
+rollcon_status rollcon_body_retain(rollcon_body *body) {
+  return retain(__func__, Kind::body, body);
+}
+
+rollcon_status rollcon_contact_retain(rollcon_contact *contact) {
+  return retain(__func__, Kind::contact, contact);
+}
+
+rollcon_status rollcon_wheelrail_retain(rollcon_wheelrail *wheelrail) {
+  return retain(__func__, Kind::wheelrail, wheelrail);
+}
+
+rollcon_status rollcon_table_retain(rollcon_table *table) {
+  return retain(__func__, Kind::table, table);
+}
+
+rollcon_context *rollcon_context_from_id(int32_t id) {
+  return static_cast<rollcon_context*>(const_cast<void*>(HandleTable::from_id(id)));
+}
+
+rollcon_body *rollcon_body_from_id(int32_t id) {
+  return static_cast<rollcon_body*>(const_cast<void*>(HandleTable::from_id(id)));
+}
+
+rollcon_contact *rollcon_contact_from_id(int32_t id) {
+  return static_cast<rollcon_contact*>(const_cast<void*>(HandleTable::from_id(id)));
+}
+
+rollcon_wheelrail *rollcon_wheelrail_from_id(int32_t id) {
+  return static_cast<rollcon_wheelrail*>(const_cast<void*>(HandleTable::from_id(id)));
+}
+
+rollcon_table *rollcon_table_from_id(int32_t id) {
+  return static_cast<rollcon_table*>(const_cast<void*>(HandleTable::from_id(id)));
+}
+
+void rollcon_table_release(rollcon_table *table) {
+  release(Kind::table, table);
+}
+
 rollcon_status rollcon_table_set_ratios(rollcon_table *table, int32_t intervals, double least,
     double greatest) {
   return with_table(__func__, table, [&](ForceTable& self) {
@@ -549,6 +660,12 @@ rollcon_status rollcon_table_set_bodies(rollcon_table *table, const double *youn
     const double *poissons, int64_t n, const double *frictions) {
   return with_table(__func__, table, [&](ForceTable& self) {
     self.set_bodies(youngs, poissons, n, frictions);
+  });
+}
+
+rollcon_status rollcon_table_request_cancel(rollcon_table *table) {
+  return with_shared(__func__, Kind::table, table, [&](Object& self) {
+    self.table->request_cancel();
   });
 }
 

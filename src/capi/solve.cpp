@@ -86,10 +86,6 @@ rollcon_status rollcon_event_get_real(const rollcon_event* event, int32_t key, d
   });
 }
 
-rollcon_status rollcon_contact_request_cancel(rollcon_contact* contact) {
-  return with_shared(__func__, Kind::contact, contact, [](Object& object) { object.contact->request_cancel(); });
-}
-
 rollcon_status rollcon_contact_past_get(const rollcon_contact* contact, int64_t capacity, double* past,
                                         int64_t* n_values) {
   return with_contact(__func__, contact, [&](const Contact& c) {

@@ -21,19 +21,13 @@ namespace {
 std::vector<Parameter> read_parameters(const char* names) {
   static constexpr const char* known[] = {"longitudinal", "lateral", "normal", "spin", "friction", "tilt_1", "tilt_2"};
   std::vector<Parameter> list;
-  each_word(names, [&](const char* word, std::size_t length) {
-    int p = 0;
-    while (p < std::ssize(known) && (std::strlen(known[p]) != length || std::memcmp(known[p], word, length) != 0)) ++p;
-    const int shown = static_cast<int>(std::min<std::size_t>(length, 60));
-    if (p == std::ssize(known))
-      fail(Status::err_argument,
-           "parameters has '%.*s'; allowed: longitudinal, lateral, normal, spin, friction, tilt_1, tilt_2", shown,
-           word);
+  if (!names) return list;
+  for (const std::size_t p : read_names(names, "parameters", known, Status::err_argument)) {
     const auto parameter = static_cast<Parameter>(p + 1);
     if (std::find(list.begin(), list.end(), parameter) != list.end())
-      fail(Status::err_argument, "parameters has '%.*s' twice", shown, word);
+      fail(Status::err_argument, "parameters has '%s' twice", known[p]);
     list.push_back(parameter);
-  });
+  }
   return list;
 }
 

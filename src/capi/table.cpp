@@ -45,24 +45,12 @@ rollcon_status rollcon_table_standard(rollcon_context* context, rollcon_table** 
                    [](const std::shared_ptr<Context>& of) { return ForceTable::standard(of); });
 }
 
-rollcon_status rollcon_table_retain(rollcon_table* table) {
-  return retain(__func__, Kind::table, table);
-}
-
-void rollcon_table_release(rollcon_table* table) {
-  release(Kind::table, table);
-}
-
 rollcon_status rollcon_table_set_progress(rollcon_table* table, rollcon_progress_fn fn, void* user) {
   return with_object(__func__, Kind::table, table, [&](Object& object) {
     object.progress = fn;
     object.progress_user = user;
     object.table->set_progress(fn ? call_progress : nullptr, &object);
   });
-}
-
-rollcon_status rollcon_table_request_cancel(rollcon_table* table) {
-  return with_shared(__func__, Kind::table, table, [](Object& object) { object.table->request_cancel(); });
 }
 
 rollcon_status rollcon_table_get_samples(const rollcon_table* table, int64_t capacity, double* samples,

@@ -59,17 +59,13 @@ rollcon_status rollcon_wheelrail_copy(const rollcon_wheelrail* wheelrail, rollco
   });
 }
 
-rollcon_status rollcon_wheelrail_request_cancel(rollcon_wheelrail* wheelrail) {
-  return with_shared(__func__, Kind::wheelrail, wheelrail, [](Object& object) { object.wheelrail->request_cancel(); });
-}
-
 rollcon_status rollcon_wheelrail_solve_many(rollcon_wheelrail* wheelrail, int64_t n, const double* positions,
                                             const double* velocities, const char* columns, double* totals,
                                             int32_t* status) {
   return with_wheelrail(__func__, wheelrail, [&](WheelRail& w) {
     static constexpr const char* known[] = {"force_x",  "force_y", "force_z",        "moment_x",      "moment_y",
                                             "moment_z", "z",       "vertical_force", "friction_power"};
-    const std::vector<std::size_t> wanted = read_columns(columns, known);
+    const std::vector<std::size_t> wanted = read_names(columns, "columns", known);
     require_count(n, "n");
     constexpr int64_t most = int64_t{1} << 40;
     if (n > most)
@@ -85,21 +81,6 @@ rollcon_status rollcon_wheelrail_solve_many(rollcon_wheelrail* wheelrail, int64_
     for (auto row = all.begin(); row != all.end(); row += std::ssize(known))
       totals = copy_columns(wanted, &*row, totals);
     return worst;
-  });
-}
-
-rollcon_status rollcon_wheelrail_retain(rollcon_wheelrail* wheelrail) {
-  return retain(__func__, Kind::wheelrail, wheelrail);
-}
-
-void rollcon_wheelrail_release(rollcon_wheelrail* wheelrail) {
-  release(Kind::wheelrail, wheelrail);
-}
-
-rollcon_status rollcon_wheelrail_get_patch_count(const rollcon_wheelrail* wheelrail, int64_t* patches) {
-  return with_wheelrail(__func__, wheelrail, [&](const WheelRail& w) {
-    require_pointer(patches, "patches");
-    *patches = w.patches();
   });
 }
 
@@ -138,23 +119,6 @@ rollcon_status rollcon_wheelrail_get_derivative(rollcon_wheelrail* wheelrail, in
     if (force) std::copy(d.force.begin(), d.force.end(), force);
     if (moment) std::copy(d.moment.begin(), d.moment.end(), moment);
     if (z) *z = d.z;
-  });
-}
-
-rollcon_status rollcon_wheelrail_get_stat(const rollcon_wheelrail* wheelrail, const char* name, double* value) {
-  return with_wheelrail(__func__, wheelrail, [&](const WheelRail& w) {
-    require_pointer(name, "name");
-    require_pointer(value, "value");
-    *value = w.stat(name);
-  });
-}
-
-rollcon_status rollcon_wheelrail_get_patch_stat(const rollcon_wheelrail* wheelrail, int32_t patch, const char* name,
-                                                double* value) {
-  return with_wheelrail(__func__, wheelrail, [&](const WheelRail& w) {
-    require_pointer(name, "name");
-    require_pointer(value, "value");
-    *value = w.patch_stat(patch, name);
   });
 }
 

@@ -50,7 +50,7 @@ rollcon_status rollcon_wheelrail_find_contact_points(rollcon_wheelrail* left, ro
     static constexpr const char* known[] = {"z",           "roll",          "radius_difference", "left_y",  "left_z",
                                             "left_angle",  "left_wheel_y",  "left_radius",       "right_y", "right_z",
                                             "right_angle", "right_wheel_y", "right_radius"};
-    const std::vector<std::size_t> wanted = read_columns(columns, known);
+    const std::vector<std::size_t> wanted = read_names(columns, "columns", known);
     if (n > 0) require_pointer(points, "points");
     for_each_entry(n, shift, "shift", [&](std::int64_t i) {
       const WheelsetGeometry::Standing stand = geometry.at(shift[i], WheelsetGeometry::Height::axle);

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <iterator>
 
-#include "support/error.hpp"
+#include "support/input_checks.hpp"
 
 namespace rollcon {
 
@@ -16,9 +16,10 @@ struct StatisticInfo {
   bool inside = false;  ///< counts work inside the library: other versions may count otherwise, or not
 };
 
-/// Returns the row of a table of statistics with this name. err_option: there is none.
+/// Returns the row of a table of statistics with this name. err_argument: null; err_option: there is none.
 template <class Table>
 const auto& statistic_row(const Table& table, const char* name) {
+  require_pointer(name, "name");
   const auto found = std::find_if(std::begin(table), std::end(table),
                                   [&](const auto& row) { return std::strcmp(row.info.name, name) == 0; });
   if (found == std::end(table))
