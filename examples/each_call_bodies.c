@@ -143,11 +143,11 @@ static void pressed(rollcon_context* context) {
 
 static void tables_of_bodies(void) {
   int32_t type;
-  double low, high, standard;
+  double low, high, usual;
   char text[400];
   if (rollcon_option_count(ROLLCON_OF_BODY) < 1 || rollcon_stat_count(ROLLCON_OF_BODY) < 1) exit(1);
-  must(rollcon_option_info(ROLLCON_OF_BODY, 0, sizeof text, text, NULL, NULL, &type, &low, &high, &standard));
-  printf("first option %s, %g to %g, standard %g\n", text, low, high, standard);
+  must(rollcon_option_info(ROLLCON_OF_BODY, 0, sizeof text, text, NULL, NULL, &type, &low, &high, &usual));
+  printf("first option %s, %g to %g, standard %g\n", text, low, high, usual);
   must(rollcon_stat_info(ROLLCON_OF_BODY, 0, sizeof text, text, NULL, NULL, NULL));
   printf("first statistic %s\n", text);
 }

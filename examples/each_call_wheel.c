@@ -100,14 +100,18 @@ static void wheels(rollcon_context* context) {
   double w[9];
   char text[64];
   int32_t status;
+  int64_t outside;
   rollcon_body *tread = steel(context, "s1002"), *rail = steel(context, "60e1");
   rollcon_wheelrail *left = wheel_on_rail(context, tread, rail, ROLLCON_LEFT), *copy;
   rollcon_wheelrail* right = wheel_on_rail(context, tread, rail, ROLLCON_RIGHT);
   rollcon_table* table;
-  double ellipse[9], center[2], of_table[3], looked_up;
+  double ellipse[9], center[2], of_table[3], looked_up, accuracy;
   rollcon_contact* contact;
   must(rollcon_wheelrail_set_real(right, "accuracy", 0.02));
+  must(rollcon_wheelrail_get_real(right, "accuracy", &accuracy));
   must(rollcon_wheelrail_set_int(right, "roll_outside", 1)); /* positions in CONTACT's order */
+  must(rollcon_wheelrail_get_int(right, "roll_outside", &outside));
+  printf("accuracy %.2f, roll outside the yaw: %d\n", accuracy, (int)outside);
   must(rollcon_wheelrail_set_position(right, position));
   must(rollcon_wheelrail_set_velocity(right, velocity));
   must(rollcon_wheelrail_solve(right));

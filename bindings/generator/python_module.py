@@ -1,5 +1,6 @@
 """Writes bindings/python/rollcon/_api.py: ctypes declarations."""
 
+import re
 import textwrap
 
 NAMES = {"int32": "c_int32", "row": "c_int32", "int64": "c_int64", "real": "c_double",
@@ -66,7 +67,9 @@ def names_of(enum):
 
 
 def fill(head, text, tail):
-    lines = textwrap.wrap(text, 90, break_long_words=False)
+    # No line ends within a name.
+    lines = textwrap.wrap(re.sub(r'"[^"]*"', lambda m: m[0].replace(" ", "\0"), text), 90, break_long_words=False)
+    lines = [line.replace("\0", " ") for line in lines]
     if len(head + text + tail) <= 100:
         return head + text + tail + "\n"
     return head + "\n" + "".join(f"        {line}\n" for line in lines) + "    " + tail + "\n"

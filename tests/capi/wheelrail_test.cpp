@@ -186,7 +186,7 @@ TEST_F(wheelrail, bad_inputs_are_named_and_change_nothing) {
   EXPECT_FAILS(rollcon_wheelrail_get_stat(right, "no such", &value), OPTION, "'no such'", "rollcon_stat_info");
   EXPECT_FAILS(rollcon_wheelrail_get_stat(right, nullptr, &value), ARGUMENT, "name is NULL");
   EXPECT_FAILS(rollcon_wheelrail_get_patch_stat(right, 1, "x", &value), ARGUMENT, "patch is 1", "0 to 0");
-  EXPECT_FAILS(rollcon_wheelrail_get_patch_stat(right, 0, "no such", &value), OPTION, "'no such'", "normal_force");
+  EXPECT_FAILS(rollcon_wheelrail_get_patch_stat(right, 0, "no such", &value), OPTION, "'no such'", "rollcon_stat_info");
   EXPECT_FAILS(rollcon_wheelrail_get_patch_stat(right, 0, "x", nullptr), ARGUMENT, "value is NULL");
   EXPECT_FAILS(rollcon_wheelrail_get_resultant(right, 2, &value, &value), ARGUMENT, "axes is 2", "1 (in wheelset)");
   EXPECT_FAILS(rollcon_wheelrail_get_contact(right, -1, &contact), ARGUMENT, "patch is -1", "0 to 0");

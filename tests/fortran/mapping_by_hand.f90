@@ -355,6 +355,7 @@ contains
     call answers(ROLLCON_ERR_STATE)
     call rc_option_info(ROLLCON_OF_BODY, 11, text, type, low, high, standard, stat=stat, errmsg=message)
     call failed('option_info', stat, message)
+    call answers(ROLLCON_ERR_STATE)
     call rc_stat_info(ROLLCON_OF_CONTACT, 11, text, stat=stat, errmsg=message)
     call failed('stat_info', stat, message)
   end subroutine
@@ -542,12 +543,22 @@ contains
   !> Tests patches, which count from 1; the reference that C gave becomes the variable's.
   subroutine patches()
     type(rc_contact) :: of_patch
+    integer(c_int32_t) :: narrow
+    real(rc_real) :: value
     call wheelrail%set_table(table, stat, message)
     call told('wheelrail_set_table', 'wheelrail1 table1', stat)
     call wheelrail%set_table(stat=stat)
     call told('wheelrail_set_table', 'wheelrail1 null', stat)
     call wheelrail%set('a name', 1.5_rc_real, stat)
     call told('wheelrail_set_real', 'wheelrail1 <a name> 1.5', stat)
+    call wheelrail%set('a name', 11_c_int32_t, stat)
+    call told('wheelrail_set_int', 'wheelrail1 <a name> 11', stat)
+    call wheelrail%get('a name', narrow, stat)
+    call told('wheelrail_get_int', 'wheelrail1 <a name> room', stat)
+    call demand(narrow == 200, 'an integer of a wheel')
+    call wheelrail%get('a name', value, stat)
+    call told('wheelrail_get_real', 'wheelrail1 <a name> room', stat)
+    call gave_reals('a real of a wheel', [value], 200.5_rc_real)
     call wheelrail%get_contact(11, of_patch, stat, message)
     call told('wheelrail_get_contact', 'wheelrail1 10 room', stat)
     call told('contact_retain', 'contact2', stat)

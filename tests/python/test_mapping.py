@@ -152,7 +152,7 @@ class Mapping(MappingCase):
         contact.prescribe(np.int64(3), "by_force", np.float32(1.0))
         self.told("contact_prescribe", "contact1 3 2 1")
         self.refuses("does not fit", contact.prescribe, 2**32 + 1, rc.BY_FORCE, 1.0)  # not cut to a valid direction
-        for thing, kind in ((self.body, "body"), (contact, "contact")):
+        for thing, kind in ((self.body, "body"), (contact, "contact"), (self.wheelrail, "wheelrail")):
             thing.set("a name", 2**40)
             self.told(f"{kind}_set_int", f"{kind}1 <a name> {2**40}")
             thing.set("a name", 1.5)

@@ -739,8 +739,8 @@ ARGUMENTS = {
         ("contact", ""), ("which", "body of a contact"), ("n", ""), ("xy", ""), ("u", "")
     ],
     "rollcon_contact_get_fields_at": [
-        ("contact", ""), ("which", "body of a contact"), ("n", ""), ("xyz", ""), ("in_axes", "axes
-        of points"), ("u", ""), ("stress", "")
+        ("contact", ""), ("which", "body of a contact"), ("n", ""), ("xyz", ""), ("in_axes",
+        "axes of points"), ("u", ""), ("stress", "")
     ],
     "rollcon_contact_get_body_displacements": [
         ("contact", ""), ("which", "body of a contact"), ("capacity", ""), ("u", ""), ("n_values",
