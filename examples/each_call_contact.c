@@ -85,11 +85,9 @@ static void friction(rollcon_contact* contact) {
   must(rollcon_contact_set_friction_across(contact, 2, across));
   printf("friction that changes across %.0f N\n", force_along(contact));
   must(rollcon_contact_set_friction_across(contact, 0, NULL));
-  must(rollcon_contact_set_layer(contact, 1e-8));
-  must(rollcon_contact_set_layer_yield(contact, 100, 0));
+  must(rollcon_contact_set_layer(contact, 1e-8, 100, 0));
   printf("through a layer %.0f N\n", force_along(contact));
-  must(rollcon_contact_set_layer_yield(contact, 0, 0));
-  must(rollcon_contact_set_layer(contact, 0));
+  must(rollcon_contact_set_layer(contact, 0, 0, 0));
   must(rollcon_contact_set_heat(contact, ROLLCON_BODY1, 50, 3.6,
                                 20)); /* W/(m K) = N/(s K), MJ/(m^3 K) = N/(mm^2 K), degrees */
   must(rollcon_contact_set_heat(contact, ROLLCON_BODY2, 50, 3.6, 20));

@@ -1002,24 +1002,16 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_contact_set_friction_memory
 
-    function rollcon_contact_set_layer(contact, flexibility) &
+    function rollcon_contact_set_layer(contact, flexibility, stress, hardening) &
         result(rc) bind(C, name="rollcon_contact_set_layer")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
       type(c_ptr), value :: contact
       real(c_double), value :: flexibility
-      integer(c_int32_t) :: rc
-    end function rollcon_contact_set_layer
-
-    function rollcon_contact_set_layer_yield(contact, stress, hardening) &
-        result(rc) bind(C, name="rollcon_contact_set_layer_yield")
-      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
-      implicit none
-      type(c_ptr), value :: contact
       real(c_double), value :: stress
       real(c_double), value :: hardening
       integer(c_int32_t) :: rc
-    end function rollcon_contact_set_layer_yield
+    end function rollcon_contact_set_layer
 
     function rollcon_contact_set_friction_across(contact, n, points) &
         result(rc) bind(C, name="rollcon_contact_set_friction_across")

@@ -40,7 +40,6 @@ module rollcon_contact_plain
     procedure :: set_friction => contact_set_friction
     procedure :: set_friction_memory => contact_set_friction_memory
     procedure :: set_layer => contact_set_layer
-    procedure :: set_layer_yield => contact_set_layer_yield
     procedure :: set_friction_across => contact_set_friction_across
     procedure :: set_heat => contact_set_heat
     procedure :: set_friction_field => contact_set_friction_field
@@ -549,32 +548,30 @@ contains
       'rc_contact%set_friction_memory', stat, errmsg)
   end subroutine
 
-  !> Puts a thin elastic layer between the bodies that gives way along the surface in proportion to the tangential
-  !> traction at each point, in series with both: thickness over shear modulus. The displacements of the bodies do not
-  !> contain it, slip does. The monolithic system (rollcon_contact_set_procedure) does not take it
-  !> (ROLLCON_ERR_UNSUPPORTED at the solve).
-  subroutine contact_set_layer(self, flexibility, stat, errmsg)
+  !> Puts a thin layer between the bodies that gives way along the surface in proportion to the tangential traction at
+  !> each point, in series with both: thickness over shear modulus. The displacements of the bodies do not contain it,
+  !> slip does. The monolithic system (rollcon_contact_set_procedure) does not take it (ROLLCON_ERR_UNSUPPORTED at the
+  !> solve). With a yield stress the layer, which may be stiff (flexibility 0), flows along the surface under a traction
+  !> of stress + hardening times the flow since the surfaces came into contact. Where that is less than friction it
+  !> bounds the traction, and what friction would call slip is flow. It flows with the laws "coulomb", "temperature",
+  !> and those that fall with a memory; others end with ROLLCON_ERR_UNSUPPORTED at the solve. The flow is found by
+  !> solves with given coefficients, as with rollcon_contact_set_friction_memory: for steady rolling only, without
+  !> sensitivities.
+  subroutine contact_set_layer(self, flexibility, stress, hardening, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     real(rc_real), intent(in) :: flexibility
+    real(rc_real), intent(in), optional :: stress
+    real(rc_real), intent(in), optional :: hardening
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_contact_set_layer(self%p, flexibility), self%p, 'rc_contact%set_layer', stat, errmsg)
-  end subroutine
-
-  !> Lets the layer between the bodies (rollcon_contact_set_layer, which may be stiff: flexibility 0) flow along the
-  !> surface under a traction of stress + hardening times the flow since the surfaces came into contact. Where that is
-  !> less than friction it bounds the traction, and what friction would call slip is flow. It works with the laws
-  !> "coulomb", "temperature", and those that fall with a memory; others end with ROLLCON_ERR_UNSUPPORTED at the solve.
-  !> The flow is found by solves with given coefficients, as with rollcon_contact_set_friction_memory: for steady
-  !> rolling only, without sensitivities.
-  subroutine contact_set_layer_yield(self, stress, hardening, stat, errmsg)
-    class(rc_contact_plain), intent(inout) :: self
-    real(rc_real), intent(in) :: stress
-    real(rc_real), intent(in) :: hardening
-    integer, intent(out), optional :: stat
-    character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_contact_set_layer_yield(self%p, stress, hardening), self%p, 'rc_contact%set_layer_yield', stat, &
-      errmsg)
+    real(rc_real) :: stress_or_standard
+    real(rc_real) :: hardening_or_standard
+    stress_or_standard = 0
+    if (present(stress)) stress_or_standard = stress
+    hardening_or_standard = 0
+    if (present(hardening)) hardening_or_standard = hardening
+    call finish(rollcon_contact_set_layer(self%p, flexibility, stress_or_standard, hardening_or_standard), self%p, &
+      'rc_contact%set_layer', stat, errmsg)
   end subroutine
 
   !> Sets friction coefficients along t2, linear between points and constant beyond them, for frames of any maker: they

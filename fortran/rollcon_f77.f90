@@ -858,22 +858,13 @@ subroutine rcfrim(icon, xlength, xleast_speed, ierr)
   ierr = rollcon_contact_set_friction_memory(contact_of(icon), xlength, xleast_speed)
 end subroutine
 
-!> Puts a thin elastic layer between the bodies that gives way along the surface in proportion to the tangential .
-subroutine rclayr(icon, flexibility, ierr)
+!> Puts a thin layer between the bodies that gives way along the surface in proportion to the tangential traction.
+subroutine rclayr(icon, flexibility, stress, hardening, ierr)
   use rollcon_f77_support
   implicit none
   integer :: icon, ierr
-  double precision :: flexibility
-  ierr = rollcon_contact_set_layer(contact_of(icon), flexibility)
-end subroutine
-
-!> Lets the layer between the bodies (rollcon_contact_set_layer, which may be stiff.
-subroutine rclayy(icon, stress, hardening, ierr)
-  use rollcon_f77_support
-  implicit none
-  integer :: icon, ierr
-  double precision :: stress, hardening
-  ierr = rollcon_contact_set_layer_yield(contact_of(icon), stress, hardening)
+  double precision :: flexibility, stress, hardening
+  ierr = rollcon_contact_set_layer(contact_of(icon), flexibility, stress, hardening)
 end subroutine
 
 !> Sets friction coefficients along t2, linear between points and constant beyond them, for frames of any maker.

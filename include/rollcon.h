@@ -1400,32 +1400,24 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_friction_memory(
     rollcon_contact *contact, double length, double least_speed);
 
 /*
- * Puts a thin elastic layer between the bodies that gives way along the surface in proportion to
- * the tangential traction at each point, in series with both: thickness over shear modulus. The
+ * Puts a thin layer between the bodies that gives way along the surface in proportion to the
+ * tangential traction at each point, in series with both: thickness over shear modulus. The
  * displacements of the bodies do not contain it, slip does. The monolithic system
- * (rollcon_contact_set_procedure) does not take it (ROLLCON_ERR_UNSUPPORTED at the solve).
- *   flexibility  thickness over shear modulus, length^3/force, >= 0; 0: no layer
+ * (rollcon_contact_set_procedure) does not take it (ROLLCON_ERR_UNSUPPORTED at the solve). With a
+ * yield stress the layer, which may be stiff (flexibility 0), flows along the surface under a
+ * traction of stress + hardening times the flow since the surfaces came into contact. Where that
+ * is less than friction it bounds the traction, and what friction would call slip is flow. It
+ * flows with the laws "coulomb", "temperature", and those that fall with a memory; others end
+ * with ROLLCON_ERR_UNSUPPORTED at the solve. The flow is found by solves with given coefficients,
+ * as with rollcon_contact_set_friction_memory: for steady rolling only, without sensitivities.
+ *   flexibility  thickness over shear modulus, length^3/force, >= 0
+ *   stress       >= 0, force/length^2; 0: never flows, and with flexibility 0 there is no layer
+ *   hardening    force/length^3; negative: softening
  * Also returns: ROLLCON_ERR_NONFINITE.
  * Source: docs/friction.md.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_layer(rollcon_contact *contact,
-    double flexibility);
-
-/*
- * Lets the layer between the bodies (rollcon_contact_set_layer, which may be stiff: flexibility
- * 0) flow along the surface under a traction of stress + hardening times the flow since the
- * surfaces came into contact. Where that is less than friction it bounds the traction, and what
- * friction would call slip is flow. It works with the laws "coulomb", "temperature", and those
- * that fall with a memory; others end with ROLLCON_ERR_UNSUPPORTED at the solve. The flow is
- * found by solves with given coefficients, as with rollcon_contact_set_friction_memory: for
- * steady rolling only, without sensitivities.
- *   stress     >= 0, force/length^2; 0: never flows
- *   hardening  force/length^3; negative: softening
- * Also returns: ROLLCON_ERR_NONFINITE.
- * Source: docs/friction.md.
- */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_layer_yield(rollcon_contact *contact,
-    double stress, double hardening);
+    double flexibility, double stress, double hardening);
 
 /*
  * Sets friction coefficients along t2, linear between points and constant beyond them, for frames

@@ -1078,19 +1078,10 @@ static void call_contact_set_layer(call *self) {
   int32_t rc = 0;
   rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
   const double flexibility = take_real(self, "flexibility");
+  const double stress = has_more(self) ? take_real(self, "stress") : 0;
+  const double hardening = has_more(self) ? take_real(self, "hardening") : 0;
   no_more(self);
-  rc = rollcon_contact_set_layer(contact, flexibility);
-  if (rc < 0) finish(self, rc);
-  finish(self, rc);
-}
-
-static void call_contact_set_layer_yield(call *self) {
-  int32_t rc = 0;
-  rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
-  const double stress = take_real(self, "stress");
-  const double hardening = take_real(self, "hardening");
-  no_more(self);
-  rc = rollcon_contact_set_layer_yield(contact, stress, hardening);
+  rc = rollcon_contact_set_layer(contact, flexibility, stress, hardening);
   if (rc < 0) finish(self, rc);
   finish(self, rc);
 }
@@ -2391,7 +2382,6 @@ const entry calls[] = {
   {"contact_set_friction", call_contact_set_friction, 1},
   {"contact_set_friction_memory", call_contact_set_friction_memory, 1},
   {"contact_set_layer", call_contact_set_layer, 1},
-  {"contact_set_layer_yield", call_contact_set_layer_yield, 1},
   {"contact_set_friction_across", call_contact_set_friction_across, 1},
   {"contact_set_heat", call_contact_set_heat, 1},
   {"contact_set_friction_field", call_contact_set_friction_field, 1},

@@ -321,16 +321,10 @@ rollcon_status rollcon_contact_set_friction_memory(rollcon_contact *contact, dou
   });
 }
 
-rollcon_status rollcon_contact_set_layer(rollcon_contact *contact, double flexibility) {
+rollcon_status rollcon_contact_set_layer(rollcon_contact *contact, double flexibility,
+    double stress, double hardening) {
   return with_contact(__func__, contact, [&](Contact& self) {
-    self.scene.set_layer(flexibility);
-  });
-}
-
-rollcon_status rollcon_contact_set_layer_yield(rollcon_contact *contact, double stress,
-    double hardening) {
-  return with_contact(__func__, contact, [&](Contact& self) {
-    self.scene.set_layer_yield(stress, hardening);
+    self.scene.set_layer(flexibility, stress, hardening);
   });
 }
 
@@ -423,7 +417,7 @@ rollcon_status rollcon_contact_repeat_step(rollcon_contact *contact) {
 
 rollcon_status rollcon_contact_past_set(rollcon_contact *contact, int64_t n, const double *past) {
   return with_contact(__func__, contact, [&](Contact& self) {
-    self.restore_past(n, past);
+    self.past_set(n, past);
   });
 }
 
@@ -515,13 +509,13 @@ rollcon_status rollcon_wheelrail_request_cancel(rollcon_wheelrail *wheelrail) {
 
 rollcon_status rollcon_wheelrail_snapshot(rollcon_wheelrail *wheelrail, int32_t place) {
   return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
-    self.save(place);
+    self.snapshot(place);
   });
 }
 
 rollcon_status rollcon_wheelrail_rollback(rollcon_wheelrail *wheelrail, int32_t place) {
   return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
-    self.restore(place);
+    self.rollback(place);
   });
 }
 

@@ -89,6 +89,6 @@ rollcon_status rollcon_event_get_real(const rollcon_event* event, int32_t key, d
 rollcon_status rollcon_contact_past_get(const rollcon_contact* contact, int64_t capacity, double* past,
                                         int64_t* n_values) {
   return with_contact(__func__, contact, [&](const Contact& c) {
-    if (wants_copy(c.save_past(0, nullptr), capacity, past, "past", n_values, "doubles")) c.save_past(capacity, past);
+    if (wants_copy(c.past_get(0, nullptr), capacity, past, "past", n_values, "doubles")) c.past_get(capacity, past);
   });
 }

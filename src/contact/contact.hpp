@@ -72,9 +72,9 @@ class Contact {
   void repeat_step();
   /// Returns how many numbers, with a header and a checksum, hold what the next time step starts from, and copies them
   /// if capacity is at least that. err_capacity: it is less, but not 0; err_state: the library makes the frame.
-  std::int64_t save_past(std::int64_t capacity, double* past) const;
-  /// Restores what save_past() copied. err_argument: numbers of another kind or frame, and then nothing changes.
-  void restore_past(std::int64_t n, const double* past);
+  std::int64_t past_get(std::int64_t capacity, double* past) const;
+  /// Restores what past_get() copied. err_argument: numbers of another kind or frame, and then nothing changes.
+  void past_set(std::int64_t n, const double* past);
 
   // Results of the last solve: err_state before one, err_capacity (naming the need) when too small.
   std::int64_t nodes() const { return scene.mesh().nodes(); }  ///< nodes of the frame given so far; no solve is needed

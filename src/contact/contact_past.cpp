@@ -50,7 +50,7 @@ void require_own_frame(const Scene& scene) {
 
 }  // namespace
 
-std::int64_t Contact::save_past(std::int64_t capacity, double* to) const {
+std::int64_t Contact::past_get(std::int64_t capacity, double* to) const {
   require_own_frame(scene);
   const Solution& s = solver->solution();
   const PastStep& last = solver->steps().last;
@@ -80,7 +80,7 @@ std::int64_t Contact::save_past(std::int64_t capacity, double* to) const {
   return static_cast<std::int64_t>(needed);
 }
 
-void Contact::restore_past(std::int64_t count, const double* from) {
+void Contact::past_set(std::int64_t count, const double* from) {
   require_own_frame(scene);
   require_count(count, "n");
   require_pointer(from, "past");

@@ -62,12 +62,12 @@ class WheelRail {
   void reset();
 
   static constexpr std::int32_t places = 16;
-  /// Saves what was set and the last solution at a place, 0 to places - 1. Allocates nothing where as much was saved
+  /// Keeps what was set and the last solution at a place, 0 to places - 1. Allocates nothing where as much was kept
   /// before.
-  void save(std::int32_t place);
-  /// Goes back to a saved place, as if nothing had been done in between. err_state: nothing is there, or other
-  /// dimensions have been set since.
-  void restore(std::int32_t place);
+  void snapshot(std::int32_t place);
+  /// Goes back to a snapshot, as if nothing had been done in between. err_state: nothing is there, or other dimensions
+  /// have been set since.
+  void rollback(std::int32_t place);
   /// Makes a wheel of its own with the same inputs and last solution; context: null: that of this wheel.
   std::unique_ptr<WheelRail> copy(const std::shared_ptr<Context>& context = nullptr) const;
   /// Stops the solve that is running, if one is, before its next patch or height. Any thread may call it.

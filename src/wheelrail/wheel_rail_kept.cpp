@@ -87,7 +87,7 @@ void require_place(std::int32_t place) {
 
 }  // namespace
 
-void WheelRail::save(std::int32_t place) {
+void WheelRail::snapshot(std::int32_t place) {
   require_place(place);
   const auto k = static_cast<std::size_t>(place);
   if (kept_.size() <= k) kept_.resize(k + 1);
@@ -96,7 +96,7 @@ void WheelRail::save(std::int32_t place) {
   keep(*kept_[k]);
 }
 
-void WheelRail::restore(std::int32_t place) {
+void WheelRail::rollback(std::int32_t place) {
   require_place(place);
   const auto k = static_cast<std::size_t>(place);
   if (kept_.size() <= k || !kept_[k] || !kept_[k]->used)

@@ -124,6 +124,18 @@ TEST_F(boundary_fields, under_a_contact_are_near_those_of_a_half_space) {
   std::printf("s33 on the surface %.4g, pressure of the nearest node %.4g\n", s[2], -t[2]);
   EXPECT_NEAR(s[2], t[2], 0.05 * std::abs(t[2]));
 
+  // In axes of the contact the block stands turned: its x, y and z are the contact's t2, n and t1.
+  const double rotation[9] = {0, 0, 1, 1, 0, 0, 0, 1, 0}, origin[3] = {3, 4, 5}, deep[3] = {0.1, 0.05, -1.5};
+  const double there[3] = {deep[2] + 3, deep[0] + 4, deep[1] + 5};
+  double u[3], stress[6], turned_u[3], turned[6];
+  ASSERT_OK(rollcon_contact_get_fields_at(contact, 1, 1, deep, ROLLCON_IN_BODY, u, stress));
+  ASSERT_OK(rollcon_contact_set_pose(contact, ROLLCON_BODY1, rotation, origin));
+  ASSERT_OK(rollcon_contact_get_fields_at(contact, 1, 1, there, ROLLCON_IN_CONTACT, turned_u, turned));
+  const double expected_u[3] = {u[2], u[0], u[1]};
+  const double expected[6] = {stress[2], stress[0], stress[1], stress[4], stress[5], stress[3]};
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(turned_u[i], expected_u[i], 1e-9 * std::abs(u[2])) << i;
+  for (int i = 0; i < 6; ++i) EXPECT_NEAR(turned[i], expected[i], 1e-9 * std::abs(stress[2])) << i;
+
   // The body refuses these, and stays usable.
   const double outside[] = {0, 0, -1, 0, 0, 0.5};
   EXPECT_FAILS(rollcon_contact_get_fields_at(contact, 1, 2, outside, ROLLCON_IN_BODY, nullptr, s), ARGUMENT, "point 1");

@@ -224,7 +224,7 @@ TEST(friction_memory, turned_in_space) {
       if (c.with == With::memory) s.set_friction_memory(0.002, 0);
       if (c.with == With::heat)
         for (const int which : {1, 2}) s.set_heat(which, 1, 1, 0);
-      if (c.with == With::yield) s.set_layer(1e-4), s.set_layer_yield(20, 0);
+      if (c.with == With::yield) s.set_layer(1e-4, 20);
       ASSERT_EQ(pair.contact->solve(), Status::ok) << pair.contact->plan();
       std::vector<double> found = pair.tractions();
       if (straight.empty())

@@ -146,8 +146,7 @@ TEST(layer, a_brush_that_flows) {
     standard_scene(pair, 32);
     Scene& s = pair.contact->scene;
     s.options.set_real("tolerance", 1e-11);
-    s.set_layer(flexibility);
-    s.set_layer_yield(yield, hardening);
+    s.set_layer(flexibility, yield, hardening);
     s.set_creep(creep, 0, 0);
     ASSERT_EQ(pair.contact->solve(), Status::ok) << pair.contact->plan();
     const std::vector<double> t = pair.tractions(), x = field_of(pair, Field::point);
@@ -196,13 +195,13 @@ TEST(layer, that_never_flows_is_elastic) {
   }
   elastic.contact->solve();
   Scene& s = pair.contact->scene;
-  s.set_layer_yield(1e9, 1);
+  s.set_layer(1e-4, 1e9, 1);
   ASSERT_EQ(pair.contact->solve(), Status::ok);
   const double off = largest_difference(pair.tractions(), elastic.tractions());
   std::printf("tractions off those of the elastic layer by %.1e (bound 1e-10)\n", off);
   EXPECT_LE(off, 1e-10);
   // Less friction is mobilised where it flows.
-  s.set_layer_yield(4, 0);
+  s.set_layer(1e-4, 4);
   ASSERT_EQ(pair.contact->solve(), Status::ok);
   const std::vector<double> t = pair.tractions();
   double greatest = 0;
@@ -216,7 +215,7 @@ TEST(layer, that_never_flows_is_elastic) {
   } catch (const Error& e) {
     EXPECT_EQ(e.status(), Status::err_unsupported);
   }
-  s.set_layer_yield(0, 0);
+  s.set_layer(1e-4);
   EXPECT_EQ(pair.contact->solve(), Status::ok);
 }
 

@@ -70,9 +70,9 @@ TEST_F(solution_gone, after_a_refused_solve) {
 TEST_F(solution_gone, when_another_past_is_restored) {
   s.scene().set_step(rolling_step, 0.5);
   for (int k = 0; k < 2; ++k) solve_and_ask(s, -2e-4);
-  std::vector<double> past(static_cast<std::size_t>(s.contact().save_past(0, nullptr)));
-  s.contact().save_past(std::ssize(past), past.data());
-  s.contact().restore_past(std::ssize(past), past.data());
+  std::vector<double> past(static_cast<std::size_t>(s.contact().past_get(0, nullptr)));
+  s.contact().past_get(std::ssize(past), past.data());
+  s.contact().past_set(std::ssize(past), past.data());
   expect_gone(s.contact());
 }
 

@@ -55,12 +55,12 @@ TEST(TimeStep, the_past_of_other_bodies_is_refused) {
   KalkerSpheres s(16), stiffer(16);
   s.scene().set_step(rolling_step, 0.5);
   ASSERT_EQ(s.contact().solve(), Status::ok);
-  std::vector<double> past(static_cast<std::size_t>(s.contact().save_past(0, nullptr)));
+  std::vector<double> past(static_cast<std::size_t>(s.contact().past_get(0, nullptr)));
   const auto size = static_cast<std::int64_t>(past.size());
-  s.contact().save_past(size, past.data());
+  s.contact().past_get(size, past.data());
   stiffer.pair.body2->set_elastic(1, 5, 0.28);
   try {
-    stiffer.contact().restore_past(size, past.data());
+    stiffer.contact().past_set(size, past.data());
     ADD_FAILURE();
   } catch (const Error& error) {
     EXPECT_EQ(error.status(), Status::err_argument);
@@ -74,15 +74,15 @@ TEST(TimeStep, repeated_saved_restored_and_copied) {
   s.scene().set_step(rolling_step, 0.5);
   copy.scene().set_step(rolling_step, 0.5);
   EXPECT_THROW(s.contact().repeat_step(), Error);
-  EXPECT_THROW(s.contact().save_past(0, nullptr), Error);
+  EXPECT_THROW(s.contact().past_get(0, nullptr), Error);
   for (int k = 0; k < 5; ++k) {
     change_scene(s.scene(), k);
     ASSERT_GE(static_cast<int>(s.contact().solve()), 0);
   }
-  std::vector<double> past(static_cast<std::size_t>(s.contact().save_past(0, nullptr)));
+  std::vector<double> past(static_cast<std::size_t>(s.contact().past_get(0, nullptr)));
   const auto size = static_cast<std::int64_t>(past.size());
-  EXPECT_THROW(s.contact().save_past(size - 1, past.data()), Error);
-  ASSERT_EQ(s.contact().save_past(size, past.data()), size);
+  EXPECT_THROW(s.contact().past_get(size - 1, past.data()), Error);
+  ASSERT_EQ(s.contact().past_get(size, past.data()), size);
   const auto next = [](KalkerSpheres& k) {
     change_scene(k.scene(), 5);
     EXPECT_GE(static_cast<int>(k.contact().solve()), 0);
@@ -92,11 +92,11 @@ TEST(TimeStep, repeated_saved_restored_and_copied) {
   s.contact().repeat_step();
   EXPECT_THROW(s.contact().repeat_step(), Error);
   const double repeated = largest_difference(first, next(s));
-  s.contact().restore_past(size, past.data());
-  EXPECT_EQ(s.contact().save_past(0, nullptr), size);
+  s.contact().past_set(size, past.data());
+  EXPECT_EQ(s.contact().past_get(0, nullptr), size);
   const double restored = largest_difference(first, next(s));
   change_scene(copy.scene(), 5);
-  copy.contact().restore_past(size, past.data());
+  copy.contact().past_set(size, past.data());
   const double copied = largest_difference(first, next(copy));
   std::printf("repeated, restored, copied: tractions off by %.1e, %.1e, %.1e (bound 1e-10)\n", repeated, restored,
               copied);
@@ -104,14 +104,14 @@ TEST(TimeStep, repeated_saved_restored_and_copied) {
   EXPECT_EQ(copy.contact().stat("steps"), 6);
   // The past fits neither another frame nor a changed one.
   change_scene(other.scene(), 0);
-  EXPECT_THROW(other.contact().restore_past(size, past.data()), Error);
+  EXPECT_THROW(other.contact().past_set(size, past.data()), Error);
   std::vector<double> bad = past;
   bad[20] += 1e-9;
-  EXPECT_THROW(copy.contact().restore_past(size, bad.data()), Error);
+  EXPECT_THROW(copy.contact().past_set(size, bad.data()), Error);
   bad = past;
   bad[1] = 99;
-  EXPECT_THROW(copy.contact().restore_past(size, bad.data()), Error);
-  EXPECT_THROW(copy.contact().restore_past(7, past.data()), Error);
+  EXPECT_THROW(copy.contact().past_set(size, bad.data()), Error);
+  EXPECT_THROW(copy.contact().past_set(7, past.data()), Error);
   // The refusals left the past alone.
   copy.contact().repeat_step();
   EXPECT_LT(largest_difference(first, next(copy)), 1e-10);

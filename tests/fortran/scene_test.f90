@@ -133,7 +133,7 @@ contains
 
   !> Sets every law of friction from both layers: the same forces, and others than Coulomb's.
   subroutine laws()
-    external :: rcfric, rcfrim, rcfria, rclayr, rclayy, rcheat, rctmps, rcresu, rcsolv
+    external :: rcfric, rcfrim, rcfria, rclayr, rcheat, rctmps, rcresu, rcsolv
     character(len=21), parameter :: name(6) = [character(len=21) :: 'orthotropic', 'orthotropic_collinear', 'linear', &
       'rational', 'exponential', 'temperature']
     real(rc_real), parameter :: orthotropic(3) = [0.1_rc_real, 0.05_rc_real, 0.7_rc_real], &
@@ -168,9 +168,8 @@ contains
         call contact%set_friction('coulomb', [mu])
         call contact%set_layer(1e-4_rc_real)
       else if (i == 9) then
-        call contact%set_layer_yield(3.0_rc_real, 10.0_rc_real)
+        call contact%set_layer(1e-4_rc_real, 3.0_rc_real, 10.0_rc_real)
       else if (i == 10) then
-        call contact%set_layer_yield(0.0_rc_real, 0.0_rc_real)
         call contact%set_layer(0.0_rc_real)
         call contact%set_friction_across(across)
       end if
@@ -181,8 +180,7 @@ contains
       call demand(temperature(1, 1) > 0, 'a temperature')
       ! The rim goes away and comes back by the other layer.
       call rcfrim(icon, 0d0, 0d0, ierr)
-      call rclayr(icon, 0d0, ierr)
-      call rclayy(icon, 0d0, 0d0, ierr)
+      call rclayr(icon, 0d0, 0d0, 0d0, ierr)
       call rcfria(icon, 0, across, ierr)
       call rcheat(icon, 2, 1d0, 1d0, 1d0, ierr)
       call rcfric(icon, 'COULOMB', 1, [dble(mu)], ierr)
@@ -191,8 +189,8 @@ contains
       if (i <= 6) call rcfric(icon, name(i), size(given), given, ierr)
       if (i == 7) call rcfric(icon, 'exponential', 3, falling, ierr)
       if (i == 7) call rcfrim(icon, 1d-3, 1d-3, ierr)
-      if (i == 8 .or. i == 9) call rclayr(icon, 1d-4, ierr)
-      if (i == 9) call rclayy(icon, 3d0, 10d0, ierr)
+      if (i == 8) call rclayr(icon, 1d-4, 0d0, 0d0, ierr)
+      if (i == 9) call rclayr(icon, 1d-4, 3d0, 10d0, ierr)
       if (i == 10) call rcfria(icon, 2, across, ierr)
       call demand(ierr == 0, 'set by the FORTRAN 77 layer')
       call rcsolv(icon, ierr)

@@ -70,7 +70,7 @@ bool give_layer(scenes::RollingPair& pair, extremes::Scene& scene, std::uint32_t
   if (!sizes_of(pair, scene, soft, traction)) return false;
   scene.given.layer = soft * d.log_between(1e-3, 100);
   if (d.chance(0.5)) rollcon_contact_reset(pair.handle());
-  return rollcon_contact_set_layer(pair.handle(), scene.given.layer) == ROLLCON_OK;
+  return rollcon_contact_set_layer(pair.handle(), scene.given.layer, 0, 0) == ROLLCON_OK;
 }
 
 // Gives a layer that flows under a part of the tractions, elastic before or not.
@@ -80,8 +80,8 @@ bool give_yield(scenes::RollingPair& pair, extremes::Scene& scene, std::uint32_t
   if (!sizes_of(pair, scene, soft, traction)) return false;
   scene.given.layer = d.chance(0.3) ? 0 : soft * d.log_between(1e-2, 10);
   const double hardening = d.chance(0.3) ? 0 : d.log_between(1e-3, 1) / soft;
-  return rollcon_contact_set_layer(pair.handle(), scene.given.layer) == ROLLCON_OK &&
-         rollcon_contact_set_layer_yield(pair.handle(), traction * d.log_between(0.1, 2), hardening) == ROLLCON_OK;
+  return rollcon_contact_set_layer(pair.handle(), scene.given.layer, traction * d.log_between(0.1, 2), hardening) ==
+         ROLLCON_OK;
 }
 
 // Gives points across the frame and beyond it, none of them twice.

@@ -120,10 +120,10 @@ TEST(equivalent_ellipse, what_is_no_ellipse_is_refused) {
   pair.gap(gap).solve();
   EXPECT_EQ(refusal(pair), ROLLCON_ERR_STATE);
   EXPECT_NE(std::string(rollcon_last_error()).find("no single patch"), std::string::npos) << rollcon_last_error();
-  ASSERT_EQ(rollcon_contact_set_layer(pair.handle(), 1e-6), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_set_layer(pair.handle(), 1e-6, 0, 0), ROLLCON_OK);
   pair.gap_quadratic(1e-3, 1e-3).solve();
   EXPECT_EQ(refusal(pair), ROLLCON_ERR_UNSUPPORTED);
-  ASSERT_EQ(rollcon_contact_set_layer(pair.handle(), 0), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_set_layer(pair.handle(), 0, 0, 0), ROLLCON_OK);
   const double law[] = {0.3, 0.2, 0};
   ASSERT_EQ(rollcon_contact_set_friction(pair.handle(), "orthotropic", 3, law), ROLLCON_OK) << rollcon_last_error();
   pair.gap_quadratic(1e-3, 1e-3).solve();

@@ -112,11 +112,11 @@ TEST_F(wheels_by_table, hertzian_patches_have_no_solution_of_their_own) {
   double force[3];
   refused([&] { contact->resultant(InAxes::local, force, nullptr); }, Status::err_state, {"no solution"});
   refused([&] { w->set_int("hertzian", 2); }, Status::err_option, {"hertzian"});
-  w->save(0);
+  w->snapshot(0);
   const double expected = w->patch_stat(0, "lateral_force");
   place(*w, 3);
   ASSERT_EQ(w->solve(), Status::ok);
-  w->restore(0);
+  w->rollback(0);
   EXPECT_EQ(w->patch_stat(0, "lateral_force"), expected);
   EXPECT_EQ(w->patch_stat(0, "hertzian"), 1);
   w->set_table(nullptr);
@@ -130,11 +130,11 @@ TEST_F(wheels_by_table, states_go_back_and_copies_go_on) {
   w->set_table(table);
   w->prescribe_vertical(2, 10000);
   ASSERT_EQ(w->solve(), Status::ok);
-  w->save(0);
+  w->snapshot(0);
   place(*w, 3);
   ASSERT_EQ(w->solve(), Status::ok);
   const double expected = w->patch_stat(0, "lateral_force");
-  w->restore(0);
+  w->rollback(0);
   auto other = w->copy();
   w->set_table(nullptr);
   place(*other, 3);

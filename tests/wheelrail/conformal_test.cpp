@@ -193,12 +193,12 @@ TEST_F(conformal, does_not_depend_on_side_units_or_what_was_solved_before) {
   // The solve is warm, after another place, a plane and a restored state.
   right->reset();
   EXPECT_EQ(result(*right, 1, 1), reference);
-  right->save(0);
+  right->snapshot(0);
   const auto twin = right->copy();
   move(*right, -1.0003, 1, -0.05, 1e-4);
   right->set_int("conformal", 0);
   EXPECT_EQ(right->solve(), Status::ok);
-  right->restore(0);
+  right->rollback(0);
   double f[6];
   right->resultant(false, f, f + 3);
   EXPECT_EQ(f[2], reference[2]);

@@ -186,11 +186,11 @@ TEST_F(order_of_turns, conicity_and_contact_points_are_those_of_either) {
 
 TEST_F(order_of_turns, states_keep_it_and_other_values_are_refused) {
   const auto w = standing(1, true, How::by_motion);
-  w->save(0);
+  w->snapshot(0);
   const auto before = w->profile_point(1, 0);
   w->set_int("roll_outside", 0);
   EXPECT_EQ(w->profile_point(1, 0), before);  // results are those of the last solve
-  w->restore(0);
+  w->rollback(0);
   w->solve();
   EXPECT_EQ(w->profile_point(1, 0), before);
   refused([&] { w->set_int("roll_outside", 2); }, Status::err_option, {"roll_outside", "0 to 1"});

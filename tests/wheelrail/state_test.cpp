@@ -65,11 +65,11 @@ TEST_F(state, derivatives_are_those_of_the_state_gone_back_to) {
     return d;
   };
   step(*w, 1);
-  w->save(0);
+  w->snapshot(0);
   const auto right = derivatives();
   step(*w, 3);
   const auto elsewhere = derivatives();
-  w->restore(0);
+  w->rollback(0);
   const auto here = derivatives();
   double off = 0, most = 0, other = 0;
   for (std::size_t i = 0; i < right.size(); ++i) {
@@ -89,7 +89,7 @@ TEST_F(state, a_rejected_step_leaves_no_trace) {
   for (WheelRail* w : {never.get(), tried.get()}) w->prescribe_vertical(2, 10000);
   int same = 0, steps = 0, several = 0;
   for (const double y : {4.5, 4.8, 5.0, 5.02, 5.02, 5.2, 4.9, 2.0, 2.1, 6.4, 0.3, 5.1}) {
-    tried->save(3);
+    tried->snapshot(3);
     const std::int64_t patches = steps > 0 ? tried->patches() : 0;
     const Result before = steps > 0 ? result_of(*tried, Status::ok) : Result{};
     for (int k = 0; k < 1 + steps % 3; ++k) step(*tried, anywhere(random));
@@ -99,7 +99,7 @@ TEST_F(state, a_rejected_step_leaves_no_trace) {
     tried->prescribe_vertical(1, 0);
     tried->set_real("accuracy", steps % 6 == 0 ? 0.01 : 1);
     step(*tried, 1);
-    tried->restore(3);
+    tried->rollback(3);
     if (steps > 0) {
       EXPECT_EQ(tried->patches(), patches);
       expect_same(result_of(*tried, Status::ok), before, "results of the state, step " + std::to_string(steps));
@@ -145,13 +145,13 @@ TEST_F(state, after_a_reset_nothing_is_left_of_what_was) {
 
 TEST_F(state, what_cannot_be_restored_is_told) {
   const auto w = make();
-  refused([&] { w->restore(0); }, Status::err_state, {"nothing was saved at place 0"});
-  refused([&] { w->save(16); }, Status::err_argument, {"place is 16", "0 to 15"});
-  refused([&] { w->restore(-1); }, Status::err_argument, {"place is -1"});
-  w->save(15);
-  w->restore(15);
+  refused([&] { w->rollback(0); }, Status::err_state, {"nothing was saved at place 0"});
+  refused([&] { w->snapshot(16); }, Status::err_argument, {"place is 16", "0 to 15"});
+  refused([&] { w->rollback(-1); }, Status::err_argument, {"place is -1"});
+  w->snapshot(15);
+  w->rollback(15);
   w->set_track(1436, 14, 0.025);
-  refused([&] { w->restore(15); }, Status::err_state, {"other dimensions"});
+  refused([&] { w->rollback(15); }, Status::err_state, {"other dimensions"});
 }
 
 // Bodies have other profiles after a solve: worn ones that stand 0.2 mm beside and a little more inclined.
@@ -160,14 +160,14 @@ TEST_F(state, profiles_that_are_given_later_count) {
     const auto w = make();
     w->prescribe_vertical(2, 10000);
     const Result before = step(*w, 2);
-    w->save(0);
+    w->snapshot(0);
     Body& body = of_wheel ? *wheel : *rail;
     const auto points = body.profile()->points();
     std::vector<double> worn;
     for (const Vec2& x : points) worn.insert(worn.end(), {x[0], x[1] + 2e-3 * x[0]});
     body.set_profile(static_cast<std::int64_t>(points.size()), worn.data(), 0);
     refused([&] { w->derivative(1); }, Status::err_state, {"no solution yet"});
-    refused([&] { w->restore(0); }, Status::err_state, {"other bodies"});
+    refused([&] { w->rollback(0); }, Status::err_state, {"other bodies"});
     const auto copied = w->copy();
     copied->prescribe_vertical(2, 10000);
     const auto fresh = make();

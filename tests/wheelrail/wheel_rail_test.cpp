@@ -377,10 +377,10 @@ TEST_F(wheels, follow_profiles_and_materials_that_are_set_later) {
     const auto used = make();
     used->prescribe_vertical(2, 10000);
     const double before = pressure(*used);
-    used->save(0);
+    used->snapshot(0);
     const double larger = 1.03;
     (of_wheel ? wheel : rail)->set_profile_shape(of_wheel ? "s1002" : "60e1", 1, &larger);
-    refused([&] { used->restore(0); }, Status::err_state, {"other bodies"});
+    refused([&] { used->rollback(0); }, Status::err_state, {"other bodies"});
     const double after = pressure(*used);
     const auto fresh = make();
     fresh->prescribe_vertical(2, 10000);

@@ -318,8 +318,7 @@ FUNCTIONS = {
     "rollcon_contact_prescribe": (c_int32, [c_void_p, c_int32, c_int32, c_double]),
     "rollcon_contact_set_friction": (c_int32, [c_void_p, c_char_p, c_int32, POINTER(c_double)]),
     "rollcon_contact_set_friction_memory": (c_int32, [c_void_p, c_double, c_double]),
-    "rollcon_contact_set_layer": (c_int32, [c_void_p, c_double]),
-    "rollcon_contact_set_layer_yield": (c_int32, [c_void_p, c_double, c_double]),
+    "rollcon_contact_set_layer": (c_int32, [c_void_p, c_double, c_double, c_double]),
     "rollcon_contact_set_friction_across": (c_int32, [c_void_p, c_int64, POINTER(c_double)]),
     "rollcon_contact_set_heat": (c_int32, [c_void_p, c_int32, c_double, c_double, c_double]),
     "rollcon_contact_set_friction_field": (c_int32, [c_void_p, c_int64, POINTER(c_double)]),
@@ -687,8 +686,9 @@ ARGUMENTS = {
     ],
     "rollcon_contact_set_friction": [("contact", ""), ("law", ""), ("n", ""), ("parameters", "")],
     "rollcon_contact_set_friction_memory": [("contact", ""), ("length", ""), ("least_speed", "")],
-    "rollcon_contact_set_layer": [("contact", ""), ("flexibility", "")],
-    "rollcon_contact_set_layer_yield": [("contact", ""), ("stress", ""), ("hardening", "")],
+    "rollcon_contact_set_layer": [
+        ("contact", ""), ("flexibility", ""), ("stress", ""), ("hardening", "")
+    ],
     "rollcon_contact_set_friction_across": [("contact", ""), ("n", ""), ("points", "")],
     "rollcon_contact_set_heat": [
         ("contact", ""), ("which", "body of a contact"), ("conductivity", ""), ("heat_capacity",

@@ -572,29 +572,23 @@ class ContactPlain:
         """
         self._call("set_friction_memory", length, least_speed)
 
-    def set_layer(self, flexibility: float) -> None:
-        """Puts a thin elastic layer between the bodies that gives way along the surface in
-        proportion to the tangential traction at each point, in series with both: thickness over
-        shear modulus. The displacements of the bodies do not contain it, slip does. The
-        monolithic system (set_procedure()) does not take it (ERR_UNSUPPORTED at the solve).
+    def set_layer(self, flexibility: float, stress: float = 0, hardening: float = 0) -> None:
+        """Puts a thin layer between the bodies that gives way along the surface in proportion to
+        the tangential traction at each point, in series with both: thickness over shear modulus.
+        The displacements of the bodies do not contain it, slip does. The monolithic system
+        (set_procedure()) does not take it (ERR_UNSUPPORTED at the solve). With a yield stress the
+        layer, which may be stiff (flexibility 0), flows along the surface under a traction of
+        stress + hardening times the flow since the surfaces came into contact. Where that is less
+        than friction it bounds the traction, and what friction would call slip is flow. It flows
+        with the laws "coulomb", "temperature", and those that fall with a memory; others end with
+        ERR_UNSUPPORTED at the solve. The flow is found by solves with given coefficients, as with
+        set_friction_memory(): for steady rolling only, without sensitivities.
 
-        flexibility: thickness over shear modulus, length^3/force, >= 0; 0: no layer.
-        """
-        self._call("set_layer", flexibility)
-
-    def set_layer_yield(self, stress: float, hardening: float) -> None:
-        """Lets the layer between the bodies (set_layer(), which may be stiff: flexibility 0) flow
-        along the surface under a traction of stress + hardening times the flow since the surfaces
-        came into contact. Where that is less than friction it bounds the traction, and what
-        friction would call slip is flow. It works with the laws "coulomb", "temperature", and
-        those that fall with a memory; others end with ERR_UNSUPPORTED at the solve. The flow is
-        found by solves with given coefficients, as with set_friction_memory(): for steady rolling
-        only, without sensitivities.
-
-        stress: >= 0, force/length^2; 0: never flows.
+        flexibility: thickness over shear modulus, length^3/force, >= 0.
+        stress: >= 0, force/length^2; 0: never flows, and with flexibility 0 there is no layer.
         hardening: force/length^3; negative: softening.
         """
-        self._call("set_layer_yield", stress, hardening)
+        self._call("set_layer", flexibility, stress, hardening)
 
     def set_friction_across(self, points: ArrayLike | None) -> None:
         """Sets friction coefficients along t2, linear between points and constant beyond them,

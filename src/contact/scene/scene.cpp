@@ -227,16 +227,13 @@ void Scene::set_friction_memory(double length, double least_speed) {
   ++revision.friction;
 }
 
-void Scene::set_layer(double flexibility) {
+void Scene::set_layer(double flexibility, double stress, double hardening) {
   require_finite(flexibility, "flexibility");
-  if (flexibility < 0) fail(Status::err_argument, "flexibility is %g; allowed: 0 (none) or more", flexibility);
-  if (replace(friction_.layer, flexibility)) ++revision.friction;
-}
-
-void Scene::set_layer_yield(double stress, double hardening) {
   require_finite(stress, "stress");
   require_finite(hardening, "hardening");
+  if (flexibility < 0) fail(Status::err_argument, "flexibility is %g; allowed: 0 or more", flexibility);
   if (stress < 0) fail(Status::err_argument, "stress is %g; allowed: 0 (never) or more", stress);
+  if (replace(friction_.layer, flexibility)) ++revision.friction;
   const LayerYield yield{stress, stress > 0 ? hardening : 0};
   if (friction_.yield == yield) return;
   friction_.yield = yield;
@@ -325,7 +322,7 @@ void Scene::require_complete(bool has_surface) const {
   if (friction_.yield.stress > 0 && friction_.law && !friction_.law->of_field() &&
       !(friction_.law->falls() && friction_.memory.length > 0))
     fail(Status::err_unsupported,
-         "a layer that flows (rollcon_contact_set_layer_yield) is not there for this law; allowed: 'coulomb', "
+         "a layer that flows (rollcon_contact_set_layer) is not there for this law; allowed: 'coulomb', "
          "'temperature', or a law that falls with a memory (rollcon_contact_set_friction_memory)");
   if (rolling_.step != StepKind::steady && law() && law()->of_field())
     fail(Status::err_unsupported,

@@ -120,10 +120,9 @@ class Scene {
   void set_friction_field(std::int64_t n, const double* mu);  ///< coefficient at each node
   /// Sets the memory of laws that fall, whichever is set; a length of 0: none.
   void set_friction_memory(double length, double least_speed);
-  /// Sets an elastic layer between the bodies: tangential displacement per traction; 0: none.
-  void set_layer(double flexibility);
-  /// Makes the layer flow under a traction of stress + hardening times the flow; a stress of 0: never.
-  void set_layer_yield(double stress, double hardening);
+  /// Sets a layer between the bodies: its tangential displacement per traction; it flows under a traction of stress +
+  /// hardening times the flow, with a stress of 0 never.
+  void set_layer(double flexibility, double stress = 0, double hardening = 0);
   /// Sets coefficients along t2, linear between points (y, mu) with ascending y; they replace that of the law where no
   /// field is given. n = 0: none.
   void set_friction_across(std::int64_t n, const double* points);
