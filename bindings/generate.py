@@ -15,9 +15,10 @@ sys.dont_write_bytecode = True
 ROOT = Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(ROOT / "bindings"), str(ROOT / "scripts")]
 
-from generator import (c_header, capi_plain, capi_tests, cpp_tables, fortran_77, fortran_77_include, fortran_module,  # noqa: E402
-                       fortran_plain, fortran_tests, octave, python_module, python_plain, python_tests,
-                       recorder, reference, reference_fortran, reference_python, symbol_map, table)
+from generator import (c_header, capi_plain, capi_tests, cpp_enumerators, cpp_tables, fortran_77,  # noqa: E402
+                       fortran_77_include, fortran_module, fortran_plain, fortran_tests, octave, python_module,
+                       python_plain, python_tests, recorder, reference, reference_fortran, reference_python,
+                       symbol_map, table)
 from wrap_docs import wrapped  # noqa: E402
 
 
@@ -48,6 +49,7 @@ def outputs(api):
         "include/rollcon.h": c_header.write(api),
         "include/rollcon_layers.h": c_header.write_layers(api),
         "src/capi/api_tables.hpp": cpp_tables.write(api),
+        "src/capi/enumerators.cpp": cpp_enumerators.write(api),
         "src/capi/plain.cpp": capi_plain.write(api),
         "cmake/rollcon.map": symbol_map.write(api),
         "fortran/rollcon_c.f90": fortran_module.write(api),

@@ -1,7 +1,9 @@
+/// Generated from bindings/api.toml by bindings/generate.py; do not edit.
 /// Asserts that the enumerators inside the library are those of the header; this file can only fail to compile.
 
 #include "bodies/body.hpp"
 #include "contact/contact.hpp"
+#include "mesh/volume_type.hpp"
 #include "rollcon.h"
 
 namespace rollcon {
@@ -11,6 +13,7 @@ constexpr bool same(E inside, int outside) {
   return static_cast<int>(inside) == outside;
 }
 
+// clang-format off
 static_assert(same(Status::ok, ROLLCON_OK));
 static_assert(same(Status::not_converged, ROLLCON_NOT_CONVERGED));
 static_assert(same(Status::no_contact, ROLLCON_NO_CONTACT));
@@ -34,26 +37,42 @@ static_assert(same(Status::err_busy, ROLLCON_ERR_BUSY));
 static_assert(same(Status::err_load, ROLLCON_ERR_LOAD));
 static_assert(same(Status::err_io, ROLLCON_ERR_IO));
 static_assert(same(Status::err_internal, ROLLCON_ERR_INTERNAL));
-static_assert(same(BodyKind::fem, ROLLCON_BODY_FEM) && same(BodyKind::bem, ROLLCON_BODY_BEM));
+static_assert(same(BodyKind::fem, ROLLCON_BODY_FEM));
+static_assert(same(BodyKind::bem, ROLLCON_BODY_BEM));
 static_assert(same(BodyKind::halfspace, ROLLCON_BODY_HALFSPACE));
 static_assert(same(BodyKind::rigid, ROLLCON_BODY_RIGID));
-static_assert(same(ElementType::tri3, ROLLCON_TRI3) && same(ElementType::tri6, ROLLCON_TRI6));
-static_assert(same(ElementType::quad4, ROLLCON_QUAD4) && same(ElementType::quad8, ROLLCON_QUAD8));
+static_assert(same(ElementType::tri3, ROLLCON_TRI3));
+static_assert(same(ElementType::tri6, ROLLCON_TRI6));
+static_assert(same(ElementType::quad4, ROLLCON_QUAD4));
+static_assert(same(ElementType::quad8, ROLLCON_QUAD8));
 static_assert(same(ElementType::quad9, ROLLCON_QUAD9));
+static_assert(same(VolumeType::tet4, ROLLCON_TET4));
+static_assert(same(VolumeType::tet10, ROLLCON_TET10));
+static_assert(same(VolumeType::wedge6, ROLLCON_WEDGE6));
+static_assert(same(VolumeType::wedge15, ROLLCON_WEDGE15));
+static_assert(same(VolumeType::hex8, ROLLCON_HEX8));
+static_assert(same(VolumeType::hex20, ROLLCON_HEX20));
 static_assert(same(Direction::longitudinal, ROLLCON_LONGITUDINAL));
 static_assert(same(Direction::lateral, ROLLCON_LATERAL));
-static_assert(same(Direction::normal, ROLLCON_NORMAL) && same(Direction::spin, ROLLCON_SPIN));
-static_assert(same(Direction::tilt1, ROLLCON_TILT_1) && same(Direction::tilt2, ROLLCON_TILT_2));
+static_assert(same(Direction::normal, ROLLCON_NORMAL));
+static_assert(same(Direction::spin, ROLLCON_SPIN));
+static_assert(same(Direction::tilt1, ROLLCON_TILT_1));
+static_assert(same(Direction::tilt2, ROLLCON_TILT_2));
 static_assert(same(Parameter::longitudinal, ROLLCON_LONGITUDINAL));
 static_assert(same(Parameter::lateral, ROLLCON_LATERAL));
-static_assert(same(Parameter::normal, ROLLCON_NORMAL) && same(Parameter::spin, ROLLCON_SPIN));
+static_assert(same(Parameter::normal, ROLLCON_NORMAL));
+static_assert(same(Parameter::spin, ROLLCON_SPIN));
+static_assert(same(Parameter::tilt1, ROLLCON_TILT_1));
+static_assert(same(Parameter::tilt2, ROLLCON_TILT_2));
 static_assert(same(Parameter::friction, ROLLCON_FRICTION));
-static_assert(same(Parameter::tilt1, ROLLCON_TILT_1) && same(Parameter::tilt2, ROLLCON_TILT_2));
-static_assert(same(How::by_motion, ROLLCON_BY_MOTION) && same(How::by_force, ROLLCON_BY_FORCE));
-static_assert(same(InAxes::local, ROLLCON_LOCAL) && same(InAxes::global, ROLLCON_GLOBAL));
+static_assert(same(How::by_motion, ROLLCON_BY_MOTION));
+static_assert(same(How::by_force, ROLLCON_BY_FORCE));
+static_assert(same(InAxes::local, ROLLCON_LOCAL));
+static_assert(same(InAxes::global, ROLLCON_GLOBAL));
 static_assert(same(Field::point, ROLLCON_FIELD_POINT));
 static_assert(same(Field::traction, ROLLCON_FIELD_TRACTION));
-static_assert(same(Field::gap, ROLLCON_FIELD_GAP) && same(Field::slip, ROLLCON_FIELD_SLIP));
+static_assert(same(Field::gap, ROLLCON_FIELD_GAP));
+static_assert(same(Field::slip, ROLLCON_FIELD_SLIP));
 static_assert(same(Field::displacement1, ROLLCON_FIELD_DISPLACEMENT1));
 static_assert(same(Field::displacement2, ROLLCON_FIELD_DISPLACEMENT2));
 static_assert(same(Field::area, ROLLCON_FIELD_AREA));
@@ -62,11 +81,18 @@ static_assert(same(Field::pressure, ROLLCON_FIELD_PRESSURE));
 static_assert(same(Field::rigid_slip, ROLLCON_FIELD_RIGID_SLIP));
 static_assert(same(Field::friction_power, ROLLCON_FIELD_FRICTION_POWER));
 static_assert(same(Field::weight, ROLLCON_FIELD_WEIGHT));
-static_assert(same(NodeStatus::open, ROLLCON_OPEN) && same(NodeStatus::stick, ROLLCON_STICK));
-static_assert(same(NodeStatus::slip, ROLLCON_SLIP) && same(NodeStatus::excluded, ROLLCON_EXCLUDED));
+static_assert(same(Field::temperature, ROLLCON_FIELD_TEMPERATURE));
+static_assert(same(NodeStatus::open, ROLLCON_OPEN));
+static_assert(same(NodeStatus::stick, ROLLCON_STICK));
+static_assert(same(NodeStatus::slip, ROLLCON_SLIP));
+static_assert(same(NodeStatus::excluded, ROLLCON_EXCLUDED));
+static_assert(same(StepKind::steady, ROLLCON_STEADY));
+static_assert(same(StepKind::rolling, ROLLCON_ROLLING_STEP));
+static_assert(same(StepKind::shift, ROLLCON_SHIFT_STEP));
 static_assert(same(LogLevel::error, ROLLCON_LOG_ERROR));
 static_assert(same(LogLevel::warning, ROLLCON_LOG_WARNING));
-static_assert(same(LogLevel::info, ROLLCON_LOG_INFO) && same(LogLevel::debug, ROLLCON_LOG_DEBUG));
+static_assert(same(LogLevel::info, ROLLCON_LOG_INFO));
+static_assert(same(LogLevel::debug, ROLLCON_LOG_DEBUG));
 static_assert(same(SettingType::integer, ROLLCON_TYPE_INT));
 static_assert(same(SettingType::real, ROLLCON_TYPE_REAL));
 static_assert(same(SettingType::text, ROLLCON_TYPE_STR));
@@ -75,5 +101,6 @@ static_assert(same(Phase::normal, ROLLCON_PHASE_NORMAL));
 static_assert(same(Phase::tangential, ROLLCON_PHASE_TANGENTIAL));
 static_assert(same(Phase::full, ROLLCON_PHASE_FULL));
 static_assert(same(Phase::cases, ROLLCON_PHASE_CASES));
+// clang-format on
 
 }  // namespace rollcon
