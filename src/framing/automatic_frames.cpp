@@ -21,8 +21,7 @@
 #include "framing/hertz_friction.hpp"
 #include "framing/makers.hpp"
 #include "framing/patch_search.hpp"
-#include "framing/strip_frames.hpp"
-#include "framing/strips/strip_results.hpp"
+#include "framing/strip_levels.hpp"
 #include "support/error.hpp"
 #include "support/index.hpp"
 #include "support/interrupt.hpp"
@@ -52,21 +51,8 @@ struct Shape {
   AtBodyEnds at_body_ends = AtBodyEnds::closer;
   /// True: one regular lattice lies over all outlines, because strips do not follow their shapes.
   bool lattice = false;
+  Rectangle box{};  ///< around all of the contact, a little wider
 };
-
-/// Holds counts of strips, the coarser ones first, and the least accuracy that solves on them begin with.
-struct StripLevel {
-  strips::StripCounts counts;
-  double accuracy;
-};
-constexpr std::array strip_levels{
-    StripLevel{{5, 7}, 1},        StripLevel{{6, 9}, 0.025},    StripLevel{{8, 12}, 0.009}, StripLevel{{12, 18}, 0.004},
-    StripLevel{{16, 24}, 0.0025}, StripLevel{{20, 30}, 0.0015}, StripLevel{{24, 36}, 0}};
-/// Part of the difference of a level's two solutions by which the finer one is off at most: measured over Hertzian
-/// contacts and profiles.
-constexpr double off_by = 0.7;
-/// Hollowness of a contact some rows of which may have two intervals.
-constexpr double too_hollow_for_strips = 0.15;
 
 using Tilts = std::array<double, 2>;
 
@@ -74,6 +60,24 @@ using Tilts = std::array<double, 2>;
 bool surfaces_deform(const PairOfBodies& pair) {
   return std::all_of(pair.body.begin(), pair.body.end(),
                      [](const Body* body) { return !body->has_surface() || (body->meshed() && !body->rigid()); });
+}
+
+Rectangle box_of(const Shape& shape) {
+  constexpr double wider = 1.15;
+  if (shape.outline.empty()) {
+    const double x = wider * std::hypot(shape.place.length, shape.place.shear), y = wider * shape.place.width;
+    return {-x, x, -y, y};
+  }
+  Rectangle all{INFINITY, -INFINITY, INFINITY, -INFINITY};
+  for (const Outline& outline : shape.outline) {
+    const Rectangle b = outline.box();
+    all = {std::min(all.x_least, b.x_least), std::max(all.x_greatest, b.x_greatest), std::min(all.y_least, b.y_least),
+           std::max(all.y_greatest, b.y_greatest)};
+  }
+  const double x = 0.5 * (all.x_least + all.x_greatest), y = 0.5 * (all.y_least + all.y_greatest),
+               half_x = 0.5 * wider * (all.x_greatest - all.x_least),
+               half_y = 0.5 * wider * (all.y_greatest - all.y_least);
+  return {x - half_x, x + half_x, y - half_y, y + half_y};
 }
 
 class AutomaticFrames final : public FrameMaker {
@@ -112,7 +116,7 @@ class AutomaticFrames final : public FrameMaker {
     level_ = levels.size();
     tilts_known_ = false;
     if (coarse_) coarse_->reset();
-    for (StripFrames& strips : strips_) strips.forget();
+    strips_.forget();
   }
 
  private:
@@ -125,135 +129,11 @@ class AutomaticFrames final : public FrameMaker {
     const bool ends =
         std::any_of(shape_.outline.begin(), shape_.outline.end(), [](const Outline& o) { return o.ends_body(); });
     if (beyond_bounds_ || ends) return std::nullopt;
-    const Rectangle box = box_of_contact();
     fine.scale_tangential_loads(1);
-    const double wanted = fine.scene.options.frame_accuracy;
-    std::size_t level = 1;
-    while (wanted < strip_levels[level].accuracy) ++level;
-    Rates coarser, finer;
-    if (!fit(fine, box, level - 1, coarser)) return std::nullopt;
-    // Results of two levels are mixed where one is about to be enough, so that they do not jump there.
-    constexpr double enough = 0.7;
-    Rates sure;          // what levels before contribute
-    double missing = 1;  // weight that is left
-    for (;; ++level) {
-      if (!fit(fine, box, level, finer)) return std::nullopt;
-      const Status status = strips_[level].show(fine);
-      if (status != Status::ok) {
-        fine.tell(status);
-        return status;
-      }
-      if (strips_[level].by_law()) finer = results_of(fine);
-      if (strips_[level - 1].solution().share > 0 && strips_[level].solution().share > 0) set_area(fine, level);
-      const double reached = estimate(fine, coarser, finer);
-      const bool last = level + 1 == strip_levels.size();
-      const double over = last ? 0 : std::clamp((reached / wanted - enough) / (1 - enough), 0.0, 1.0),
-                   weight = missing * (1 - over * over * (3 - 2 * over));
-      add(sure, weight, finer);
-      missing -= weight;
-      if (last || !(missing > 0)) {
-        if (weight < 1) {
-          const double area = find_statistic(fine, "contact_area");
-          fine.derived().extrapolated = Extrapolated{sure.force, sure.moment, sure.motion, area, 0};
-        }
-        return reached <= wanted ? Status::ok : tell_inaccurate(fine, reached);
-      }
-      coarser = finer;
-    }
-  }
-
-  /// Fits strips of a level. Returns false where they do not fit the contact.
-  bool fit(Solver& fine, const Rectangle& box, std::size_t level, Rates& found) {
-    StripFrames& on = strips_[level];
-    if (on.fit(fine, box, strip_levels[level].counts).status != strips::StripStatus::solved || !on.within_bodies() ||
-        strips::trust(on.solution().strips).hollow > too_hollow_for_strips)
-      return false;
-    found = rates_of(on.totals());
-    if (!on.by_law() || level + 1 == strip_levels.size()) return true;
-    // What resists slip is known to the solver alone.
-    if (!coarse_) coarse_ = fine.another();
-    coarse_->take_over(fine);
-    coarse_->scale_tangential_loads(1);
-    if (on.show(*coarse_) != Status::ok) return false;
-    found = results_of(*coarse_);
-    return true;
-  }
-
-  static Rates results_of(const Solver& on) {
-    const auto [force, moment] = on.loads();
-    return {force, moment, on.motions()};
-  }
-
-  static void add(Rates& to, double weight, const Rates& part) {
-    to.force = to.force + weight * part.force;
-    to.moment = to.moment + weight * part.moment;
-    for (std::size_t m = 0; m < motion_count; ++m) to.motion[m] += weight * part.motion[m];
-  }
-
-  Rectangle box_of_contact() const {
-    constexpr double wider = 1.15;
-    if (shape_.outline.empty()) {
-      const double x = wider * std::hypot(shape_.place.length, shape_.place.shear), y = wider * shape_.place.width;
-      return {-x, x, -y, y};
-    }
-    Rectangle all{INFINITY, -INFINITY, INFINITY, -INFINITY};
-    for (const Outline& outline : shape_.outline) {
-      const Rectangle b = outline.box();
-      all = {std::min(all.x_least, b.x_least), std::max(all.x_greatest, b.x_greatest), std::min(all.y_least, b.y_least),
-             std::max(all.y_greatest, b.y_greatest)};
-    }
-    const double x = 0.5 * (all.x_least + all.x_greatest), y = 0.5 * (all.y_least + all.y_greatest),
-                 half_x = 0.5 * wider * (all.x_greatest - all.x_least),
-                 half_y = 0.5 * wider * (all.y_greatest - all.y_least);
-    return {x - half_x, x + half_x, y - half_y, y + half_y};
-  }
-
-  /// Sets the error estimate of the finer of two solutions from their difference, and returns the worst.
-  static double estimate(Solver& fine, const Rates& coarse, const Rates& of_fine) {
-    const Solution& s = fine.solution();
-    const Problem& p = s.prepared->problem;
-    double carried = 0;
-    for (std::size_t k = 0; k < p.gap.size(); ++k)
-      carried += p.weight[k] * std::hypot(s.iterate.lambda[0][k], s.iterate.lambda[1][k]);
-    const Vec3 force = of_fine.force - coarse.force;
-    const double load = std::abs(of_fine.force[2]), overlap = s.iterate.motion[approach];
-    ErrorEstimate e;
-    e.known = true;
-    e.normal = off_by * (s.given.by_force[approach]
-                             ? 1.5 * std::abs(of_fine.motion[approach] - coarse.motion[approach]) / overlap
-                             : std::abs(force[2]) / load);
-    // Moments about the middles of the pressures do not depend on where the axes are.
-    const auto own = [](const Rates& r) {
-      return r.moment[2] - (r.moment[1] * r.force[1] + r.moment[0] * r.force[0]) / -r.force[2];
-    };
-    const double moment = (own(of_fine) - own(coarse)) / std::sqrt(p.length * p.length / std::numbers::pi);
-    e.tangential = carried > 0 ? off_by * std::max(std::hypot(force[0], force[1]), std::abs(moment)) / carried : 0;
-    e.tractions = std::max(e.normal, e.tangential);
-    fine.derived().error_estimate = e;
-    return e.worst();
-  }
-
-  /// Sets the area to that of Hertz, or to what those of two counts tend to.
-  void set_area(Solver& fine, std::size_t level) const {
-    if (shape_.outline.empty() && dundurs_beta(fine.pair()) == 0) {
-      fine.derived().area = std::numbers::pi * shape_.place.length * shape_.place.width;
-      return;
-    }
-    const double of[2] = {strips::area(strips_[level - 1].solution().strips),
-                          strips::area(strips_[level].solution().strips)};
-    const auto across = [&](std::size_t i) { return static_cast<double>(strip_levels[i].counts.across); };
-    const double finer = across(level) / across(level - 1);
-    fine.derived().area = of[1] + (of[1] - of[0]) / (finer * finer - 1);
-  }
-
-  static Status tell_inaccurate(Solver& fine, double reached) {
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "frames: the error on the finest frames is about %.2g %%, %.2g %% was asked for (option "
-                  "frame_accuracy)",
-                  100 * reached, 100 * fine.scene.options.frame_accuracy);
-    fine.host.caveat(Status::inaccurate, text);
-    return Status::inaccurate;
+    std::optional<double> area;
+    if (shape_.outline.empty() && dundurs_beta(fine.pair()) == 0)
+      area = std::numbers::pi * shape_.place.length * shape_.place.width;
+    return strips_.solve(fine, shape_.box, area);
   }
 
   Status solve_on_levels(Solver& fine) {
@@ -273,7 +153,7 @@ class AutomaticFrames final : public FrameMaker {
       if (reached <= wanted) break;
       if (level_ + 1 == levels.size()) {
         level_ = levels.size();  // the next scene may be an easier one
-        return tell_inaccurate(fine, reached);
+        return StripLevels::tell_inaccurate(fine, reached);
       }
     }
     if (!beyond_bounds_) return Status::ok;
@@ -298,6 +178,7 @@ class AutomaticFrames final : public FrameMaker {
       shape_.place = place_of_disc(hertz.larger, hertz.smaller, hertz.angle);
       shape_.load = hertz.load;
       shape_.stretch = stretch_by_friction(dundurs_beta(fine.pair()), scene.friction(0, 0));
+      shape_.box = box_of(shape_);
       beyond_bounds_ = nullptr;
       return;
     }
@@ -328,6 +209,7 @@ class AutomaticFrames final : public FrameMaker {
     const Patches patches = search_.find(fine, {gap, gap_->bounds(), now.modulus, normal.how == How::by_force,
                                                 normal.value, !scene.has_gap() && !pair.meshed()});
     shape_.outline = patches.outline;
+    shape_.box = box_of(shape_);
     constexpr double too_hollow = 0.1;
     // A conformal contact ends elsewhere than its outline in the plane of the axes.
     shape_.lattice = now.conformal || std::any_of(shape_.outline.begin(), shape_.outline.end(),
@@ -590,7 +472,7 @@ class AutomaticFrames final : public FrameMaker {
     bool operator==(const Made&) const = default;
   };
 
-  std::array<StripFrames, strip_levels.size()> strips_;
+  StripLevels strips_;
   std::unique_ptr<Solver> coarse_;
   bool coarse_solved_ = false;  // the last pair solved it
   PatchSearch search_;

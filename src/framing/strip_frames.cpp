@@ -1,6 +1,7 @@
 #include "framing/strip_frames.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -36,6 +37,24 @@ bool StripFrames::within_bodies() const {
   for (const StripPoint& p : s.layout.observers)
     if (!givens_.both_at({s.layout.x(p, s.geometry.data()), s.layout.y(p, s.geometry.data())})) return false;
   return true;
+}
+
+StripFrames::Sizes StripFrames::sizes() const {
+  const StripState& s = solution_.share > 0 ? solution_.strips : solution_.neighbour[1];
+  const StripLayout& l = s.layout;
+  const double* g = s.geometry.data();
+  Sizes size;
+  for (std::size_t i = 0; i < l.node.size(); ++i) {
+    const int row = l.node[i].row;
+    const double cell = g[l.half_of(row)] * g[l.width_of(l.part_of(row))];
+    const Vec2 at{l.x(l.node[i], g), l.y(l.node[i], g)};
+    double gap = 0;
+    givens_.scene().gap->at({&at, 1}, &gap, nullptr);
+    size.area += l.unit_cell[i] * cell;
+    size.overlap = std::max(size.overlap, s.approach - gap);
+    size.carried += l.unit_weight[i] * cell * std::hypot(s.traction[i], s.traction[l.node.size() + i]);
+  }
+  return size;
 }
 
 EquivalentEllipse StripFrames::equivalent_ellipse(const PairOfBodies& pair) {

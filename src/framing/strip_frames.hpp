@@ -30,6 +30,12 @@ class StripFrames final : public MovingFrame {
   Rates rates(const StripGivens& before, const StripGivens& behind, double distance);
   /// Says whether both bodies are there wherever the contact ends.
   bool within_bodies() const;
+  /// Holds the area in contact, the greatest overlap of the undeformed bodies, and the integral of |tangential
+  /// traction|.
+  struct Sizes {
+    double area = 0, overlap = 0, carried = 0;
+  };
+  Sizes sizes() const;
   /// Returns the Hertzian contact that stands for what was found, without friction. Errors: those of
   /// rollcon::equivalent_ellipse().
   EquivalentEllipse equivalent_ellipse(const PairOfBodies& pair);

@@ -56,14 +56,6 @@ PatchContact::~PatchContact() = default;
 
 Status PatchContact::solve(const OverlapPatch& patch, const WheelMotion& motion, const PatchFriction& friction,
                            const Fineness& fineness, double give_way) {
-  solve_patch(patch, motion, friction, fineness, give_way);
-  // Others who hold the contact see its solution.
-  if (contact_.use_count() > 1) contact();
-  return now_.status;
-}
-
-void PatchContact::solve_patch(const OverlapPatch& patch, const WheelMotion& motion, const PatchFriction& friction,
-                               const Fineness& fineness, double give_way) {
   now_.lattice = fineness.lattice;
   now_.solves = ++solves_;
   now_.patch = patch;
@@ -72,17 +64,18 @@ void PatchContact::solve_patch(const OverlapPatch& patch, const WheelMotion& mot
   take_creepages();
   now_.by_table = now_.hertzian = false;
   now_.give_way = give_way;
-  if (friction.table && friction.hertzian && take_hertzian_results(friction, give_way)) return;
+  if (friction.table && friction.hertzian && take_hertzian_results(friction, give_way)) return now_.status;
   stand(motion);
   if (friction.table) {
     prescribe(give_way, {});
     solve_contact(fineness);
-    if (take_table_results(friction)) return;
+    if (take_table_results(friction)) return now_.status;
   }
   prescribe(give_way, friction);
   solve_contact(fineness);
   const Loads loads = found_loads();
   take_results(loads.force, loads.moment);
+  return now_.status;
 }
 
 Loads PatchContact::found_loads() const {
@@ -121,15 +114,16 @@ bool PatchContact::solve_on_strips(const strips::StripCounts& counts) {
   return true;
 }
 
-const std::shared_ptr<Contact>& PatchContact::contact() const {
-  if (!now_.on_strips || shown_) return contact_;
-  if (now_.status == Status::no_contact) {
-    put_frame(now_.lattice, place());
-    contact_->solver->solve();
-  } else {
-    strips_->show(*contact_->solver);
-  }
+Status PatchContact::show() const {
+  if (!now_.on_strips || shown_) return now_.status;
   shown_ = true;
+  if (now_.status != Status::no_contact) return strips_->show(*contact_->solver);
+  put_frame(now_.lattice, place());
+  return contact_->solver->solve();
+}
+
+const std::shared_ptr<Contact>& PatchContact::contact() const {
+  show();
   return contact_;
 }
 

@@ -108,6 +108,10 @@ class PatchContact {
   /// Returns the contact with its solution at nodes, which is made when it is asked for; origin and axes of its space
   /// are axes().
   const std::shared_ptr<Contact>& contact() const;
+  /// Says whether others hold the contact, who are to see its solution.
+  bool held() const { return contact_.use_count() > 1; }
+  /// Gives the contact its solution; returns what Solver::solve() does.
+  Status show() const;
   /// Forgets requests to cancel.
   void forget_cancel() { contact_->forget_cancel(); }
   /// Returns E* of the bodies.
@@ -141,8 +145,6 @@ class PatchContact {
   FramePlace place() const;
   Rectangle box() const;
   void stand_nearby(const Nearby& nearby);
-  void solve_patch(const OverlapPatch& patch, const WheelMotion& motion, const PatchFriction& friction,
-                   const Fineness& fineness, double give_way);
   Loads found_loads() const;
   void solve_contact(const Fineness& fineness);
   bool solve_on_strips(const strips::StripCounts& counts);

@@ -205,8 +205,7 @@ Status WheelRail::solve_at(double z) {
 void WheelRail::solve_patch(Slot& slot, const OverlapPatch& patch, const WheelMotion& motion) const {
   try {
     slot.contact.solve(patch, motion, friction_of(patch),
-                       fineness_for(in_.options.accuracy, in_.options.conformal, on_lattices_),
-                       slot.give_way);
+                       fineness_for(in_.options.accuracy, in_.options.conformal, on_lattices_), slot.give_way);
   } catch (const Error& e) {
     if (!in_.options.conformal || e.status() != Status::err_mesh) throw;
     fail(Status::err_mesh,
@@ -328,6 +327,8 @@ Status WheelRail::solve() {
     on_lattices_ = true;
     status = meet_force();
   }
+  for (const Slot* slot : active_)
+    if (slot->contact.held() && slot->contact.show() == Status::cancelled) status = Status::cancelled;
   if (status == Status::not_converged)
     context_->caveat(status, "the vertical force is %.10g for %.10g; no height tried brought it nearer",
                      vertical_force(), in_.load);

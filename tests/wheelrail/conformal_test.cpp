@@ -157,7 +157,7 @@ TEST_F(conformal_long, wheel_in_a_groove_beside_contact) {
 TEST_F(conformal, agrees_with_a_plane_where_normals_hardly_turn) {
   // The normals on the tread at y = 2 mm turn by less than 6 degrees.
   auto w = make();
-  w->set_accuracy(0.005);
+  w->set_real("accuracy", 0.005);
   w->prescribe_vertical(static_cast<std::int32_t>(How::by_force), 10000);
   double total[2][6], pressure[2];
   for (const int on : {0, 1}) {

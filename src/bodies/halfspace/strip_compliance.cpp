@@ -64,9 +64,10 @@ class StripCompliance final : public Compliance {
   template <class Take, class Wanted>
   void each_row(Points points, Take take, Wanted wanted) const {
     const StripFrame& strips = *frame_.strips;
-    StripIntegrals integrals;
+    thread_local StripIntegrals integrals;  // solves allocate nothing
+    thread_local std::vector<double> row;
     integrals.lay(strips.layout, bodies_, strips.geometry.data());
-    std::vector<double> row(at(strips.layout.nodes));
+    row.resize(at(strips.layout.nodes));
     const auto any = [&](int first, int last) {
       for (int i = first; i <= last; ++i)
         for (int j = 0; j < 3; ++j)

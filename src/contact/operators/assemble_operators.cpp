@@ -18,23 +18,23 @@ struct Users {
   std::vector<std::int64_t> start;
   std::vector<std::int32_t> row;
   std::vector<double> value;
+  std::vector<std::int64_t> next;  ///< workspace of transpose()
 };
 
-Users transpose(const SparseRows& d, std::size_t samples) {
-  Users t;
+void transpose(const SparseRows& d, std::size_t samples, Users& t) {
   t.start.assign(samples + 1, 0);
   for (const std::int32_t j : d.column) ++t.start[at(j) + 1];
   for (std::size_t j = 0; j < samples; ++j) t.start[j + 1] += t.start[j];
   t.row.resize(d.column.size());
   t.value.resize(d.column.size());
-  std::vector<std::int64_t> next(t.start.begin(), t.start.end() - 1);
+  std::vector<std::int64_t>& next = t.next;
+  next.assign(t.start.begin(), t.start.end() - 1);
   for (std::size_t i = 0; i + 1 < d.start.size(); ++i)
     for (auto k = at(d.start[i]); k < at(d.start[i + 1]); ++k) {
       const std::size_t s = at(next[at(d.column[k])]++);
       t.row[s] = static_cast<std::int32_t>(i);
       t.value[s] = d.value[k];
     }
-  return t;
 }
 
 // Adds the displacements of a sample to the slip rows that use it.
@@ -65,6 +65,14 @@ void drop_vanished_coupling(DenseOperators& op) {
   op.coupling_vanished = true;
 }
 
+/// Holds room for one assembly after the other.
+struct AssemblySpace {
+  RowMatrix<double> buffer[3][3];
+  Users users;
+  std::vector<double> x, y;
+  std::vector<std::int32_t> needed;
+};
+
 // Tells which blocks to assemble.
 struct Wanted {
   bool block[3][3] = {};
@@ -75,27 +83,29 @@ struct Wanted {
 class Assembly {
  public:
   Assembly(const Frame& frame, const Compliance& compliance, const Convection& convection, const Wanted& wanted,
-           std::span<const std::int32_t> mirror, DenseOperators& op)
+           std::span<const std::int32_t> mirror, DenseOperators& op, AssemblySpace& space)
       : frame_(frame),
         compliance_(compliance),
         convection_(convection),
         wanted_(wanted),
         mirror_(mirror),
         op_(op),
-        n_(frame.nodes()) {
+        n_(frame.nodes()),
+        space_(space) {
     for (int r = 0; r < 3; ++r)
       for (int c = 0; c < 3; ++c) {
         if (!wanted.block[r][c]) continue;
         if (op.block[r][c].empty()) op.block[r][c].resize_untouched(n_, n_);
-        buffer_[r][c].resize(chunk, n_);
+        if (space.buffer[r][c].columns() != n_) space.buffer[r][c].resize_untouched(chunk, n_);
         if (r < 2) clear(op.block[r][c]);
       }
-    if (wanted.slip()) users_ = transpose(convection.rows, samples());
+    if (wanted.slip()) transpose(convection.rows, samples(), users_);
   }
 
   void run() {
     const std::size_t nodes = at(n_);
-    std::vector<std::int32_t> needed;
+    std::vector<std::int32_t>& needed = space_.needed;
+    needed.clear();
     for (std::size_t k = 0; k < nodes; ++k)
       if (!mirrored(k)) needed.push_back(static_cast<std::int32_t>(k));
     in_chunks(needed, [&](std::span<const std::int32_t> sample) { take_nodes(sample); });
@@ -177,7 +187,7 @@ class Assembly {
     out.stride = n_;
     for (int r = 0; r < rows; ++r)
       for (int c = 0; c < 3; ++c)
-        if (wanted_.block[r][c]) out.a[r][c] = buffer_[r][c].data();
+        if (wanted_.block[r][c]) out.a[r][c] = space_.buffer[r][c].data();
     return out;
   }
 
@@ -185,7 +195,7 @@ class Assembly {
     for (int r = 0; r < 2; ++r)
       for (int c = 0; c < 3; ++c)
         for (std::size_t p = 0; wanted_.block[r][c] && p < sample.size(); ++p)
-          scatter(users_, at(sample[p]), buffer_[r][c].row(static_cast<std::int64_t>(p)), op_.block[r][c]);
+          scatter(users_, at(sample[p]), space_.buffer[r][c].row(static_cast<std::int64_t>(p)), op_.block[r][c]);
   }
 
   void scale() {
@@ -206,9 +216,9 @@ class Assembly {
   std::span<const std::int32_t> mirror_;
   DenseOperators& op_;
   std::int64_t n_;
-  RowMatrix<double> buffer_[3][3];
-  Users users_;
-  std::vector<double> x_, y_;
+  AssemblySpace& space_;
+  Users& users_ = space_.users;
+  std::vector<double>&x_ = space_.x, &y_ = space_.y;
 };
 
 }  // namespace
@@ -226,7 +236,11 @@ void assemble_operators(const Frame& frame, const Compliance& compliance, const 
   for (int r = 0; r < 2; ++r)
     for (int c = 0; c < 3; ++c) wanted.block[r][c] = first && (c < 2 || op.coupled);
   op.require_memory_for(wanted.block);
-  Assembly(frame, compliance, convection, wanted, mirror, op).run();
+  // Frames that move are assembled again and again; those of many nodes take long anyway.
+  constexpr std::int64_t few = 1000;
+  thread_local AssemblySpace kept;
+  AssemblySpace own;
+  Assembly(frame, compliance, convection, wanted, mirror, op, frame.nodes() <= few ? kept : own).run();
   op.normal = true;
   op.tangential = slip;
   // A kernel knows whether it couples; under little friction the smallest coupling counts.

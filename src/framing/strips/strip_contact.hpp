@@ -147,7 +147,7 @@ class StripSolver {
   std::vector<double> compliance_[5];  ///< derivatives of slip by tractions: 11, 12, 22; by pressures: 1n, 2n
   std::vector<double> slip_rates_;     ///< derivatives of slip by geometry
   std::vector<double> rigid_, bound_, scale_, slip_now_, form_, total_slope_, matrix_, all_right_;
-  std::vector<double> bound_rates_, traction_rates_, all_slopes_;
+  std::vector<double> bound_rates_, traction_rates_, all_slopes_, shares_;
   std::vector<Law> laws_;
   StripState beside_;
   int normal_size_ = 0, friction_size_ = 0;  ///< sizes in the system of all equations

@@ -131,7 +131,13 @@ StripReport StripSolver::couple(const StripScene& scene, StripState& state, Stri
 StripReport StripSolver::solve(const StripScene& scene, StripState& state, StripStart start) {
   StripReport report;
   if (start != StripStart::solution || scene.bodies.ck == 0) {
+    // Tractions over pressures are no tractions yet.
+    if (start == StripStart::shares) {
+      shares_ = state.traction;
+      std::fill(state.traction.begin(), state.traction.end(), 0.0);
+    }
     report = press(scene, state, start);
+    if (start == StripStart::shares) state.traction = shares_;
     if (report.status == StripStatus::solved) slide(scene, state, start, report);
     if (report.status != StripStatus::solved) return report;
   }

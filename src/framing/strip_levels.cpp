@@ -1,0 +1,137 @@
+#include "framing/strip_levels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "framing/strips/strip_results.hpp"
+
+namespace rollcon {
+namespace {
+
+/// Holds counts of strips, the coarser ones first, and the least accuracy that solves on them begin with.
+struct StripLevel {
+  strips::StripCounts counts;
+  double accuracy;
+};
+constexpr std::array strip_levels{
+    StripLevel{{5, 7}, 1},        StripLevel{{6, 9}, 0.025},    StripLevel{{8, 12}, 0.009}, StripLevel{{12, 18}, 0.004},
+    StripLevel{{16, 24}, 0.0025}, StripLevel{{20, 30}, 0.0015}, StripLevel{{24, 36}, 0}};
+/// Part of the difference of a level's two solutions by which the finer one is off at most: measured over Hertzian
+/// contacts and profiles.
+constexpr double off_by = 0.7;
+/// Hollowness of a contact some rows of which may have two intervals.
+constexpr double too_hollow_for_strips = 0.15;
+
+Rates results_of(const Solver& on) {
+  const auto [force, moment] = on.loads();
+  return {force, moment, on.motions()};
+}
+
+void add(Rates& to, double weight, const Rates& part) {
+  to.force = to.force + weight * part.force;
+  to.moment = to.moment + weight * part.moment;
+  for (std::size_t m = 0; m < motion_count; ++m) to.motion[m] += weight * part.motion[m];
+}
+
+/// Estimates the error of the finer of two solutions, that on strips, from their difference.
+ErrorEstimate estimate(const Scene& scene, const StripFrames& on, const Rates& coarse, const Rates& fine) {
+  const StripFrames::Sizes size = on.sizes();
+  const Vec3 force = fine.force - coarse.force;
+  // Moments about the middles of the pressures do not depend on where the axes are.
+  const auto own = [](const Rates& r) {
+    return r.moment[2] - (r.moment[1] * r.force[1] + r.moment[0] * r.force[0]) / -r.force[2];
+  };
+  const double moment = (own(fine) - own(coarse)) / std::sqrt(size.area / std::numbers::pi);
+  ErrorEstimate e;
+  e.known = true;
+  e.normal = off_by * (scene.load(Direction::normal).how == How::by_force
+                           ? 1.5 * std::abs(fine.motion[approach] - coarse.motion[approach]) / size.overlap
+                           : std::abs(force[2] / fine.force[2]));
+  const double carried = on.by_law() ? std::hypot(fine.force[0], fine.force[1]) : size.carried;
+  e.tangential = carried > 0 ? off_by * std::max(std::hypot(force[0], force[1]), std::abs(moment)) / carried : 0;
+  e.tractions = std::max(e.normal, e.tangential);
+  return e;
+}
+
+}  // namespace
+
+std::optional<Status> StripLevels::solve(Solver& fine, const Rectangle& box, const std::optional<double>& area) {
+  const double wanted = fine.scene.options.frame_accuracy;
+  std::size_t level = 1;
+  while (wanted < strip_levels[level].accuracy) ++level;
+  Rates coarser, finer;
+  if (!fit(fine, box, level - 1, coarser)) return std::nullopt;
+  // Results of two levels are mixed where one is about to be enough, so that they do not jump there.
+  constexpr double enough = 0.7;
+  Rates sure;          // what levels before contribute
+  double missing = 1;  // weight that is left
+  bool mixed = false;
+  ErrorEstimate error;
+  for (;; ++level) {
+    if (!fit(fine, box, level, finer)) return std::nullopt;
+    error = estimate(fine.scene, strips_[level], coarser, finer);
+    const bool last = level + 1 == strip_levels.size();
+    const double wider = (error.worst() / wanted - enough) / (1 - enough),
+                 over = last ? 0 : std::clamp(wider, 0.0, 1.0), weight = missing * (1 - over * over * (3 - 2 * over));
+    add(sure, weight, finer);
+    missing -= weight;
+    mixed = weight < 1;
+    coarser = finer;
+    if (last || !(missing > 0)) break;
+  }
+  const Status status = strips_[level].show(fine);
+  if (status != Status::ok) {
+    fine.tell(status);
+    return status;
+  }
+  Derived& derived = fine.derived();
+  derived.error_estimate = error;
+  derived.area = area.value_or(area_at(level));
+  if (mixed) derived.extrapolated = Extrapolated{sure.force, sure.moment, sure.motion, *derived.area, 0};
+  const double reached = error.worst();
+  return reached <= wanted ? Status::ok : tell_inaccurate(fine, reached);
+}
+
+// Fits strips of a level. Returns false where they do not fit the contact.
+bool StripLevels::fit(Solver& fine, const Rectangle& box, std::size_t level, Rates& found) {
+  StripFrames& on = strips_[level];
+  if (on.fit(fine, box, strip_levels[level].counts).status != strips::StripStatus::solved || !on.within_bodies() ||
+      strips::trust(on.solution().strips).hollow > too_hollow_for_strips)
+    return false;
+  found = rates_of(on.totals());
+  if (!on.by_law()) return true;
+  // What resists slip is known to the solver alone.
+  if (!coarse_) coarse_ = fine.another();
+  coarse_->take_over(fine);
+  coarse_->scale_tangential_loads(1);
+  if (on.show(*coarse_) != Status::ok) return false;
+  found = results_of(*coarse_);
+  return true;
+}
+
+// Returns the area that those of two counts tend to, where both have strips.
+double StripLevels::area_at(std::size_t level) const {
+  const strips::StripSolution *coarse = &strips_[level - 1].solution(), *fine = &strips_[level].solution();
+  if (!(coarse->share > 0 && fine->share > 0)) return strips_[level].sizes().area;
+  const auto across = [&](std::size_t i) { return static_cast<double>(strip_levels[i].counts.across); };
+  const double finer = across(level) / across(level - 1), found = strips::area(fine->strips);
+  return found + (found - strips::area(coarse->strips)) / (finer * finer - 1);
+}
+
+Status StripLevels::tell_inaccurate(const Solver& fine, double reached) {
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "frames: the error on the finest frames is about %.2g %%, %.2g %% was asked for (option "
+                "frame_accuracy)",
+                100 * reached, 100 * fine.scene.options.frame_accuracy);
+  fine.host.caveat(Status::inaccurate, text);
+  return Status::inaccurate;
+}
+
+void StripLevels::forget() {
+  for (StripFrames& strips : strips_) strips.forget();
+}
+
+}  // namespace rollcon
