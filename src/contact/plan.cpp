@@ -106,7 +106,7 @@ void describe_procedure(std::string& text, const Solution& s, const Effort& effo
 
 // Says where the solution came from; fallbacks after the first look wherever they can.
 const char* branch_of(const NewtonReport& report) {
-  const bool by_degrees = report.saved[static_cast<std::size_t>(Rung::fall_from_rest)] > 0;
+  const bool by_degrees = report.saved[static_cast<std::size_t>(Rung::follow_loads)] > 0;
   const bool others = report.fallbacks > (report.saved[static_cast<std::size_t>(Rung::cold)] > 0);
   if (!by_degrees && others) return "was found by a fallback, from stick or not";
   return by_degrees || report.from_nothing ? "begins with stick" : "continues the last solution";

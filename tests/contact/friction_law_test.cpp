@@ -144,31 +144,6 @@ TEST(friction_law, capacity_bounds_tractions_and_is_reached) {
   }
 }
 
-// The slip that is left belongs to the traction found: the projection does not move it.
-TEST(friction_law, a_node_is_solved_with_its_own_response) {
-  for (const Tried& each : tried()) {
-    const FrictionLaw* law = &each.law();
-    const char* name = each.name.c_str();
-    frames::Random random(7);
-    double worst = 0;
-    for (int trial = 0; trial < 200; ++trial) {
-      const double a = 1.5 + random(), b = 1.5 + random(), c = 0.4 * random();
-      const NodeResponse response{{{a, c}, {c, b}}};
-      const std::array<double, 2> old{random(), random()}, slip{3 * random(), 3 * random()};
-      const double pressure = 2 + random();
-      const auto t = law->solve(response, {mu, pressure, old[0], old[1], slip[0], slip[1]});
-      const double d1 = t[0] - old[0], d2 = t[1] - old[1];
-      const double s1 = slip[0] + a * d1 + c * d2, s2 = slip[1] + c * d1 + b * d2;
-      const FrictionTraction back = law->traction({mu, pressure, t[0], t[1], s1, s2, 1});
-      worst = std::max(worst, std::hypot(back.t1 - t[0], back.t2 - t[1]));
-    }
-    std::printf("%s: solution of a node off by %.1e (bound 1e-9)\n", name, worst);
-    EXPECT_LT(worst, 1e-9);
-    const auto none = law->solve({{{1, 0}, {0, 1}}}, {0, 2, 0.1, 0.1, 1, 2});
-    EXPECT_EQ(std::hypot(none[0], none[1]), 0);
-  }
-}
-
 // Friction falls from nothing: all parameters are 0 except the speed.
 TEST(friction_law, laws_without_friction_are_numbers) {
   for (const LawName& name : law_names()) {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "contact/laws/friction_law.hpp"
-#include "contact/laws/node_root.hpp"
 #include "contact/laws/parameters.hpp"
 
 namespace rollcon {
@@ -44,12 +43,6 @@ class Coulomb final : public FrictionLaw {
       law.constant[1] = bound * e2;
     }
     return law;
-  }
-
-  std::array<double, 2> solve(const NodeResponse& response, const FrictionPoint& p) const override {
-    const auto& b = response.b;
-    return solve_on_disk(response, p.s1 - b[0][0] * p.t1 - b[0][1] * p.t2, p.s2 - b[1][0] * p.t1 - b[1][1] * p.t2,
-                         p.mu * p.pressure, {p.t1, p.t2});
   }
 };
 

@@ -11,9 +11,6 @@ class CoulombGiven : public FrictionLaw {
   TangentialLaw linearise(const FrictionPoint& p, bool bound_follows) const override {
     return coulomb().linearise(p, bound_follows);
   }
-  std::array<double, 2> solve(const NodeResponse& response, const FrictionPoint& p) const override {
-    return coulomb().solve(response, p);
-  }
 };
 
 }  // namespace rollcon

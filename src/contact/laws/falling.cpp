@@ -6,11 +6,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <numbers>
 
 #include "contact/laws/friction_law.hpp"
-#include "contact/laws/node_root.hpp"
 #include "contact/laws/parameters.hpp"
 
 namespace rollcon {
@@ -84,29 +82,6 @@ class Falling final : public FrictionLaw {
     }
     if (slope == 0 || speed == 0) law.direction[0] = e[0], law.direction[1] = e[1];
     return law;
-  }
-
-  // Finds the least speed, from rest on, at which the traction that belongs to it leaves that slip.
-  std::array<double, 2> solve(const NodeResponse& response, const FrictionPoint& p) const override {
-    const auto& b = response.b;
-    const double s1 = p.s1 - b[0][0] * p.t1 - b[0][1] * p.t2, s2 = p.s2 - b[1][0] * p.t1 - b[1][1] * p.t2;
-    std::array<double, 2> t{};
-    const auto beyond = [&](double speed) {
-      const double bound = p.mu * ratio(p.falling * speed).value * p.pressure;
-      t = solve_on_disk(response, s1, s2, bound, {p.t1, p.t2});
-      return std::hypot(s1 + b[0][0] * t[0] + b[0][1] * t[1], s2 + b[1][0] * t[0] + b[1][1] * t[1]) - speed;
-    };
-    constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
-    const double free = std::hypot(s1, s2);
-    if (!(beyond(0) > rounding * free)) return t;
-    double low = 0,
-           high = free + std::hypot(std::hypot(b[0][0], b[0][1]), std::hypot(b[1][0], b[1][1])) * p.mu * p.pressure;
-    for (int i = 0; i < 100 && high - low > 1e-15 * high; ++i) {
-      const double middle = 0.5 * (low + high);
-      (beyond(middle) > 0 ? low : high) = middle;
-    }
-    beyond(high);
-    return t;
   }
 
   bool falls() const override { return true; }

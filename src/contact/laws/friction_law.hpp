@@ -1,6 +1,6 @@
 #pragma once
-/// Defines friction at one node: what Newton's iteration, the limit of loads and the relaxation ask of it. A law is one
-/// file of this folder.
+/// Defines friction at one node: what Newton's iteration and the limit of loads ask of it. A law is one file of this
+/// folder.
 
 #include <array>
 #include <cmath>
@@ -63,11 +63,6 @@ inline FrictionTraction within_bound(double a1, double a2, double length, double
   return {factor * a1, factor * a2, bound, length, !(length < bound)};
 }
 
-/// Holds the slip (over speed) of a node per unit of its own tangential tractions.
-struct NodeResponse {
-  double b[2][2];
-};
-
 /// Defines a law, whose coefficients are those of the nodes times functions that are the law's own: none exceeds 1, so
 /// a node's coefficient is the greatest there.
 class FrictionLaw {
@@ -83,9 +78,6 @@ class FrictionLaw {
   virtual std::array<std::array<double, 2>, 2> capacity(double mu, double pressure) const {
     return {{{mu * pressure, 0}, {0, mu * pressure}}};
   }
-  /// Finds tractions that keep the law at one node under the pressure, the slip being linear in them; the point has the
-  /// tractions and the slip so far, and needs no scale.
-  virtual std::array<double, 2> solve(const NodeResponse& response, const FrictionPoint& point) const = 0;
   /// Returns the direction (of unit length) against which a node slides under the point's traction, which is not zero.
   virtual std::array<double, 2> against(const FrictionPoint& point) const {
     const double length = std::hypot(point.t1, point.t2);

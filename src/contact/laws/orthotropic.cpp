@@ -10,7 +10,6 @@
 #include <cstdio>
 
 #include "contact/laws/friction_law.hpp"
-#include "contact/laws/node_root.hpp"
 #include "contact/laws/parameters.hpp"
 
 namespace rollcon {
@@ -119,21 +118,6 @@ class Associated final : public Ellipse {
     return law;
   }
 
-  // Solves in the plane of the disk, where B becomes sigma = N B N tau.
-  std::array<double, 2> solve(const NodeResponse& response, const FrictionPoint& p) const override {
-    const auto& b = response.b;
-    const double s1 = p.s1 - b[0][0] * p.t1 - b[0][1] * p.t2, s2 = p.s2 - b[1][0] * p.t1 - b[1][1] * p.t2;
-    NodeResponse there{};
-    for (std::size_t j = 0; j < 2; ++j) {
-      const auto column = n_.times(j == 0, j == 1);
-      const auto moved = n_.times(b[0][0] * column[0] + b[0][1] * column[1], b[1][0] * column[0] + b[1][1] * column[1]);
-      there.b[0][j] = moved[0], there.b[1][j] = moved[1];
-    }
-    const auto sigma = n_.times(s1, s2);
-    const auto t = solve_on_disk(there, sigma[0], sigma[1], p.mu * p.pressure, tau(p.t1, p.t2));
-    return n_.times(t[0], t[1]);
-  }
-
   std::array<double, 2> against(const FrictionPoint& p) const override {
     const auto on = tau(p.t1, p.t2);
     const auto normal = inverse_.times(on[0], on[1]);
@@ -176,25 +160,6 @@ class Collinear final : public Ellipse {
     TangentialLaw law = rows(by_a, by_a, {p.mu * a[0], p.mu * a[1]}, p.pressure, bound_follows);
     set_direction(law, g);
     return law;
-  }
-
-  // Repeats with the bound, which depends on the direction found: halved in between, it settles soon.
-  std::array<double, 2> solve(const NodeResponse& response, const FrictionPoint& p) const override {
-    const auto& b = response.b;
-    const double s1 = p.s1 - b[0][0] * p.t1 - b[0][1] * p.t2, s2 = p.s2 - b[1][0] * p.t1 - b[1][1] * p.t2;
-    std::array<double, 2> t{p.t1, p.t2};
-    double bound = p.mu * p.pressure;
-    for (int round = 0; round < 100; ++round) {
-      t = solve_on_disk(response, s1, s2, bound, t);
-      const double length = std::hypot(t[0], t[1]);
-      if (!(length > 0)) return t;
-      const auto on = tau(t[0], t[1]);
-      const double wanted = p.mu * p.pressure * length / std::hypot(on[0], on[1]);
-      if (length < wanted * (1 - 1e-12) && length < bound * (1 - 1e-12)) return t;
-      if (std::abs(wanted - bound) <= 1e-13 * bound) return t;
-      bound = wanted;
-    }
-    return t;
   }
 
   std::string description() const override { return describe("against the traction"); }

@@ -172,18 +172,10 @@ Outcome Newton::fall_back() {
     outcome = guarded(strategy(iteration_));
     solve_.report.saved[static_cast<std::size_t>(rung)] += finished(outcome);
   };
-  if (solve_.problem->law->falls()) {
-    next(Rung::fall_from_rest, [](NewtonIteration& newton) { return fall_from_rest(newton, newton.solve().given); });
-    next(Rung::bracket_creep, bracket_before_fall);
-    next(Rung::search_creep, follow_before_fall);
-  }
-  next(Rung::bracket_creep, bracket_creep);
-  next(Rung::relax, relax);
-  next(Rung::search_creep, search_creep);
+  if (solve_.given.tangential_load()) next(Rung::follow_loads, follow_loads);
   next(Rung::rescale_slip, rescale_slip);
-  next(Rung::friction_from_above, [](NewtonIteration& newton) { return continue_in_friction(newton, true); });
   if (solve_.goal == Part::full) next(Rung::alternate, alternate);
-  next(Rung::friction_from_below, [](NewtonIteration& newton) { return continue_in_friction(newton, false); });
+  next(Rung::grow_friction, grow_friction);
   return outcome;
 }
 

@@ -34,16 +34,12 @@ enum class Outcome { converged, not_converged, cancelled, no_contact, no_solutio
 enum class Rung {
   approach_of_pressures,  ///< a bracket of the approach, for the normal part alone
   cold,                   ///< a warm start left for a cold one
-  bracket_creep,
-  relax,
-  search_creep,
+  follow_loads,
   rescale_slip,
-  friction_from_above,
   alternate,
-  friction_from_below,
-  fall_from_rest,  ///< friction that falls with slip, by degrees
+  grow_friction,
 };
-inline constexpr std::size_t rungs = 10;
+inline constexpr std::size_t rungs = 6;
 
 struct NewtonReport {
   Outcome outcome = Outcome::not_converged;

@@ -1,4 +1,4 @@
-/// Reaches the problem by way of others: another scale of slip, one part after the other, more or less friction.
+/// Reaches the problem by way of others: another scale of slip, one part after the other, less friction.
 
 #include <algorithm>
 #include <cmath>
@@ -8,12 +8,6 @@
 #include "contact/newton/strategies/strategies.hpp"
 
 namespace rollcon {
-namespace {
-
-constexpr double plenty_of_friction = 0.5;
-
-}  // namespace
-
 Outcome rescale_slip(NewtonIteration& newton) {
   Solve& s = newton.solve();
   Prescribed given = s.given;
@@ -49,37 +43,26 @@ Outcome alternate(NewtonIteration& newton) {
   return outcome;
 }
 
-Outcome continue_in_friction(NewtonIteration& newton, bool from_above) {
+Outcome grow_friction(NewtonIteration& newton) {
   Solve& s = newton.solve();
   const Problem& p = *s.problem;
   Iterate& it = *s.iterate;
-  const double largest = s.given.friction * *std::max_element(p.mu.begin(), p.mu.end());
-  const double top = plenty_of_friction / largest;
-  if (from_above && !(top > 2 && std::isfinite(top))) return Outcome::not_converged;
-  Prescribed given = s.given;
-  const auto set = [&](double part) {
-    const double factor = from_above ? std::pow(top, 1 - part) : part;
-    given.friction = factor * s.given.friction;
-    for (const int m : {xi1, xi2, spin}) {
-      const auto i = static_cast<std::size_t>(m);
-      if (!given.by_force[i]) continue;
-      const double asked = s.given.value[i], carried = load_of_pressures(p, m, it.lambda[2]);
-      given.value[i] = part < 1 ? carried + factor * (asked - carried) : asked;
-    }
-  };
   const double loose = std::max(s.tolerance, 1e-6);
   start_cold(p, s.given, it);
   guess_start(p, s.given, it);
-  Outcome outcome = newton.run(Part::normal, s.given, {.tolerance = s.goal == Part::full ? loose : s.tolerance});
-  if (s.goal == Part::tangential && outcome != Outcome::converged) return outcome;
-  if (from_above && outcome == Outcome::converged) {
-    set(0);
-    outcome = newton.run(s.goal, given, {.tolerance = loose, .stick_first = true, .rehearsal = true});
-  }
+  const Outcome outcome = newton.run(Part::normal, s.given, {.tolerance = s.goal == Part::full ? loose : s.tolerance});
   if (outcome != Outcome::converged) return outcome;
+  Prescribed given = s.given;
   return continuation_steps(newton, 0.25, [&](double part) {
-    set(part);
-    return part == 1 ? newton.run(s.goal, s.given) : newton.run(s.goal, given, {.tolerance = loose, .rehearsal = true});
+    if (part == 1) return newton.run(s.goal, s.given);
+    given.friction = part * s.given.friction;
+    for (const int m : {xi1, xi2, spin}) {
+      const auto i = static_cast<std::size_t>(m);
+      if (!given.by_force[i]) continue;
+      const double carried = load_of_pressures(p, m, it.lambda[2]);
+      given.value[i] = carried + part * (s.given.value[i] - carried);
+    }
+    return newton.run(s.goal, given, {.tolerance = loose, .rehearsal = true});
   });
 }
 

@@ -36,7 +36,7 @@ Outcome fall_from_rest(NewtonIteration& newton, const Prescribed& wanted, const 
   outcome = newton.run(s.goal, given, {.tolerance = loose, .stick_first = wanted.tangential_load(), .rehearsal = true});
   if (outcome != Outcome::converged) return outcome;
   // A tenth is a small step, too, where slip is small against the law's speeds.
-  return continuation_steps(newton, 0.1, [&](double part) {
+  return continuation_steps(newton, s.problem->law->falls() ? 0.1 : 1.0, [&](double part) {
     given.falling = part;
     return part == 1 ? newton.run(s.goal, wanted, last)
                      : newton.run(s.goal, given, {.tolerance = loose, .rehearsal = true});

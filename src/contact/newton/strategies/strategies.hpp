@@ -6,32 +6,22 @@
 
 namespace rollcon {
 
-/// Finds one prescribed tangential load by bracketing its motion from the outside: given motions converge where given
-/// forces get stuck, and a load falls as its motion grows.
-Outcome bracket_creep(NewtonIteration& newton);
-/// Brackets one load under friction that falls with the slip speed, from stick on; no_solution where the load is beyond
-/// the greatest on that branch.
-Outcome bracket_before_fall(NewtonIteration& newton);
-/// Follows the branch of several loads, which grow in proportion, under falling friction as far as it takes, past the
-/// greatest loads on it.
-Outcome follow_before_fall(NewtonIteration& newton);
-/// Brackets the approach for the normal part's prescribed load, from the first touch on.
+// Numbers say how many of 9,675 solves, of which 33 do not converge, are lost without a fallback (docs/stability.md).
+
+/// Brackets the approach for the normal part's prescribed load, from the first touch on. (Of 800 small loads on
+/// quadratic elements 98 are lost without it.)
 Outcome bracket_approach(NewtonIteration& newton, double tolerance);
-/// Finds several prescribed tangential loads from the outside: few unknowns, so a Newton iteration with differences
-/// does.
-Outcome search_creep(NewtonIteration& newton);
-/// Relaxes node by node: slow, but it does not cycle between states as Newton's steps may.
-Outcome relax(NewtonIteration& newton);
+/// Finds prescribed tangential loads from the outside: by damped steps of the motions, or on the branch that begins
+/// with stick; no_solution where friction falls and the loads are beyond the greatest on that branch. (LOADS)
+Outcome follow_loads(NewtonIteration& newton);
 /// Solves with another scale r_t, which does not change the solution but does change the path: a cycle between two
-/// states of a few nodes is often left.
+/// states of a few nodes is often left. (7)
 Outcome rescale_slip(NewtonIteration& newton);
 /// Solves normal and tangential problems in turn, each with the other's tractions held, which contracts for moderate
-/// friction; then takes the full step again.
+/// friction; then takes the full step again. (9)
 Outcome alternate(NewtonIteration& newton);
-/// Changes friction and the tangential loads together, each step starting from the last solution: from none upwards, or
-/// down from friction so high that nearly all sticks. The way down is for friction that is small against the strains
-/// that pressures alone cause in unlike bodies.
-Outcome continue_in_friction(NewtonIteration& newton, bool from_above);
+/// Grows friction and the tangential loads together from none, each step starting from the last solution. (30)
+Outcome grow_friction(NewtonIteration& newton);
 
 /// Solves the problem with friction as at rest, roughly: solutions under friction that falls with slip begin there.
 Outcome run_as_at_rest(NewtonIteration& newton);
