@@ -63,6 +63,16 @@ TEST(fallback_scenes, end_solved_or_refused) {
   EXPECT_EQ(loads, static_cast<int>(std::size(refused)));
 }
 
+// Given motions converge where given loads do not, and no sum of friction under other pressures refuses the loads.
+TEST(fallback_scenes, loads_are_found_by_their_motions) {
+  for (const Scene& scene : {extremes::forces_scene(310), extremes::random_scene(1577)}) {
+    const Ending e = solve(scene).end;
+    EXPECT_TRUE(e.solved()) << scene.name << ": " << e.status << " " << e.message;
+    EXPECT_LE(e.law.worst(), law_bound) << scene.name;
+    EXPECT_GE(e.fallbacks, 1) << scene.name;
+  }
+}
+
 // Residuals are those of the scene, in the scale of every other solve, so nothing is left to do.
 TEST(fallback_scenes, are_solved_when_solved_again) {
   for (const double tolerance : {1e-4, 1e-10})

@@ -6,21 +6,21 @@
 
 namespace rollcon {
 
-// Numbers say how many of 9,675 solves, of which 33 do not converge, are lost without a fallback (docs/stability.md).
+// Numbers say how many of 9,675 solves, of which 36 do not converge, are lost without a fallback (docs/stability.md).
 
 /// Brackets the approach for the normal part's prescribed load, from the first touch on. (Of 800 small loads on
 /// quadratic elements 98 are lost without it.)
 Outcome bracket_approach(NewtonIteration& newton, double tolerance);
 /// Finds prescribed tangential loads from the outside: by damped steps of the motions, or on the branch that begins
-/// with stick; no_solution where friction falls and the loads are beyond the greatest on that branch. (LOADS)
+/// with stick; no_solution where friction falls and the loads are beyond the greatest on that branch. (61)
 Outcome follow_loads(NewtonIteration& newton);
 /// Solves with another scale r_t, which does not change the solution but does change the path: a cycle between two
-/// states of a few nodes is often left. (7)
+/// states of a few nodes is often left. (6)
 Outcome rescale_slip(NewtonIteration& newton);
 /// Solves normal and tangential problems in turn, each with the other's tractions held, which contracts for moderate
-/// friction; then takes the full step again. (9)
+/// friction; then takes the full step again. (8)
 Outcome alternate(NewtonIteration& newton);
-/// Grows friction and the tangential loads together from none, each step starting from the last solution. (30)
+/// Grows friction and the tangential loads together from none, each step starting from the last solution. (28)
 Outcome grow_friction(NewtonIteration& newton);
 
 /// Solves the problem with friction as at rest, roughly: solutions under friction that falls with slip begin there.
