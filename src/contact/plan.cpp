@@ -221,7 +221,7 @@ std::string describe_plan(Solver& solver, const Body& body1, const Body& body2) 
       line(text, "%s: unknown of the Newton system (its load is given)", names[m]);
     }
   if (!s.procedure.standard()) describe_procedure(text, s, effort, scene.options);
-  if (op.normal && op.dense())
+  if (op.normal && !op.all_at_once())
     line(text, "operators: %lld nodes, %.1f MB, assembled %lld time(s) by this contact",
          static_cast<long long>(op.nodes), static_cast<double>(op.bytes()) / 1e6,
          static_cast<long long>(builds.operators));

@@ -128,9 +128,8 @@ void ContactEquations::contact_matrix(const Blocks& blocks, RowMatrix<double>& o
     for (std::size_t c = 0; c < 3; ++c) {
       bool any = false;
       for (std::size_t r = 0; r < 3; ++r) {
-        const RowMatrix<double>* block = blocks[r][c];
-        if (row.image[r] == 0 || !block || block->empty()) continue;
-        const double *from = block->row(row.node), w = row.image[r];
+        if (row.image[r] == 0 || !blocks[r][c]) continue;
+        const double *from = blocks[r][c] + row.node * problem_.nodes, w = row.image[r];
         for (std::size_t i = 0; i < na; ++i) image[i] = w * from[node_[i]] + (any ? image[i] : 0);
         any = true;
       }

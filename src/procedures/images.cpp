@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact/operators/dense_operators.hpp"
 #include "support/index.hpp"
 
 namespace rollcon {
@@ -33,11 +32,11 @@ Images::Images(const Problem& problem, const Frame& frame, const Compliance& com
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 3; ++c) {
       if (!wanted(r, c)) continue;
-      block_[at(r)][at(c)] = &problem.op->dense()->block[r][c];
+      block_[at(r)][at(c)] = problem.op->row(r, c, 0);
       if (kind != Tangential::shift || r == 2 || (c == 2 && !problem.op->coupled)) continue;
       own_[r][c].resize(problem.nodes, problem.nodes);
       out.a[r][c] = own_[r][c].data();
-      block_[at(r)][at(c)] = &own_[r][c];
+      block_[at(r)][at(c)] = own_[r][c].data();
     }
   if (kind == Tangential::shift) compliance.block({frame.x, frame.y}, out);
 }
@@ -60,7 +59,7 @@ Images::Images(const Problem& problem, const ExpandedCompliance& expanded, const
       if (vanishes(made))
         made.release();
       else
-        block_[at(r)][at(c)] = &made;
+        block_[at(r)][at(c)] = made.data();
     }
   unknown_.begin(bodies.unknowns());
   for (std::int64_t k = 0; k < n; ++k)
@@ -83,8 +82,7 @@ void Images::apply(Point& z) const {
     std::vector<double>& image = *to[r];
     image.assign(at(n), 0.0);
     for (std::size_t c = 0; c < 3; ++c)
-      if (const auto* block = block_[at(r)][c]; block && !block->empty())
-        multiply(block->data(), n, n, z.lambda[c].data(), 1, image.data());
+      if (const double* block = block_[at(r)][c]) multiply(block, n, n, z.lambda[c].data(), 1, image.data());
     for (std::int64_t k = 0; k < n; ++k)
       per_unknown(k, r, [&](std::int64_t i, double v) { image[at(k)] += v * z.inner[at(i)]; });
   }
@@ -123,8 +121,8 @@ Blocks Images::rough(const Frame& frame) {
       });
   }
   Blocks made{};
-  made[2][2] = &normal;
-  if (tangential) made[0][0] = made[1][1] = &along;
+  made[2][2] = normal.data();
+  if (tangential) made[0][0] = made[1][1] = along.data();
   return made;
 }
 

@@ -13,12 +13,11 @@ namespace rollcon {
 /// which D makes the slip (reduced unknowns).
 enum class Tangential { none, slip, shift };
 
-/// Holds image r (0, 1 tangential, 2 normal) per traction c, n by n; null or empty stands for zero.
-using Blocks = std::array<std::array<const RowMatrix<double>*, 3>, 3>;
+/// Holds image r (0, 1 tangential, 2 normal) per traction c, n by n, row by row; null stands for zero.
+using Blocks = std::array<std::array<const double*, 3>, 3>;
 
 inline bool has_entries(const Blocks& blocks) {
-  const RowMatrix<double>* normal = blocks[2][2];
-  return normal && !normal->empty();
+  return blocks[2][2] != nullptr;
 }
 
 class Images {

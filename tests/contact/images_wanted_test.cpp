@@ -28,7 +28,6 @@ class Noting final : public Operators {
   std::int64_t applications() const override { return calls_; }
 
  private:
-  Lattice lattice_;
   mutable std::int64_t calls_ = 0;
 };
 

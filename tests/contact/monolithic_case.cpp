@@ -177,9 +177,10 @@ Point image_of(const Case& c, Point z) {
     for (int j = 0; j < 3; ++j)
       if (!row[j].empty()) multiply(row[j].data(), n, n, z.lambda[j].data(), 1, to.data());
   };
-  product(c.problem.op->dense()->block[2], z.depth);
+  const auto& op = dynamic_cast<const DenseOperators&>(*c.problem.op);
+  product(op.block[2], z.depth);
   for (int r = 0; r < 2; ++r) {
-    product(c.problem.op->dense()->block[r], z.slip[r]);
+    product(op.block[r], z.slip[r]);
     product(a[r], z.shift[r]);
   }
   return z;
@@ -227,8 +228,8 @@ Point condensed_step(const Case& c) {
   std::vector<double> b(at(size));
   const auto operator_row = [&](int r, std::int64_t k, double factor, double* row) {
     for (int j = 0; j < 3; ++j)
-      if (!p.op->dense()->block[r][j].empty())
-        for (std::int64_t i = 0; i < n; ++i) row[3 * i + j] += factor * p.op->dense()->block[r][j].row(k)[i];
+      if (const double* from = p.op->row(r, j, at(k)))
+        for (std::int64_t i = 0; i < n; ++i) row[3 * i + j] += factor * from[i];
   };
   for (std::int64_t k = 0; k < n; ++k) {
     const PairState state = c.step.state[at(k)];

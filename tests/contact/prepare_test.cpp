@@ -114,7 +114,7 @@ TEST(coupling, blocks_of_rounding_are_dropped) {
     scene.run();
     scene.change(nullptr, coupling);
     scene.run();
-    const DenseOperators& op = *scene.preparation.made->problem.op->dense();
+    const auto& op = dynamic_cast<const DenseOperators&>(*scene.preparation.made->problem.op);
     const bool dropped = coupling < 1e-10;
     EXPECT_EQ(op.coupled, !dropped);
     EXPECT_EQ(op.coupling_vanished, dropped);

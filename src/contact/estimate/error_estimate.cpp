@@ -128,7 +128,7 @@ void estimate(const Solution& s, ErrorEstimate& e) {
   e.tangential = friction ? 1 : 0;
   // A comparison of two discretisations of an edge says nothing about a contact.
   if (too_few_nodes(s)) return;
-  if (s.prepared->problem.op->influence()) return estimate_on_lattice(s, e);
+  if (s.prepared->problem.op->on_lattice()) return estimate_on_lattice(s, e);
   const Sums whole = sums_of(s, solution);
   const bool characteristic = s.prepared->scheme == Scheme::characteristic;
 

@@ -115,7 +115,7 @@ void Variant::assemble(const Solution& s, bool tangential) {
   frictionless_ = !tangential;
   const auto op = std::make_shared<DenseOperators>();
   // A monolithic solve has no rows to take.
-  if (s.prepared->problem.op->normal) take_normal_rows(*s.prepared->problem.op->dense(), *space_, *op);
+  if (s.prepared->problem.op->normal) take_normal_rows(*s.prepared->problem.op, *space_, *op);
   assemble_operators(space_->frame, *compliance_, problem_.convection, tangential, *op);
   op->loosen_held_tangents(problem_.used, !problem_.convection.ahead.empty());
   if (tangential && s.prepared->scheme != Scheme::time_step) move_given_slip(s);

@@ -1,4 +1,11 @@
-#include "contact/linear/lattice_preconditioner.hpp"
+/// Inverts Newton's systems approximately on a lattice of half-spaces, by FFT in single precision.
+///
+/// Rows of sticking nodes say D (A lambda)_t = given. Convection is undone first, summing slip along the flow from the
+/// leading edge (an upwind sweep), which leaves displacements; these are turned into tractions by the symbol of A^-1 on
+/// the infinite plane,
+///   k / (2 pi) (e e^T / cn + (1 - e e^T) / (cn + cv)),   e = k / |k|,
+/// restricted to the nodes in question. Rows of the normal law are inverted by k / (2 pi cn), rows of sliding nodes
+/// node by node, borders exactly. Iterations grow slowly with the lattice (docs/theory.md, section 7).
 
 #include <algorithm>
 #include <array>
@@ -8,6 +15,7 @@
 #include <vector>
 
 #include "contact/linear/reduced_system.hpp"
+#include "contact/operators/lattice/lattice_operator.hpp"
 #include "linalg/lu.hpp"
 #include "linalg/plane_fft.hpp"
 #include "support/index.hpp"
@@ -251,8 +259,9 @@ void LatticePreconditioner::tangential_rows(const double* x, double* y) {
 
 }  // namespace
 
-std::unique_ptr<FieldPreconditioner> make_lattice_preconditioner(const LatticeInfluence& influence) {
-  return std::make_unique<LatticePreconditioner>(influence);
+// Flow goes along -t1 of the frame's axes.
+std::unique_ptr<FieldPreconditioner> LatticeOperator::make_preconditioner() const {
+  return std::make_unique<LatticePreconditioner>(influence());
 }
 
 }  // namespace rollcon

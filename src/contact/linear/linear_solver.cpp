@@ -119,7 +119,7 @@ bool LinearSolver::solve_field(ReducedSystem& system, const std::vector<double>&
   const std::int64_t n = system.size();
   x.resize(static_cast<std::size_t>(n));
   gmres_.reserve(with_room(n), field_krylov_space);
-  if (!field_blocks_) field_blocks_ = make_lattice_preconditioner(*system.operators().influence());
+  if (!field_blocks_) field_blocks_ = system.operators().make_preconditioner();
   field_blocks_->take(system);
   const GmresReport report = gmres_.solve(n, system, *field_blocks_, b.data(), x.data(), tolerance, field_iterations);
   iterations += report.iterations;

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "contact/linear/free_system.hpp"
-#include "contact/linear/lattice_preconditioner.hpp"
 #include "contact/linear/reduced_system.hpp"
 #include "contact/linear/split_factors.hpp"
 #include "contact/scene/linear_method.hpp"

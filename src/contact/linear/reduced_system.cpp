@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/operators/dense_operators.hpp"
 #include "support/index.hpp"
 
 namespace rollcon {
@@ -22,8 +21,7 @@ void ReducedSystem::gather(const Problem& problem, const Prescribed& given, Part
     const auto na = static_cast<std::int64_t>(nodes_.size());
     const std::int64_t rows = rows_ = count_ * na;
     op_ = problem.op.get();
-    const DenseOperators* dense = op_->dense();
-    formed_ = dense != nullptr;
+    formed_ = !op_->all_at_once();
     product_.resize(static_cast<std::size_t>(rows));
     law_.resize(nodes_.size());
     rn_.resize(nodes_.size());
@@ -33,7 +31,7 @@ void ReducedSystem::gather(const Problem& problem, const Prescribed& given, Part
       rn_[a] = problem.rn[i];
       rt_[a] = problem.rt.empty() ? 0 : given.slip_scale * problem.rt[i];
     }
-    if (!dense) {
+    if (!formed_) {
       for (int c = 0; c < count_; ++c)
         for (std::vector<double>* v : {&field_lambda_[component(c)], &field_image_[component(c)]})
           v->assign(static_cast<std::size_t>(problem.nodes), 0.0);
@@ -49,13 +47,9 @@ void ReducedSystem::gather(const Problem& problem, const Prescribed& given, Part
         const double scale = row == 2 ? rn_[static_cast<std::size_t>(a)] : rt_[static_cast<std::size_t>(a)];
         double* out = matrix_.row(r * na + a);
         for (int c = 0; c < count_; ++c, out += na) {
-          const RowMatrix<double>& block = dense->block[row][component(c)];
-          if (block.empty()) {
-            std::fill(out, out + na, 0.0);
-            continue;
-          }
-          const double* from = block.row(nodes_[static_cast<std::size_t>(a)]);
-          for (std::int64_t j = 0; j < na; ++j) out[j] = scale * from[nodes_[static_cast<std::size_t>(j)]];
+          const double* from =
+              op_->row(row, component(c), static_cast<std::size_t>(nodes_[static_cast<std::size_t>(a)]));
+          for (std::int64_t j = 0; j < na; ++j) out[j] = from ? scale * from[nodes_[static_cast<std::size_t>(j)]] : 0;
         }
       }
   }

@@ -30,12 +30,14 @@ class DenseOperators final : public Operators {
   void images(Components wanted, Components columns, std::span<const std::int32_t> at,
               const std::vector<double> (&lambda)[3], std::vector<double> (&image)[3]) const override;
   bool all_at_once() const override { return false; }
+  const double* row(int r, int c, std::size_t k) const override {
+    return block[r][c].empty() ? nullptr : block[r][c].row(static_cast<std::int64_t>(k));
+  }
   double own(int r, int c, std::size_t k) const override {
-    const auto i = static_cast<std::int64_t>(k);
-    return block[r][c].empty() ? 0 : block[r][c].row(i)[i];
+    const double* all = row(r, c, k);
+    return all ? all[k] : 0;
   }
   double slip_norm(int r, std::size_t k) const override;
-  const DenseOperators* dense() const override { return this; }
   std::size_t bytes() const override;
 };
 

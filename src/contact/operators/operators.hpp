@@ -9,12 +9,11 @@
 #include <span>
 #include <vector>
 
-#include "bodies/model/translation.hpp"
-#include "mesh/lattice.hpp"
+#include "linalg/gmres.hpp"
 
 namespace rollcon {
 
-class DenseOperators;
+class ReducedSystem;  // contact/linear/reduced_system.hpp
 
 /// Selects some of the rows or columns.
 struct Components {
@@ -24,11 +23,12 @@ struct Components {
 };
 inline constexpr Components slip_components{0, 1}, normal_component{2, 2};
 
-/// Holds a lattice and what its influence is computed from.
-struct LatticeInfluence {
-  const Lattice& lattice;
-  const TranslationKernel& kernel;
-  bool displacements = false;  ///< slip rows give displacements as they are
+/// Inverts a system on active nodes approximately where its operators are not formed.
+class FieldPreconditioner : public LinearOperator {
+ public:
+  /// Brings it up to date with the system's nodes, laws and borders.
+  virtual void take(const ReducedSystem& system) = 0;
+  virtual std::size_t bytes() const = 0;
 };
 
 class Operators {
@@ -45,16 +45,20 @@ class Operators {
   /// threads may ask at once.
   virtual void images(Components wanted, Components columns, std::span<const std::int32_t> nodes,
                       const std::vector<double> (&lambda)[3], std::vector<double> (&image)[3]) const = 0;
-  /// Says whether images() finds those of all nodes at once, and with coupling all rows at the price of one.
+  /// Says whether images() finds those of all nodes at once, and with coupling all rows at the price of one: rows are
+  /// not formed then.
   virtual bool all_at_once() const = 0;
+  /// Returns row r of node k over the tractions c of all nodes, the rows of the nodes one behind the other; null: zero,
+  /// or rows are not formed.
+  virtual const double* row(int /*r*/, int /*c*/, std::size_t /*k*/) const { return nullptr; }
   /// Returns the entry of node k's own row r and column c.
   virtual double own(int r, int c, std::size_t k) const = 0;
   /// Returns the 2-norm of the tangential columns of slip row r of node k.
   virtual double slip_norm(int r, std::size_t k) const = 0;
-  /// Returns the rows as matrices; null: they are not formed.
-  virtual const DenseOperators* dense() const { return nullptr; }
-  /// Returns the lattice's influence; null: not known.
-  virtual const LatticeInfluence* influence() const { return nullptr; }
+  /// Makes what inverts Newton's systems approximately where rows are not formed; else null.
+  virtual std::unique_ptr<FieldPreconditioner> make_preconditioner() const { return nullptr; }
+  /// Says whether they are a lattice's, whose nodes respond all alike.
+  virtual bool on_lattice() const { return false; }
   virtual std::size_t bytes() const = 0;
   /// Counts applications to whole fields, so far.
   virtual std::int64_t applications() const { return 0; }

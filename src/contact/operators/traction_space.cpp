@@ -159,16 +159,15 @@ std::unique_ptr<Compliance> compliance_of(const Compliance& fine, const Traction
   return std::make_unique<SpaceCompliance>(fine, space);
 }
 
-void take_normal_rows(const DenseOperators& fine, const TractionSpace& space, DenseOperators& op) {
+void take_normal_rows(const Operators& fine, const TractionSpace& space, DenseOperators& op) {
   const std::int64_t m = space.frame.nodes();
   for (int c = 0; c < 3; ++c) {
-    const RowMatrix<double>& from = fine.block[2][c];
-    if (from.empty()) continue;
+    if (!fine.row(2, c, 0)) continue;
     op.block[2][c].resize(m, m);
     for (std::int64_t i = 0; i < m; ++i) {
       double* to = op.block[2][c].row(i);
       std::fill_n(to, m, 0.0);
-      add_columns(space, from.row(space.node[at(i)]), to);
+      add_columns(space, fine.row(2, c, at(space.node[at(i)])), to);
     }
   }
   op.normal = true;

@@ -28,7 +28,7 @@ TractionSpace loaded_space(const Frame& fine, const std::vector<double>& normal)
 /// Returns displacements of tractions in the space: same bodies, same integrals. Both must outlive it.
 std::unique_ptr<Compliance> compliance_of(const Compliance& fine, const TractionSpace& space);
 /// Makes normal rows from those of the fine frame, without any integral.
-void take_normal_rows(const DenseOperators& fine, const TractionSpace& space, DenseOperators& op);
+void take_normal_rows(const Operators& fine, const TractionSpace& space, DenseOperators& op);
 
 /// Turns sums over the fine frame's nodes (weights) into sums over the space's.
 std::vector<double> gather(const TractionSpace& space, const std::vector<double>& fine);

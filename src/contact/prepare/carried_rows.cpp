@@ -55,7 +55,7 @@ void CarriedRows::make(const Prepared& on) {
   differences_ = false;
   if (on.distance == 0) {
     rows_ = on.problem.op;
-  } else if (on.problem.op->all_at_once()) {
+  } else if (on.problem.op->on_lattice()) {
     differences_ = true;
     rows_ = std::make_shared<LatticeOperator>(*on.lattice, on.compliance->translation(), on.distance,
                                               on.problem.convection.rows);
@@ -70,7 +70,7 @@ void CarriedRows::make(const Prepared& on) {
       for (int c = 0; c < 3; ++c) {
         auto& block = dense_->block[r][c];
         if (block.empty()) continue;
-        const double* here = on.problem.op->dense()->block[r][c].data();
+        const double* here = on.problem.op->row(r, c, 0);
         for (std::int64_t i = 0; i < block.rows() * block.columns(); ++i)
           block.data()[i] = here[i] - on.distance * block.data()[i];
       }

@@ -103,7 +103,7 @@ bool fill_from_table(Preparation& preparation) {
 }
 
 void start_on_lattice(Solution& s, const Monitor& monitor) {
-  if (!s.prepared->problem.op->influence()) return;
+  if (!s.prepared->problem.op->on_lattice()) return;
   const std::vector<double>& pressure = s.iterate.lambda[2];
   if (std::any_of(pressure.begin(), pressure.end(), [](double l) { return l != 0; })) return;
   const bool steady = s.prepared->scheme != Scheme::time_step;
@@ -166,9 +166,9 @@ std::string describe_lattice(const Prepared& on) {
            "integrals" +
            describe_flaws(on);
   const Operators& op = *on.problem.op;
-  if (op.dense() && on.compliance->translation() && !on.lattice)
-    return "operators: dense, by integrals; " + on.no_lattice;
-  if (op.dense()) return {};
+  if (!op.on_lattice())
+    return on.compliance->translation() && !on.lattice ? "operators: dense, by integrals; " + on.no_lattice
+                                                       : std::string();
   char text[200];
   std::snprintf(text, sizeof text,
                 "operators: regular %lld x %lld grid, applied by FFT: no integrals, no "

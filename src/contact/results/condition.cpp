@@ -43,7 +43,7 @@ double find_condition(const Solution& s, Newton& newton) {
   const bool loaded = std::any_of(pressures.begin(), pressures.end(), [](double l) { return l < 0; });
   const Part goal = Newton::goal(s.prepared->problem, s.given, s.frictionless);
   const bool formed = op.normal && (goal == Part::normal || op.tangential);
-  if (!op.dense() || !formed || !loaded) return 0;
+  if (op.all_at_once() || !formed || !loaded) return 0;
   const auto of = [&](Part part) {
     return estimate_condition(newton.linearise(s.prepared->problem, s.given, s.iterate, part));
   };

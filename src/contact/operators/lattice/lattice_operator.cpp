@@ -200,8 +200,8 @@ double LatticeOperator::own(int r, int c, std::size_t /*k*/) const {
 double LatticeOperator::slip_norm(int r, std::size_t /*k*/) const {
   return shared_->norm[r];
 }
-const LatticeInfluence* LatticeOperator::influence() const {
-  return &shared_->influence;
+const LatticeInfluence& LatticeOperator::influence() const {
+  return shared_->influence;
 }
 
 std::size_t LatticeOperator::bytes() const {

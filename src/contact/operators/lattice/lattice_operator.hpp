@@ -14,6 +14,13 @@
 
 namespace rollcon {
 
+/// Holds a lattice and what its influence is computed from.
+struct LatticeInfluence {
+  const Lattice& lattice;
+  const TranslationKernel& kernel;
+  bool displacements = false;  ///< slip rows give displacements as they are
+};
+
 class LatticeOperator final : public Operators {
  public:
   /// Prepares the operators. delta > 0: characteristic scheme, distance to the upstream point (the same at all nodes).
@@ -32,7 +39,9 @@ class LatticeOperator final : public Operators {
   /// Returns the entry of a node amid the others, as all are taken to be.
   double own(int r, int c, std::size_t k) const override;
   double slip_norm(int r, std::size_t k) const override;
-  const LatticeInfluence* influence() const override;
+  const LatticeInfluence& influence() const;
+  std::unique_ptr<FieldPreconditioner> make_preconditioner() const override;  ///< linear/lattice_preconditioner.cpp
+  bool on_lattice() const override { return true; }
   std::size_t bytes() const override;
   std::int64_t applications() const override { return applications_.load(); }
 
