@@ -12,7 +12,7 @@ namespace rollcon {
 /// quadratic elements 98 are lost without it.)
 Outcome bracket_approach(NewtonIteration& newton, double tolerance);
 /// Finds prescribed tangential loads from the outside: by damped steps of the motions, or on the branch that begins
-/// with stick; no_solution where friction falls and the loads are beyond the greatest on that branch. (61)
+/// with stick; no_solution where friction falls and the loads are beyond the greatest on that branch. (60)
 Outcome follow_loads(NewtonIteration& newton);
 /// Solves with another scale r_t, which does not change the solution but does change the path: a cycle between two
 /// states of a few nodes is often left. (6)
