@@ -63,9 +63,12 @@ TEST(fallback_scenes, end_solved_or_refused) {
   EXPECT_EQ(loads, static_cast<int>(std::size(refused)));
 }
 
-// Given motions converge where given loads do not, and no sum of friction under other pressures refuses the loads.
+// Given motions converge where given loads do not, and no sum of friction under other pressures refuses the loads. In
+// the last scene other motions slide everything from the first, and loads have hardly changed yet at motions that would
+// be great by themselves.
 TEST(fallback_scenes, loads_are_found_by_their_motions) {
-  for (const Scene& scene : {extremes::forces_scene(310), extremes::random_scene(1577)}) {
+  for (const Scene& scene :
+       {extremes::forces_scene(310), extremes::random_scene(1577), extremes::law_scene("linear", 52)}) {
     const Ending e = solve(scene).end;
     EXPECT_TRUE(e.solved()) << scene.name << ": " << e.status << " " << e.message;
     EXPECT_LE(e.law.worst(), law_bound) << scene.name;

@@ -78,6 +78,7 @@ class LoadBranch {
   bool find_slope(const Point& point, const Point& lacks);
   bool find_direction(Point& direction) const;
   bool correct(Point& point, const Point& direction, const Limits& limits);
+  double slip_of_others() const;
   bool begin(Point& point);
   bool begin_at_rest(Point& point);
   Outcome finish(const Point& before, const Point& after, double part);
@@ -206,6 +207,21 @@ bool LoadBranch::correct(Point& point, const Point& direction, const Limits& lim
   }
 }
 
+// Returns the greatest slip of the motions that are given from the first, as a creepage: more of the others than that
+// turns it.
+double LoadBranch::slip_of_others() const {
+  const Problem& p = *s_.problem;
+  MotionValues others = given_.value;
+  for (std::size_t i = 0; i < count_; ++i) others[motion_[i]] = 0;
+  double slip = 0;
+  for (std::size_t k = 0; k < at(p.nodes); ++k) {
+    const auto i = static_cast<std::int64_t>(k);
+    if (s_.iterate->lambda[2][k] < 0)
+      slip = std::max(slip, std::hypot(p.rigid_slip1(i, others), p.rigid_slip2(i, others)));
+  }
+  return slip / p.motion_scale;
+}
+
 // Begins at motions, from the tractions at hand: the loads there are the first.
 bool LoadBranch::begin(Point& point) {
   Point lacks{};
@@ -213,7 +229,7 @@ bool LoadBranch::begin(Point& point) {
   size_ = scale_ = 1;
   kept_ = {};
   if (!lack(point, lacks)) return false;
-  scale_ = creep_scale(*s_.problem, given_, *s_.iterate, xi1);
+  scale_ = std::max(creep_scale(*s_.problem, given_, *s_.iterate, xi1), slip_of_others());
   if (!(scale_ > 0) || !std::isfinite(scale_)) return false;
   for (std::size_t i = 0; i < count_; ++i) start_[i] = lacks[i], point[1 + i] /= scale_;
   size_ = std::hypot(target_[0] - start_[0], target_[1] - start_[1], target_[2] - start_[2]);
@@ -302,10 +318,13 @@ Outcome LoadBranch::follow(Point point) {
     if (next[0] >= 1) return finish(point, next, (1 - point[0]) / (next[0] - point[0]));
     if (peak > 1 - certainly) return finish(point, next, there);
     greatest = std::max({greatest, next[0], peak});
+    const double rise = next[0] - point[0];
     point = next;
     direction = onward;
     if (size_of(point) > far || (point[0] < turned_back * greatest && all_slide())) {
-      if (!s_.problem->law->falls() || !(greatest < 1 - certainly)) return Outcome::not_converged;
+      // Loads that have hardly changed since the start say nothing, and those that still rise may be reached.
+      const bool known = greatest > certainly && greatest < 1 - certainly && rise < certainly;
+      if (!s_.problem->law->falls() || !known) return Outcome::not_converged;
       refuse(greatest);
       return Outcome::no_solution;
     }
