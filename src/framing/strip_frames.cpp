@@ -167,12 +167,12 @@ namespace {
 struct FieldRate : PlaneField {
   const PlaneField *before = nullptr, *behind = nullptr;
   double distance = 1;
+  mutable std::vector<double> one;
+  mutable std::vector<Vec2> one_slope;
 
   void at(std::span<const Vec2> point, double* value, Vec2* slope) const override {
     std::fill_n(value, point.size(), 0.0);
     if (slope) std::fill_n(slope, point.size(), Vec2{});
-    thread_local std::vector<double> one;
-    thread_local std::vector<Vec2> one_slope;
     one.resize(point.size());
     one_slope.resize(point.size());
     for (const auto& [field, sign] : {std::pair{before, -1.0}, {behind, 1.0}}) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <mutex>
+#include <vector>
 
 #include "bodies/halfspace/strip_integrals.hpp"
 #include "support/index.hpp"
@@ -64,8 +66,9 @@ class StripCompliance final : public Compliance {
   template <class Take, class Wanted>
   void each_row(Points points, Take take, Wanted wanted) const {
     const StripFrame& strips = *frame_.strips;
-    thread_local StripIntegrals integrals;  // solves allocate nothing
-    thread_local std::vector<double> row;
+    const std::lock_guard lock(using_room_);  // solves allocate nothing
+    StripIntegrals& integrals = integrals_;
+    std::vector<double>& row = row_;
     integrals.lay(strips.layout, bodies_, strips.geometry.data());
     row.resize(at(strips.layout.nodes));
     const auto any = [&](int first, int last) {
@@ -94,6 +97,9 @@ class StripCompliance final : public Compliance {
   const Frame& frame_;
   StripBodies bodies_;
   mutable std::atomic<std::int64_t> evaluations_{0};
+  mutable std::mutex using_room_;
+  mutable StripIntegrals integrals_;
+  mutable std::vector<double> row_;
 };
 
 }  // namespace

@@ -65,6 +65,8 @@ void drop_vanished_coupling(DenseOperators& op) {
   op.coupling_vanished = true;
 }
 
+}  // namespace
+
 /// Holds room for one assembly after the other.
 struct AssemblySpace {
   RowMatrix<double> buffer[3][3];
@@ -72,6 +74,8 @@ struct AssemblySpace {
   std::vector<double> x, y;
   std::vector<std::int32_t> needed;
 };
+
+namespace {
 
 // Tells which blocks to assemble.
 struct Wanted {
@@ -238,9 +242,9 @@ void assemble_operators(const Frame& frame, const Compliance& compliance, const 
   op.require_memory_for(wanted.block);
   // Frames that move are assembled again and again; those of many nodes take long anyway.
   constexpr std::int64_t few = 1000;
-  thread_local AssemblySpace kept;
-  AssemblySpace own;
-  Assembly(frame, compliance, convection, wanted, mirror, op, frame.nodes() <= few ? kept : own).run();
+  if (!op.space) op.space = std::make_shared<AssemblySpace>();
+  Assembly(frame, compliance, convection, wanted, mirror, op, *op.space).run();
+  if (frame.nodes() > few) op.space.reset();
   op.normal = true;
   op.tangential = slip;
   // A kernel knows whether it couples; under little friction the smallest coupling counts.

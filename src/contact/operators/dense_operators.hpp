@@ -9,8 +9,12 @@
 
 namespace rollcon {
 
+struct AssemblySpace;
+
 class DenseOperators final : public Operators {
  public:
+  std::shared_ptr<AssemblySpace> space;  ///< room of assemble_operators(), kept where frames are small
+
   /// Blocks [r][c], n by n; those that vanish or are not needed are empty.
   RowMatrix<double> block[3][3];
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <span>
 
+#include "bodies/model/translation.hpp"
 #include "contact/prepare/lattice_scene.hpp"
 #include "contact/prepare/preparation.hpp"
 #include "support/clock.hpp"
