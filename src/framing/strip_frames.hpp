@@ -20,6 +20,8 @@ class StripFrames final : public MovingFrame {
   const strips::StripTotals& totals() const { return totals_; }
   /// Says whether friction is missing from the totals.
   bool by_law() const { return !givens_.coulomb(); }
+  /// Says whether pressures of the bodies shift them along the surface.
+  bool coupled() const { return givens_.scene().bodies.ck != 0; }
   const strips::StripSolution& solution() const { return solution_; }
   /// Gives the scene of a solver, which fit() was given before, a frame of the strips, and solves on it from what was
   /// found. Errors are those of Solver::solve().

@@ -19,8 +19,8 @@ constexpr std::array strip_levels{
     StripLevel{{5, 7}, 1},        StripLevel{{6, 9}, 0.025},    StripLevel{{8, 12}, 0.009}, StripLevel{{12, 18}, 0.004},
     StripLevel{{16, 24}, 0.0025}, StripLevel{{20, 30}, 0.0015}, StripLevel{{24, 36}, 0}};
 /// Part of the difference of a level's two solutions by which the finer one is off at most: measured over Hertzian
-/// contacts and profiles.
-constexpr double off_by = 0.7;
+/// contacts and profiles; of unlike bodies apart.
+constexpr double usually_off_by = 0.7, off_by_coupled = 1;
 /// Hollowness of a contact some rows of which may have two intervals.
 constexpr double too_hollow_for_strips = 0.15;
 
@@ -44,6 +44,7 @@ ErrorEstimate estimate(const Scene& scene, const StripFrames& on, const Rates& c
     return r.moment[2] - (r.moment[1] * r.force[1] + r.moment[0] * r.force[0]) / -r.force[2];
   };
   const double moment = (own(fine) - own(coarse)) / std::sqrt(size.area / std::numbers::pi);
+  const double off_by = on.coupled() ? off_by_coupled : usually_off_by;
   ErrorEstimate e;
   e.known = true;
   e.normal = off_by * (scene.load(Direction::normal).how == How::by_force

@@ -94,14 +94,15 @@ TEST(automatic_loads_long, spin_moments_lead_to_spins_that_lead_back) {
   const double limit = mu * hertz.load * e.arm();
   for (const double share : {0.3, 0.6, 0.8}) {
     RollingPair pair(steel, steel);
-    // The moment hardly grows with the spin near the limit of friction.
+    // The moment hardly grows with the spin near the limit of friction. Given moments are solved on pairs of frames,
+    // which are off by up to 0.4 %, spins on strips.
     hertzian(pair, hertz).tangential_force(ROLLCON_SPIN, -share * limit).option("frame_accuracy", 0.002);
     ASSERT_EQ(pair.solve(), ROLLCON_OK);
     const auto given = pair.solution();
     pair.creep(0, 0, given.creep[2]);
     ASSERT_EQ(pair.solve(), ROLLCON_OK);
     const auto back = pair.solution();
-    expect_error("moment under the spin found", back.moment[2] / limit + share, 2e-3);
+    expect_error("moment under the spin found", back.moment[2] / limit + share, 4e-3);
     expect_error("lateral force", (back.force[1] - given.force[1]) / (mu * hertz.load), 2e-3);
   }
 }
