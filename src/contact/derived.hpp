@@ -70,7 +70,7 @@ struct Derived {
   std::optional<Extrapolated> extrapolated;
   // What whoever made the frame knows better than its nodes tell follows.
   std::optional<double> largest_pressure, area;  ///< top of the pressures between nodes; area in contact
-  bool displacements = false;              ///< displacements of a body were asked for
+  bool displacements = false;                    ///< displacements of a body were asked for
   Computed computed;
 
   /// Forgets everything but counts and storage; there is no other reset.

@@ -2,8 +2,8 @@
 
 #include "bodies/halfspace/strip_integrals.hpp"
 
-#include "support/testing.hpp"
 #include "linalg/dense.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon::strips {
 namespace {
