@@ -145,6 +145,7 @@ class AutomaticFrames final : public FrameMaker {
     }
     for (;; ++level_) {
       const Status status = solve_on_fitting(fine);
+      if (status == Status::coarse && level_ + 1 < levels.size()) continue;
       if (status != Status::ok) {
         (coarse_solved_ ? *coarse_ : fine).tell(status);
         return status;
