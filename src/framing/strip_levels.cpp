@@ -4,23 +4,25 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <tuple>
 
 #include "framing/strips/strip_results.hpp"
 
 namespace rollcon {
 namespace {
 
-/// Holds counts of strips, the coarser ones first, and the least accuracy that solves on them begin with.
+/// Holds counts of strips, the coarser ones first, the least accuracy that solves on them begin with, and the part of
+/// the difference from the next coarser ones by which they are off: measured over Hertzian contacts and profiles up to
+/// 12 x 18, of second order beyond.
 struct StripLevel {
   strips::StripCounts counts;
-  double accuracy;
+  double accuracy, off_by;
 };
-constexpr std::array strip_levels{
-    StripLevel{{5, 7}, 1},        StripLevel{{6, 9}, 0.025},    StripLevel{{8, 12}, 0.009}, StripLevel{{12, 18}, 0.004},
-    StripLevel{{16, 24}, 0.0025}, StripLevel{{20, 30}, 0.0015}, StripLevel{{24, 36}, 0}};
-/// Part of the difference of a level's two solutions by which the finer one is off at most: measured over Hertzian
-/// contacts and profiles; of unlike bodies apart.
-constexpr double usually_off_by = 0.7, off_by_coupled = 1;
+constexpr std::array strip_levels{StripLevel{{5, 7}, 1, 1},          StripLevel{{6, 9}, 0.025, 0.7},
+                                  StripLevel{{8, 12}, 0.009, 0.7},   StripLevel{{12, 18}, 0.004, 0.7},
+                                  StripLevel{{16, 24}, 0.0025, 1.3}, StripLevel{{20, 30}, 0.0015, 1.8},
+                                  StripLevel{{24, 36}, 0, 2.3}};
+constexpr double more_of_coupled = 1.4;  // factor on that of unlike bodies
 /// Hollowness of a contact some rows of which may have two intervals.
 constexpr double too_hollow_for_strips = 0.15;
 
@@ -35,8 +37,22 @@ void add(Rates& to, double weight, const Rates& part) {
   for (std::size_t m = 0; m < motion_count; ++m) to.motion[m] += weight * part.motion[m];
 }
 
+/// Returns the forces by which creepages that are found differ between two solutions.
+double forces_of_motions(const Scene& scene, StripFrames& on, const Rates& coarse, const Rates& fine) {
+  double square = 0;
+  for (const auto& [direction, parameter, motion] : {std::tuple{Direction::longitudinal, Parameter::longitudinal, xi1},
+                                                     {Direction::lateral, Parameter::lateral, xi2}}) {
+    Rates by;
+    if (on.by_law() || scene.load(direction).how != How::by_force || !on.rates(parameter, by)) continue;
+    const double force = (fine.motion[motion] - coarse.motion[motion]) / by.motion[motion];
+    square += force * force;
+  }
+  return std::sqrt(square);
+}
+
 /// Estimates the error of the finer of two solutions, that on strips, from their difference.
-ErrorEstimate estimate(const Scene& scene, const StripFrames& on, const Rates& coarse, const Rates& fine) {
+ErrorEstimate estimate(const Scene& scene, StripFrames& on, double off_by, const Rates& coarse, const Rates& fine) {
+  if (on.coupled()) off_by *= more_of_coupled;
   const StripFrames::Sizes size = on.sizes();
   const Vec3 force = fine.force - coarse.force;
   // Moments about the middles of the pressures do not depend on where the axes are.
@@ -44,14 +60,15 @@ ErrorEstimate estimate(const Scene& scene, const StripFrames& on, const Rates& c
     return r.moment[2] - (r.moment[1] * r.force[1] + r.moment[0] * r.force[0]) / -r.force[2];
   };
   const double moment = (own(fine) - own(coarse)) / std::sqrt(size.area / std::numbers::pi);
-  const double off_by = on.coupled() ? off_by_coupled : usually_off_by;
   ErrorEstimate e;
   e.known = true;
   e.normal = off_by * (scene.load(Direction::normal).how == How::by_force
                            ? 1.5 * std::abs(fine.motion[approach] - coarse.motion[approach]) / size.overlap
                            : std::abs(force[2] / fine.force[2]));
+  const double found = forces_of_motions(scene, on, coarse, fine);
   const double carried = on.by_law() ? std::hypot(fine.force[0], fine.force[1]) : size.carried;
-  e.tangential = carried > 0 ? off_by * std::max(std::hypot(force[0], force[1]), std::abs(moment)) / carried : 0;
+  e.tangential =
+      carried > 0 ? off_by * std::max({std::hypot(force[0], force[1]), std::abs(moment), found}) / carried : 0;
   e.tractions = std::max(e.normal, e.tangential);
   return e;
 }
@@ -72,7 +89,7 @@ std::optional<Status> StripLevels::solve(Solver& fine, const Rectangle& box, con
   ErrorEstimate error;
   for (;; ++level) {
     if (!fit(fine, box, level, finer)) return std::nullopt;
-    error = estimate(fine.scene, strips_[level], coarser, finer);
+    error = estimate(fine.scene, strips_[level], strip_levels[level].off_by, coarser, finer);
     const bool last = level + 1 == strip_levels.size();
     const double wider = (error.worst() / wanted - enough) / (1 - enough),
                  over = last ? 0 : std::clamp(wider, 0.0, 1.0), weight = missing * (1 - over * over * (3 - 2 * over));
