@@ -11,17 +11,15 @@ from report import load, magnitude, of_case, processor, put_part, table
 TEXT = """
 S1002 on 60E1 under 10 kN on each wheel, yaw 2.4 mrad for each millimetre. Made by `{command}` on
 {processor},
-one thread, processor time. Errors are relative to the finest lattice (24 x 48) at 41 shifts: |(ΔFx, ΔFy)| over μFn,
+one thread, processor time. Errors are relative to the finest strips (12 x 12) at 41 shifts: |(ΔFx, ΔFy)| over μFn,
 and those of the spin moments over μFn times the radius of the circle with the patches' area. The first table is for a
 vehicle's time loop of {steps} steps, in which the wheelset is shifted to and fro in 1000 steps each:
 
-{loop} Allocations are those of all steps. Times jump where a frame's shape changes and its operators are renewed. The
-next table is for the Manchester benchmark's 21 shifts from 0 to 10 mm with both wheels, from nothing, handles and
+{loop} Allocations are those of all steps. Times are longer where patches split or join, or have no strips. The next
+table is for the Manchester benchmark's 21 shifts from 0 to 10 mm with both wheels, from nothing, handles and
 profiles included. Roll and rate are given, heights are found:
 
-{manchester}
-With frames, errors above one per cent occur only in wide patches with two peaks, at shifts of 0 and 0.5 mm.
-"""
+{manchester}"""
 
 
 def both(r, kind):
