@@ -50,12 +50,13 @@ a slender ellipse slanted to the rolling direction. Pressures, half lengths and 
 
 ## Random contacts by accuracy
 
-30 drawn Hertzian contacts of steel (curvatures of ratio 0.18 to 5.6, creepages of 0.2 to 2.5 μFn by linear theory, two
-of three with spin). Errors are relative to the finest strips: |(ΔFx, ΔFy)| over μFn, and |ΔMz| over μFn times the
-radius of a circle of the contact's area. Cold times are those of a solve from nothing, warm ones the median of steps
-that change load and creepages by 0.3 %, from Python on one thread of a shared machine. None was `INACCURATE`:
+30 drawn Hertzian contacts of steel (curvatures of ratio 0.18 to 5.6, creepages of 0.2 to 2.5 μFn by linear theory,
+two of three with spin). Errors are relative to the finest strips, estimates are means: |(ΔFx, ΔFy)| over μFn, and
+|ΔMz| over μFn times the radius of a circle of the contact's area. Cold times are those of a solve from nothing, warm
+ones the median of steps that change load and creepages by 0.3 %, from Python on one thread of a shared machine. None
+was `INACCURATE`:
 
-| `frame_accuracy` | force, mean / worst | moment, mean / worst | estimate, mean | cold, mean / median | warm, mean / median |
+| `frame_accuracy` | force, mean / worst | moment, mean / worst | estimate | cold, mean / median | warm, mean / median |
 | --- | --- | --- | --- | --- | --- |
 | 0.06 | 0.54 / 2.7 % | 0.46 / 1.6 % | 1.0 % | 1.8 / 1.8 ms | 0.8 / 0.8 ms |
 | 0.02 | 0.32 / 1.9 % | 0.27 / 0.83 % | 0.57 % | 5.1 / 4.5 ms | 2.8 / 2.4 ms |
