@@ -68,8 +68,8 @@ Where a tangential force is given the estimate does not count the creepage that 
 more than was asked for. The sphere of [six_steps.c](../examples/six_steps.c) on a rigid plane, driven at three
 quarters of μFn, has the creepage −3.476e-3 at the standard accuracy and −3.426e-3 at 0.001; the limit is −3.412e-3.
 An elastic body on a rigid one is the worst case of unlike bodies: with that creepage given, the force is 0.7336,
-0.7432 and 0.7432 of μFn at 0.02, 0.005 and 0.0001 (16 x 24, 24 x 36 and 24 x 36 strips), with estimates of 1.3, 0.27
-and 0.27 %; the last is `INACCURATE`.
+0.7432 and 0.7432 of μFn instead of 0.75 at 0.02, 0.005 and 0.0001 (16 x 24, 24 x 36 and 24 x 36 strips), with
+estimates of 1.3, 0.27 and 0.27 %; the last is `INACCURATE`.
 
 ## Derivatives
 
