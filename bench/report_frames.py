@@ -24,7 +24,7 @@ This page is about contacts without a frame from the caller: how their frames ar
 3. The option `frame_accuracy` chooses how many strips there are. Each solve is one on two counts, whose difference
    gives the error estimate, and finer ones follow until the estimate is below what was asked for.
 4. Where strips do not fit, **fitted frames** are laid before the pressures are known: bodies with meshes, conformal
-   frames, tilts, steps in time, given spin moments, tangential forces under a given approach, contacts that end where a
+   frames, very unlike bodies (Dundurs' β above 0.15), tilts, steps in time, given spin moments, tangential forces under a given approach, contacts that end where a
    body ends, rows with two intervals (necks at about 45 degrees to the rolling direction, roughness shorter than a
    strip), published procedures. They come in pairs of which results are extrapolated, and a pair stays while it is good
    enough.
@@ -63,13 +63,6 @@ was `INACCURATE`:
 | 0.01 | 0.21 / 0.84 % | 0.22 / 0.67 % | 0.34 % | 14 / 4.4 ms | 8.2 / 2.4 ms |
 | 0.005 | 0.09 / 0.34 % | 0.10 / 0.34 % | 0.17 % | 32 / 18 ms | 19 / 11 ms |
 | 0.002 | 0.017 / 0.045 % | 0.016 / 0.06 % | 0.045 % | 0.19 / 0.18 s | 0.12 / 0.12 s |
-
-Where a tangential force is given the estimate does not count the creepage that is found, so that it may be off by
-more than was asked for. The sphere of [six_steps.c](../examples/six_steps.c) on a rigid plane, driven at three
-quarters of μFn, has the creepage −3.476e-3 at the standard accuracy and −3.426e-3 at 0.001; the limit is −3.412e-3.
-An elastic body on a rigid one is the worst case of unlike bodies: with that creepage given, the force is 0.7336,
-0.7432 and 0.7432 of μFn instead of 0.75 at 0.02, 0.005 and 0.0001 (16 x 24, 24 x 36 and 24 x 36 strips), with
-estimates of 1.3, 0.27 and 0.27 %; the last is `INACCURATE`.
 
 ## Derivatives
 

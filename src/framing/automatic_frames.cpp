@@ -125,6 +125,9 @@ class AutomaticFrames final : public FrameMaker {
   std::optional<Status> solve_on_strips(Solver& fine) {
     // Friction carries a little less on strips than it does; pairs of frames share loads that feel that.
     if (!strips_may_fit(fine.scene, fine.bodies()) || limit_differs(fine.scene)) return std::nullopt;
+    // Slip that pressures of very unlike bodies cause converges slowly on strips; pairs of frames are extrapolated.
+    constexpr double very_unlike = 0.15;
+    if (std::abs(dundurs_beta(fine.pair())) > very_unlike) return std::nullopt;
     find_shape(fine);
     const bool ends =
         std::any_of(shape_.outline.begin(), shape_.outline.end(), [](const Outline& o) { return o.ends_body(); });
