@@ -24,10 +24,10 @@ This page is about contacts without a frame from the caller: how their frames ar
 3. The option `frame_accuracy` chooses how many strips there are. Each solve is one on two counts, whose difference
    gives the error estimate, and finer ones follow until the estimate is below what was asked for.
 4. Where strips do not fit, **fitted frames** are laid before the pressures are known: bodies with meshes, conformal
-   frames, very unlike bodies (Dundurs' β above 0.15), tilts, steps in time, given spin moments, tangential forces under a given approach, contacts that end where a
-   body ends, rows with two intervals (necks at about 45 degrees to the rolling direction, roughness shorter than a
-   strip), published procedures. They come in pairs of which results are extrapolated, and a pair stays while it is good
-   enough.
+   frames, very unlike bodies (Dundurs' β above 0.15), tilts, steps in time, given spin moments, tangential forces
+   under a given approach, contacts that end where a body ends, rows with two intervals (necks at about 45 degrees to
+   the rolling direction, roughness shorter than a strip), published procedures. They come in pairs of which results
+   are extrapolated, and a pair stays while it is good enough.
 
 Laws of friction other than Coulomb's, and layers, are solved at the nodes of strips that were fitted without friction.
 

@@ -367,9 +367,9 @@ contains
   !> Returns the derivatives of the totals of the last solve by one entry of its position or velocity: those of what
   !> rollcon_wheelrail_get_resultant gives in the track, and derivatives of the wheelset's z. Where the height was found
   !> from a vertical force, that force stays and z follows; entry 2 has none then. They are those of Newton's systems at
-  !> the solutions of the patches, whose axes move with the overlap; with a creep-force table, central differences of
-  !> solves. The first call finds all twelve and keeps them until the next solve. ROLLCON_ERR_STATE: no solution, or one
-  !> that did not converge. ROLLCON_ERR_SINGULAR: a patch begins or ends here.
+  !> the solutions of the patches, whose axes and strips move; with a creep-force table and on conformal frames, central
+  !> differences of solves. The first call finds all twelve and keeps them until the next solve. ROLLCON_ERR_STATE: no
+  !> solution, or one that did not converge. ROLLCON_ERR_SINGULAR: a patch begins or ends here.
   subroutine wheelrail_get_derivative(self, entry, force, moment, z, stat, errmsg)
     class(rc_wheelrail_plain), intent(inout) :: self
     integer, intent(in) :: entry

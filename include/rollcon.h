@@ -1183,13 +1183,13 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_frame_strips(rollcon_con
 /*
  * Leaves the frame to the library, which is the state of a new contact: solves then find the
  * contact from the gap (of the bodies' meshes and profiles, rollcon_contact_set_gap_quadratic,
- * rollcon_contact_set_gap_grid) and from load or approach, fit two frames of strips to the edge
- * of each patch, one twice as fine as the other, extrapolate their results, and take finer pairs
- * until the option frame_accuracy is met or ROLLCON_INACCURATE says that it was not. Forces,
- * moment, approach, creepages, their sensitivities and the statistics contact_area and
- * error_estimate are the extrapolated ones; nodes and fields those of the finer frame, which the
- * next solve may replace. The error is that of the frame: what a body's own mesh adds is not
- * counted.
+ * rollcon_contact_set_gap_grid) and from load or approach, and lay strips on it whose ends are
+ * found with the pressures, finer ones until the option frame_accuracy is met or
+ * ROLLCON_INACCURATE says that it was not. Where strips do not fit, two frames are fitted to the
+ * edge of each patch, and forces, moment, approach, creepages, their sensitivities and the
+ * statistics contact_area and error_estimate are extrapolated from both. Nodes and fields are
+ * those of the finest frame, which the next solve may replace. The error is that of the frame:
+ * what a body's own mesh adds is not counted.
  * Also returns: ROLLCON_ERR_STATE.
  * Source: docs/theory.md, section 4.
  */
@@ -2318,9 +2318,10 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_get_resultant(
  * velocity: those of what rollcon_wheelrail_get_resultant gives in the track, and derivatives of
  * the wheelset's z. Where the height was found from a vertical force, that force stays and z
  * follows; entry 2 has none then. They are those of Newton's systems at the solutions of the
- * patches, whose axes move with the overlap; with a creep-force table, central differences of
- * solves. The first call finds all twelve and keeps them until the next solve. ROLLCON_ERR_STATE:
- * no solution, or one that did not converge. ROLLCON_ERR_SINGULAR: a patch begins or ends here.
+ * patches, whose axes and strips move; with a creep-force table and on conformal frames, central
+ * differences of solves. The first call finds all twelve and keeps them until the next solve.
+ * ROLLCON_ERR_STATE: no solution, or one that did not converge. ROLLCON_ERR_SINGULAR: a patch
+ * begins or ends here.
  *   entry      0 to 5: of the position (rollcon_wheelrail_set_position); 6 to 11: of the velocity
  *   force      [3], out, may be NULL; derivative of the force on the wheel
  *   moment     [3], out, may be NULL; derivative of its moment about the wheelset's centre, which
@@ -2368,7 +2369,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_get_patch_stat(
  * a node at (x, y, z) of the contact is at origin + x t1 + y t2 + z n. The axes of a left wheel
  * are a mirror image: a left-handed triple.
  *   patch      0 to rollcon_wheelrail_get_patch_count - 1
- *   origin     [3], out, may be NULL; the middle of its frame; x counts from the wheelset's, as
+ *   origin     [3], out, may be NULL; the middle of its overlap; x counts from the wheelset's, as
  *              in the statistic, length
  *   axes       [9], out, may be NULL; unit vectors t1 (the rolling direction), t2 (across), n
  *              (into the rail)
@@ -2381,7 +2382,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_get_patch_axes(
  * Returns the contact of a patch: body 1 is the wheel, body 2 the rail, and all its results are
  * in the axes contact of the patch, t1 along the rolling direction. It is there to be read: calls
  * that change a contact are ROLLCON_ERR_STATE, except rollcon_contact_set_progress and
- * rollcon_contact_request_cancel. The next solve of the wheel on its rail changes it. Both are
+ * rollcon_contact_request_cancel. The next solve of the wheel on its rail changes it. Its
+ * solution at nodes is made by this call, and by each solve while the contact is held. Both are
  * one object to threads: while either is in use, so is the other.
  *   patch      0 to rollcon_wheelrail_get_patch_count - 1
  *   contact    of the patch

@@ -189,7 +189,7 @@ constexpr Statistic table[] = {
     {{"step_growth", "fraction of the contact's area that a step without rolling added"}, step_growth},
     {{"step_row_builds", "rows made to carry displacements along", true},
      [](Solver& v) { return number(v.preparation() ? v.preparation()->carried.made() : 0); }},
-    {{"max_pressure", "largest pressure at a node"},
+    {{"max_pressure", "largest pressure: at a node, or on strips the top of the curve between nodes"},
      [](Solver& v) {
        if (const auto& top = v.derived().largest_pressure) return *top;
        return std::max(

@@ -1,5 +1,5 @@
 #pragma once
-/// Solves a patch of a wheel on a rail as an ordinary contact: its axes, a lattice that follows it, and its solution.
+/// Solves a patch of a wheel on a rail: its axes, strips that fit it, and its solution as that of an ordinary contact.
 
 #include <array>
 #include <cstdint>

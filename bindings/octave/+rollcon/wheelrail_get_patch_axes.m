@@ -8,7 +8,7 @@ function varargout = wheelrail_get_patch_axes(varargin)
 %   wheelrail (wheelrail)
 %   patch (row): 0 to rollcon.wheelrail_get_patch_count - 1
 % Results:
-%   origin: the middle of its frame; x counts from the wheelset's, as in the statistic, length
+%   origin: the middle of its overlap; x counts from the wheelset's, as in the statistic, length
 %   axes: unit vectors t1 (the rolling direction), t2 (across), n (into the rail)
 %
 % Nodes, elements and rows count from 1. Failures are errors rollcon:ERR_..., caveats are warnings.

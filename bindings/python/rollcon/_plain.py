@@ -408,13 +408,13 @@ class ContactPlain:
     def frame_automatic(self) -> None:
         """Leaves the frame to the library, which is the state of a new contact: solves then find
         the contact from the gap (of the bodies' meshes and profiles, set_gap_quadratic(),
-        set_gap_grid()) and from load or approach, fit two frames of strips to the edge of each
-        patch, one twice as fine as the other, extrapolate their results, and take finer pairs
-        until the option frame_accuracy is met or INACCURATE says that it was not. Forces, moment,
-        approach, creepages, their sensitivities and the statistics contact_area and
-        error_estimate are the extrapolated ones; nodes and fields those of the finer frame, which
-        the next solve may replace. The error is that of the frame: what a body's own mesh adds is
-        not counted.
+        set_gap_grid()) and from load or approach, and lay strips on it whose ends are found with
+        the pressures, finer ones until the option frame_accuracy is met or INACCURATE says that
+        it was not. Where strips do not fit, two frames are fitted to the edge of each patch, and
+        forces, moment, approach, creepages, their sensitivities and the statistics contact_area
+        and error_estimate are extrapolated from both. Nodes and fields are those of the finest
+        frame, which the next solve may replace. The error is that of the frame: what a body's own
+        mesh adds is not counted.
         """
         self._call("frame_automatic")
 
@@ -930,9 +930,10 @@ class WheelrailPlain:
         velocity: those of what resultant() gives in the track, and derivatives of the wheelset's
         z. Where the height was found from a vertical force, that force stays and z follows; entry
         2 has none then. They are those of Newton's systems at the solutions of the patches, whose
-        axes move with the overlap; with a creep-force table, central differences of solves. The
-        first call finds all twelve and keeps them until the next solve. ERR_STATE: no solution,
-        or one that did not converge. ERR_SINGULAR: a patch begins or ends here.
+        axes and strips move; with a creep-force table and on conformal frames, central
+        differences of solves. The first call finds all twelve and keeps them until the next
+        solve. ERR_STATE: no solution, or one that did not converge. ERR_SINGULAR: a patch begins
+        or ends here.
 
         entry: 0 to 5: of the position (rollcon_wheelrail_set_position); 6 to 11: of the velocity.
         force: derivative of the force on the wheel.
@@ -981,7 +982,7 @@ class WheelrailPlain:
         mirror image: a left-handed triple.
 
         patch: 0 to rollcon_wheelrail_get_patch_count - 1.
-        origin: the middle of its frame; x counts from the wheelset's, as in the statistic,
+        origin: the middle of its overlap; x counts from the wheelset's, as in the statistic,
           length.
         axes: unit vectors t1 (the rolling direction), t2 (across), n (into the rail).
         """
