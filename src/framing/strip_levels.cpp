@@ -11,17 +11,19 @@
 namespace rollcon {
 namespace {
 
-/// Holds counts of strips, the coarser ones first, the least accuracy that solves on them begin with, and the part of
-/// the difference from the next coarser ones by which they are off: measured over Hertzian contacts and profiles up to
-/// 12 x 18, of second order beyond.
+/// Holds counts of strips, the coarser ones first, the least accuracy that solves on them begin with, the level of the
+/// coarser strips whose solution they are compared with, and the part of the difference by which they are off: measured
+/// over Hertzian contacts and profiles up to 12 x 18, of second order beyond.
 struct StripLevel {
   strips::StripCounts counts;
-  double accuracy, off_by;
+  double accuracy;
+  std::size_t beside;
+  double off_by;
 };
-constexpr std::array strip_levels{StripLevel{{5, 7}, 1, 1},          StripLevel{{6, 9}, 0.025, 0.7},
-                                  StripLevel{{8, 12}, 0.009, 0.7},   StripLevel{{12, 18}, 0.004, 0.7},
-                                  StripLevel{{16, 24}, 0.0025, 1.3}, StripLevel{{20, 30}, 0.0015, 1.8},
-                                  StripLevel{{24, 36}, 0, 2.3}};
+constexpr std::array strip_levels{StripLevel{{5, 7}, 1, 0, 1},          StripLevel{{6, 9}, 0.025, 0, 0.7},
+                                  StripLevel{{8, 12}, 0.009, 1, 0.7},   StripLevel{{12, 18}, 0.004, 2, 0.7},
+                                  StripLevel{{16, 24}, 0.0025, 2, 0.4}, StripLevel{{20, 30}, 0.0015, 3, 0.6},
+                                  StripLevel{{24, 36}, 0, 4, 0.8}};
 constexpr double more_of_coupled = 1.4;  // factor on that of unlike bodies
 /// Hollowness of a contact some rows of which may have two intervals.
 constexpr double too_hollow_for_strips = 0.15;
@@ -79,8 +81,14 @@ std::optional<Status> StripLevels::solve(Solver& fine, const Rectangle& box, con
   const double wanted = fine.scene.options.frame_accuracy;
   std::size_t level = 1;
   while (wanted < strip_levels[level].accuracy) ++level;
-  Rates coarser, finer;
-  if (!fit(fine, box, level - 1, coarser)) return std::nullopt;
+  std::array<std::optional<Rates>, levels> found;
+  const auto find = [&](std::size_t at) {
+    Rates now;
+    if (found[at]) return true;
+    if (!fit(fine, box, at, now)) return false;
+    found[at] = now;
+    return true;
+  };
   // Results of two levels are mixed where one is about to be enough, so that they do not jump there.
   constexpr double enough = 0.7;
   Rates sure;          // what levels before contribute
@@ -88,15 +96,16 @@ std::optional<Status> StripLevels::solve(Solver& fine, const Rectangle& box, con
   bool mixed = false;
   ErrorEstimate error;
   for (;; ++level) {
-    if (!fit(fine, box, level, finer)) return std::nullopt;
-    error = estimate(fine.scene, strips_[level], strip_levels[level].off_by, coarser, finer);
+    const auto& [counts, accuracy, beside, off_by] = strip_levels[level];
+    if (!find(beside) || !find(level)) return std::nullopt;
+    const Rates& finer = *found[level];
+    error = estimate(fine.scene, strips_[level], off_by, *found[beside], finer);
     const bool last = level + 1 == strip_levels.size();
     const double wider = (error.worst() / wanted - enough) / (1 - enough),
                  over = last ? 0 : std::clamp(wider, 0.0, 1.0), weight = missing * (1 - over * over * (3 - 2 * over));
     add(sure, weight, finer);
     missing -= weight;
     mixed = weight < 1;
-    coarser = finer;
     if (last || !(missing > 0)) break;
   }
   const Status status = strips_[level].show(fine);
@@ -131,10 +140,11 @@ bool StripLevels::fit(Solver& fine, const Rectangle& box, std::size_t level, Rat
 
 // Returns the area that those of two counts tend to, where both have strips.
 double StripLevels::area_at(std::size_t level) const {
-  const strips::StripSolution *coarse = &strips_[level - 1].solution(), *fine = &strips_[level].solution();
+  const std::size_t beside = strip_levels[level].beside;
+  const strips::StripSolution *coarse = &strips_[beside].solution(), *fine = &strips_[level].solution();
   if (!(coarse->share > 0 && fine->share > 0)) return strips_[level].sizes().area;
   const auto across = [&](std::size_t i) { return static_cast<double>(strip_levels[i].counts.across); };
-  const double finer = across(level) / across(level - 1), found = strips::area(fine->strips);
+  const double finer = across(level) / across(beside), found = strips::area(fine->strips);
   return found + (found - strips::area(coarse->strips)) / (finer * finer - 1);
 }
 
