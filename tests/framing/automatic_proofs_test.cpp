@@ -44,7 +44,7 @@ void expect_kalker(double ratio, double nu) {
   const linear::Coefficients table = linear::table(ratio, nu);
   const linear::Motions motions(table, hertz, body, share);
   RollingPair pair(body, body);
-  hertzian(pair, hertz, linear::mu);
+  hertzian(pair, hertz, linear::mu).option("frame_accuracy", 0.008);  // spin on slender ellipses is off by 0.5 %
   for (std::size_t k = 0; k < 3; ++k) {
     const linear::Motion& motion = motions.all[k];
     pair.creep(motion.creep[0], motion.creep[1], motion.creep[2]);
