@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "bodies/halfspace/halfspace.hpp"
 #include "bodies/layer/layered_compliance.hpp"
 #include "bodies/sum_compliance.hpp"
 #include "support/error.hpp"
@@ -20,13 +19,18 @@ HalfspaceConstants constants_of(const Body& body, int which) {
 
 }  // namespace
 
-std::unique_ptr<Compliance> make_pair_compliance(const Frame& frame, const PairOfBodies& pair, double accuracy,
-                                                 int threads) {
-  std::vector<std::unique_ptr<Compliance>> parts;
+HalfspaceConstants half_spaces_of(const PairOfBodies& pair) {
   const HalfspaceConstants c1 = constants_of(*pair.body[0], 0), c2 = constants_of(*pair.body[1], 1);
   HalfspaceConstants sum{c1.cn + c2.cn, c1.cv + c2.cv, c1.ck + c2.ck};
   // Equal (1 - 2 nu)/G decouples; rounding of two equal materials must not couple them again.
   if (std::abs(sum.ck) <= 1e-14 * (std::abs(c1.ck) + std::abs(c2.ck))) sum.ck = 0;
+  return sum;
+}
+
+std::unique_ptr<Compliance> make_pair_compliance(const Frame& frame, const PairOfBodies& pair, double accuracy,
+                                                 int threads) {
+  std::vector<std::unique_ptr<Compliance>> parts;
+  const HalfspaceConstants sum = half_spaces_of(pair);
   if (sum.cn > 0) parts.push_back(make_halfspace_compliance(frame, sum, accuracy, threads));
   for (int which = 0; which < 2; ++which)
     if (!pair.body[at(which)]->traits().half_space)

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "bodies/contact_surface.hpp"
+#include "bodies/halfspace/halfspace.hpp"
 #include "bodies/model/compliance.hpp"
 #include "mesh/frame.hpp"
 
@@ -13,6 +14,8 @@ namespace rollcon {
 /// accuracy: relative error of half-space integrals.
 std::unique_ptr<Compliance> make_pair_compliance(const Frame& frame, const PairOfBodies& pair, double accuracy,
                                                  int threads);
+/// Returns the constants of both half-spaces together; a body of another kind adds nothing.
+HalfspaceConstants half_spaces_of(const PairOfBodies& pair);
 /// Makes the part of body `which` (0 or 1) in u1 - u2; null for a rigid body.
 std::unique_ptr<Compliance> make_body_compliance(const Frame& frame, const PairOfBodies& pair, int which,
                                                  double accuracy, int threads);

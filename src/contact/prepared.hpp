@@ -21,7 +21,6 @@ struct Prepared {
   Frame frame;
   FrameSource frame_source;  ///< faces of a body, as far as it still has them
   bool placed = false;       ///< frame at a place of its own, which solves may change
-  bool in_steps = false;     ///< shapes of a placed frame are a few that come again
   FramePlace place;
   bool ends_at_edge = false;               ///< contact covers the frame; nodes on its rim carry nothing
   PairOfBodies pair;                       ///< bodies where they stood

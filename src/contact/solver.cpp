@@ -56,9 +56,11 @@ std::unique_ptr<Solver> Solver::make_worker() const {
   return worker;
 }
 
-Iterate& Solver::start() {
+Iterate& Solver::start(double seconds) {
+  const double begin = now_seconds();
   forget();
   prepare();
+  early_ = seconds + now_seconds() - begin;
   solution_.warm_usable = true;
   solution_.iterate.clear();
   solution_.iterate.invalidate();

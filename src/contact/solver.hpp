@@ -56,8 +56,9 @@ class Solver {
   /// Solves the scene, warm from the last solution. Returns ok or a status > 0; throws Error for the rest.
   Status solve();
   /// Prepares the scene, and returns the iterate that the next solve starts from, for the caller to fill in: tractions
-  /// at the nodes, and motions, of which the approach counts from the problem's datum.
-  Iterate& start();
+  /// at the nodes, and motions, of which the approach counts from the problem's datum. seconds: time that finding them
+  /// took, which the solve counts, too. Throws Cancelled.
+  Iterate& start(double seconds);
   /// Takes derivatives of the last solution from a frame that moves with the contact and outlives it.
   void follow(MovingFrame& frame) { moving_ = &frame; }
   /// Solves what is prepared with these givens, from the present iterate or, unless warm, from nothing.

@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "framing/strips/strip_results.hpp"
+#include "support/clock.hpp"
 #include "support/error.hpp"
 #include "support/index.hpp"
+#include "support/interrupt.hpp"
 
 namespace rollcon {
 
@@ -24,14 +26,20 @@ Rates rates_of(const StripTotals& t) {
   return r;
 }
 
-StripReport StripFrames::fit(Solver& on, const Rectangle& box, StripCounts counts) {
+StripStatus StripFrames::fit(Solver& on, const Rectangle& box, StripCounts counts) {
+  // Some rows of a contact as hollow as that may have two intervals.
+  constexpr double too_hollow = 0.15;
+  seconds_ = 0;
+  const Stopwatch watch(seconds_);
   givens_.read(on, box);
-  const StripReport report = contact_.solve(givens_.scene(), box, counts, solution_, warm_);
-  warm_ = report.status == StripStatus::solved;
-  if (warm_) totals_ = StripContact::totals(solution_);
-  return report;
+  const StripStatus status = contact_.solve(givens_.scene(), box, counts, solution_, warm_).status;
+  warm_ = status == StripStatus::solved;
+  if (!warm_) return status;
+  totals_ = StripContact::totals(solution_);
+  return within_bodies() && trust(solution_.strips).hollow <= too_hollow ? status : StripStatus::unfit;
 }
 
+// Says whether both bodies are there wherever the contact ends.
 bool StripFrames::within_bodies() const {
   const StripState& s = solution_.strips;
   for (const StripPoint& p : s.layout.observers)
@@ -45,8 +53,7 @@ StripFrames::Sizes StripFrames::sizes() const {
   const double* g = s.geometry.data();
   Sizes size;
   for (std::size_t i = 0; i < l.node.size(); ++i) {
-    const int row = l.node[i].row;
-    const double cell = g[l.half_of(row)] * g[l.width_of(l.part_of(row))];
+    const double cell = l.cell(l.node[i], g);
     const Vec2 at{l.x(l.node[i], g), l.y(l.node[i], g)};
     double gap = 0;
     givens_.scene().gap->at({&at, 1}, &gap, nullptr);
@@ -63,11 +70,10 @@ EquivalentEllipse StripFrames::equivalent_ellipse(const PairOfBodies& pair) {
   const double* g = s.geometry.data();
   place_.clear();
   for (std::size_t i = 0; i < l.node.size(); ++i) {
-    const int row = l.node[i].row;
     const Vec2 slip{l.x(l.slip_place[i], g), l.y(l.slip_place[i], g)};
     const auto [s1, s2] = givens_.rigid_slip(slip);
-    place_.push_back({s.pressure[i] * l.unit_weight[i] * g[l.half_of(row)] * g[l.width_of(l.part_of(row))],
-                      l.x(l.centroid[i], g), l.y(l.centroid[i], g), slip[0], slip[1], s1, s2, 0});
+    place_.push_back({s.pressure[i] * l.unit_weight[i] * l.cell(l.node[i], g), l.x(l.centroid[i], g),
+                      l.y(l.centroid[i], g), slip[0], slip[1], s1, s2, 0});
   }
   return rollcon::equivalent_ellipse(place_, area(s), common_elasticity(*pair.body[0], *pair.body[1]));
 }
@@ -82,21 +88,19 @@ std::optional<double> StripFrames::friction_power() const {
   for (std::size_t k = 0; k < 3; ++k) work += totals_.force[k] * totals_.motion[k];
   for (std::size_t c = 0; c < 2; ++c)
     for (std::size_t i = 0; scene.slip[c] && i < l.node.size(); ++i) {
-      const int row = l.node[i].row;
       const Vec2 at{l.x(l.centroid[i], g), l.y(l.centroid[i], g)};
       double slip = 0;
       scene.slip[c]->at({&at, 1}, &slip, nullptr);
-      work += l.unit_weight[i] * g[l.half_of(row)] * g[l.width_of(l.part_of(row))] * slip *
-              s.traction[c * l.node.size() + i];
+      work += l.unit_weight[i] * l.cell(l.node[i], g) * slip * s.traction[c * l.node.size() + i];
     }
   return -givens_.speed() * work;
 }
 
-Status StripFrames::show(Solver& on) {
+Status StripFrames::show(Solver& on, double seconds) try {
   // Where strips do not fit, a neighbour without a neck shows what the contact is like.
   const StripState& from = solution_.share > 0 ? solution_.strips : solution_.neighbour[1];
   on.scene.set_strips(from.layout, from.geometry);
-  Iterate& it = on.start();
+  Iterate& it = on.start(seconds);
   const std::vector<std::int32_t>& node = on.scene.strips()->node;
   for (std::size_t i = 0; i < node.size(); ++i) {
     const std::size_t k = at(node[i]);
@@ -127,6 +131,8 @@ Status StripFrames::show(Solver& on) {
   }
   on.follow(*this);
   return status;
+} catch (const Cancelled&) {
+  return Status::cancelled;
 }
 
 bool StripFrames::rates(Parameter parameter, Rates& found) {

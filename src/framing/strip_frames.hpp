@@ -14,8 +14,8 @@ namespace rollcon {
 class StripFrames final : public MovingFrame {
  public:
   /// Solves a solver's scene inside of the box, by Coulomb's law or, where another resists slip, without friction. The
-  /// solver's bodies are prepared.
-  strips::StripReport fit(Solver& on, const Rectangle& box, strips::StripCounts counts);
+  /// solver's bodies are prepared. unfit: strips do not fit, or a body ends where the contact does.
+  strips::StripStatus fit(Solver& on, const Rectangle& box, strips::StripCounts counts);
   /// Returns what fit() found; `by_law` friction is missing from it.
   const strips::StripTotals& totals() const { return totals_; }
   /// Says whether friction is missing from the totals.
@@ -24,14 +24,13 @@ class StripFrames final : public MovingFrame {
   bool coupled() const { return givens_.scene().bodies.ck != 0; }
   const strips::StripSolution& solution() const { return solution_; }
   /// Gives the scene of a solver, which fit() was given before, a frame of the strips, and solves on it from what was
-  /// found. Errors are those of Solver::solve().
-  Status show(Solver& on);
+  /// found. seconds: time that finding it took. Errors are those of Solver::solve().
+  Status show(Solver& on, double seconds);
+  double seconds() const { return seconds_; }  ///< time that the last fit took
   bool rates(Parameter parameter, Rates& found) override;
   /// Returns rates where all that is given changes from one scene to another nearby, at places that keep their
   /// coordinates in the axes. err_singular.
   Rates rates(const StripGivens& before, const StripGivens& behind, double distance);
-  /// Says whether both bodies are there wherever the contact ends.
-  bool within_bodies() const;
   /// Holds the area in contact, the greatest overlap of the undeformed bodies, and the integral of |tangential
   /// traction|.
   struct Sizes {
@@ -51,6 +50,7 @@ class StripFrames final : public MovingFrame {
   void return_to(const strips::StripSolution& solution, Solver& on, const Rectangle& box);
 
  private:
+  bool within_bodies() const;
   Rates rates(const strips::StripParameter& by);
 
   StripGivens givens_;
@@ -60,6 +60,7 @@ class StripFrames final : public MovingFrame {
   strips::StripState shown_;  ///< what show() solved
   std::vector<LoadedPlace> place_;
   bool warm_ = false;
+  double seconds_ = 0;
 };
 
 /// Returns force and moment about the origin, in the axes, and motions.

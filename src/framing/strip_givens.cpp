@@ -1,11 +1,9 @@
 #include "framing/strip_givens.hpp"
 
-#include <algorithm>
 #include <cmath>
 
-#include "bodies/body.hpp"
-#include "bodies/halfspace/halfspace.hpp"
 #include "bodies/pair.hpp"
+#include "contact/prepare/between_surfaces.hpp"
 #include "support/linear_between.hpp"
 
 namespace rollcon {
@@ -31,7 +29,7 @@ void StripGivens::Gap::at(std::span<const Vec2> point, double* value, Vec2* slop
     Heights h;
     // Where a body has ended, bodies are apart.
     if (!of->known_->heights(x, y, h)) {
-      value[i] = 1e3 * (std::abs(x) + std::abs(y));
+      value[i] = of->far_;
       if (slope) slope[i] = {0, 0};
       continue;
     }
@@ -79,17 +77,9 @@ void StripGivens::read_motions(const Scene& scene, const Rectangle& box) {
     if (known_ && known_->heights(x - half, y, before) && known_->heights(x, y, middle) &&
         known_->heights(x + half, y, after)) {
       const auto curvature = [&](int b) {
-        return (b == 0 ? 1 : -1) * (2 * middle.height[b] - before.height[b] - after.height[b]);
+        return (b == 0 ? 1 : -1) * (2 * middle.height[b] - before.height[b] - after.height[b]) / (half * half);
       };
-      // Bodies' heights count by their curvatures along the rolling direction; see find_points_between().
-      constexpr double conformal = 1e-3, straight = 1e-6, rounding = 1e-9;
-      const double first = curvature(0), second = curvature(1), sum = first + second;
-      if (sum > conformal * (std::abs(first) + std::abs(second)) && sum > rounding * half) {
-        double weight = first / sum;
-        for (const double whole : {0.0, 1.0})
-          if (std::abs(weight - whole) < straight) weight = whole;
-        weight_ = {weight, 1 - weight};
-      }
+      weight_ = weights_between(curvature(0), curvature(1), half);
     }
     origin_height_ = height_between(0, 0, nullptr);
     const Vec3 origin{0, 0, origin_height_};
@@ -123,16 +113,9 @@ std::array<double, 2> StripGivens::rigid_slip(const Vec2& point) const {
 void StripGivens::read(Solver& on, const Rectangle& box) {
   const Scene& scene = on.scene;
   const PairOfBodies pair = on.bodies();
-  HalfspaceConstants sum;
-  double coupling = 0;
-  for (std::size_t b = 0; b < 2; ++b) {
-    const Body& body = *pair.body[b];
-    if (!body.traits().half_space) continue;
-    const HalfspaceConstants c = halfspace_constants(body.young(), body.poisson(), b == 0 ? 1 : -1);
-    sum = {sum.cn + c.cn, sum.cv + c.cv, sum.ck + c.ck};
-    coupling += std::abs(c.ck);
-  }
-  scene_.bodies = {sum.cn, sum.cv, std::abs(sum.ck) <= 1e-14 * coupling ? 0 : sum.ck};
+  const HalfspaceConstants bodies = half_spaces_of(pair);
+  scene_.bodies = {bodies.cn, bodies.cv, bodies.ck};
+  far_ = 100 * std::hypot(box.x_greatest - box.x_least, box.y_greatest - box.y_least);
   update_known_gap(scene, pair, known_);
   quadratic_ = known_ ? std::nullopt : scene.quadratic_gap();
   gap_.of = this;

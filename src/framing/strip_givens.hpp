@@ -34,7 +34,7 @@ class StripGivens {
   bool both_at(const Vec2& point) const;
 
  private:
-  /// Gives the undeformed gap; far from the bodies' ends it goes on linearly.
+  /// Gives the undeformed gap; where a body has ended it is large.
   struct Gap : strips::PlaneField {
     const StripGivens* of = nullptr;
     void at(std::span<const Vec2> point, double* value, Vec2* slope) const override;
@@ -60,7 +60,7 @@ class StripGivens {
   Friction friction_;
   std::array<double, 2> weight_{0.5, 0.5};  ///< weights of the bodies' heights where velocities are compared
   std::array<double, 3> creepage_{};
-  double origin_height_ = 0, speed_ = 1;
+  double origin_height_ = 0, speed_ = 1, far_ = 0;
   bool coulomb_ = true;
 };
 

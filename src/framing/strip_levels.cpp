@@ -25,8 +25,6 @@ constexpr std::array strip_levels{StripLevel{{5, 7}, 1, 0, 1},          StripLev
                                   StripLevel{{16, 24}, 0.0025, 2, 0.4}, StripLevel{{20, 30}, 0.0015, 3, 0.6},
                                   StripLevel{{24, 36}, 0, 4, 0.8}};
 constexpr double more_of_coupled = 1.4;  // factor on that of unlike bodies
-/// Hollowness of a contact some rows of which may have two intervals.
-constexpr double too_hollow_for_strips = 0.15;
 
 Rates results_of(const Solver& on) {
   const auto [force, moment] = on.loads();
@@ -39,15 +37,22 @@ void add(Rates& to, double weight, const Rates& part) {
   for (std::size_t m = 0; m < motion_count; ++m) to.motion[m] += weight * part.motion[m];
 }
 
-/// Returns the forces by which creepages that are found differ between two solutions.
+/// Returns the forces by which creepages that are found differ between two solutions: infinity where forces do not tell
+/// creepages.
 double forces_of_motions(const Scene& scene, StripFrames& on, const Rates& coarse, const Rates& fine) {
   double square = 0;
   for (const auto& [direction, parameter, motion] : {std::tuple{Direction::longitudinal, Parameter::longitudinal, xi1},
                                                      {Direction::lateral, Parameter::lateral, xi2}}) {
+    if (on.by_law() || scene.load(direction).how != How::by_force) continue;
     Rates by;
-    if (on.by_law() || scene.load(direction).how != How::by_force || !on.rates(parameter, by)) continue;
-    const double force = (fine.motion[motion] - coarse.motion[motion]) / by.motion[motion];
-    square += force * force;
+    try {
+      on.rates(parameter, by);
+    } catch (const Error& error) {
+      if (error.status() != Status::err_singular) throw;
+      return INFINITY;
+    }
+    const double difference = fine.motion[motion] - coarse.motion[motion];
+    if (difference != 0) square += difference * difference / (by.motion[motion] * by.motion[motion]);
   }
   return std::sqrt(square);
 }
@@ -108,7 +113,10 @@ std::optional<Status> StripLevels::solve(Solver& fine, const Rectangle& box, con
     mixed = weight < 1;
     if (last || !(missing > 0)) break;
   }
-  const Status status = strips_[level].show(fine);
+  double seconds = 0;
+  for (std::size_t i = 0; i <= level; ++i)
+    if (found[i]) seconds += strips_[i].seconds();
+  const Status status = strips_[level].show(fine, seconds);
   if (status != Status::ok) {
     fine.tell(status);
     return status;
@@ -124,16 +132,14 @@ std::optional<Status> StripLevels::solve(Solver& fine, const Rectangle& box, con
 // Fits strips of a level. Returns false where they do not fit the contact.
 bool StripLevels::fit(Solver& fine, const Rectangle& box, std::size_t level, Rates& found) {
   StripFrames& on = strips_[level];
-  if (on.fit(fine, box, strip_levels[level].counts).status != strips::StripStatus::solved || !on.within_bodies() ||
-      strips::trust(on.solution().strips).hollow > too_hollow_for_strips)
-    return false;
+  if (on.fit(fine, box, strip_levels[level].counts) != strips::StripStatus::solved) return false;
   found = rates_of(on.totals());
   if (!on.by_law()) return true;
   // What resists slip is known to the solver alone.
   if (!coarse_) coarse_ = fine.another();
   coarse_->take_over(fine);
   coarse_->scale_tangential_loads(1);
-  if (on.show(*coarse_) != Status::ok) return false;
+  if (on.show(*coarse_, 0) != Status::ok) return false;
   found = results_of(*coarse_);
   return true;
 }

@@ -64,6 +64,8 @@ class StripLayout {
     return p.middle * g[p.row] + p.beyond * g[p.beside] + p.half * g[rows + p.row];
   }
   double y(const StripPoint& p, const double* g) const { return g[centre_of(p.part)] + p.across * g[width_of(p.part)]; }
+  /// Returns s[row] S[part] of a node, which weights and cells multiply.
+  double cell(const StripPoint& node, const double* g) const { return g[half_of(node.row)] * g[width_of(node.part)]; }
   /// Adds (fx, fy) . d(x, y)/dgeometry to rates.
   void add_motion(const StripPoint& p, double fx, double fy, double* rates) const {
     rates[p.row] += p.middle * fx;

@@ -75,8 +75,7 @@ void put_frame(Frame& frame) {
   std::fill(frame.weight.begin(), frame.weight.end(), 0.0);
   frame.area = 0;
   for (std::size_t i = 0; i < at(l.nodes); ++i) {
-    const int row = static_cast<int>(i) / l.nodes_each;
-    const double size = g[l.half_of(row)] * g[l.width_of(l.part_of(row))];
+    const double size = l.cell(l.node[i], g);
     const std::size_t node = at(frame.strips->node[i]);
     frame.weight[node] = l.unit_weight[i] * size;
     frame.cell_area[node] = l.unit_cell[i] * size;

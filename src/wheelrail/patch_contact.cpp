@@ -100,15 +100,12 @@ void PatchContact::solve_contact(const Fineness& fineness) {
 bool PatchContact::solve_on_strips(const strips::StripCounts& counts) {
   Solver& on = *contact_->solver;
   on.pair();
-  const strips::StripReport report = strips_->fit(on, box(), counts);
-  if (report.status == strips::StripStatus::no_contact) {
+  const strips::StripStatus found = strips_->fit(on, box(), counts);
+  if (found == strips::StripStatus::no_contact) {
     now_.status = Status::no_contact;
     return true;
   }
-  constexpr double too_hollow = 0.15;
-  if (report.status != strips::StripStatus::solved || !strips_->within_bodies() ||
-      strips::trust(strips_->solution().strips).hollow > too_hollow)
-    return false;
+  if (found != strips::StripStatus::solved) return false;
   now_.status =
       strips::largest_pressure(strips_->solution().strips).pressure > modulus() ? Status::too_deep : Status::ok;
   return true;
@@ -117,7 +114,7 @@ bool PatchContact::solve_on_strips(const strips::StripCounts& counts) {
 Status PatchContact::show() const {
   if (!now_.on_strips || shown_) return now_.status;
   shown_ = true;
-  if (now_.status != Status::no_contact) return strips_->show(*contact_->solver);
+  if (now_.status != Status::no_contact) return strips_->show(*contact_->solver, strips_->seconds());
   put_frame(now_.lattice, place());
   return contact_->solver->solve();
 }

@@ -76,6 +76,39 @@ TEST(following_frames, laws_hold_where_a_frame_went) {
     expect_error(law, follows.stat(law), 1e-9);
 }
 
+// Derivatives count that the contact moves with load and approach. In the second case results of two counts are mixed:
+// the derivative is that of the finer ones, and misses how the mixture changes.
+TEST(following_frames, derivatives_by_the_load_are_those_of_differences) {
+  for (const auto& creep : {std::array{1e-3, 0.0, 0.0}, {3e-4, -2e-4, 0.0}, {5e-4, -3e-4, 1e-4}})
+    for (const bool by_force : {true, false}) {
+      const auto put = [&](RollingPair& pair, double factor) {
+        pair.gap_quadratic(1 / 920.0, 1 / 600.0).friction(mu).option("frame_accuracy", 0.02);
+        by_force ? pair.load(1e5 * factor) : pair.approach(0.1 * factor);
+        pair.creep(creep[0], creep[1], creep[2]);
+        EXPECT_EQ(pair.solve(), ROLLCON_OK);
+        return pair.solution();
+      };
+      RollingPair pair(steel, steel);
+      put(pair, 1);
+      double force[3], moment[3];
+      ASSERT_EQ(rollcon_contact_get_sensitivity(pair.handle(), ROLLCON_NORMAL, force, moment, nullptr, nullptr),
+                ROLLCON_OK);
+      constexpr double step = 1e-4;
+      const scenes::Solution before = put(pair, 1 - step), after = put(pair, 1 + step);
+      const double change = 2 * step * (by_force ? 1e5 : 0.1);
+      double largest = 0, off = 0;
+      for (std::size_t c = 0; c < 2; ++c) {
+        const double slope = (after.force[c] - before.force[c]) / change;
+        largest = std::max(largest, std::abs(slope));
+        off = std::max(off, std::abs(force[c] - slope));
+      }
+      off = std::max(off, std::abs(moment[2] - (after.moment[2] - before.moment[2]) / change) / 6);
+      const bool mixed = creep[0] == 3e-4;
+      expect_error(std::string(by_force ? "by load" : "by approach") + (mixed ? ", mixed" : ""), off / largest,
+                   mixed ? 0.1 : 1e-7);
+    }
+}
+
 // Axes may turn, too.
 TEST(following_frames, frames_follow_the_axes) {
   RollingPair follows(steel, steel);

@@ -65,13 +65,7 @@ class BetweenSurfaces {
       const auto first = curvature(0, frame.mesh.node[nearest], half),
                  second = curvature(1, frame.mesh.node[nearest], half);
       if (!first || !second) continue;
-      constexpr double conformal = 1e-3, straight = 1e-6, rounding = 1e-9;
-      const double sum = *first + *second;
-      if (!(sum > conformal * (std::abs(*first) + std::abs(*second)) && sum * half > rounding)) return;
-      double share = *first / sum;
-      for (const double whole : {0.0, 1.0})
-        if (std::abs(share - whole) < straight) share = whole;
-      share_ = {share, 1 - share};
+      share_ = weights_between(*first, *second, half);
       return;
     }
   }
@@ -91,6 +85,16 @@ bool flat_scene(const Prepared& on) {
 }
 
 }  // namespace
+
+std::array<double, 2> weights_between(double first, double second, double half) {
+  constexpr double conformal = 1e-3, straight = 1e-6, rounding = 1e-9;
+  const double sum = first + second;
+  if (!(sum > conformal * (std::abs(first) + std::abs(second)) && sum * half > rounding)) return {0.5, 0.5};
+  double weight = first / sum;
+  for (const double whole : {0.0, 1.0})
+    if (std::abs(weight - whole) < straight) weight = whole;
+  return {weight, 1 - weight};
+}
 
 void find_points_between(Preparation& preparation) {
   const Prepared& on = *preparation.made;

@@ -38,14 +38,6 @@ double row_factor(std::size_t r, bool displacements, double width) {
   return r == 2 || displacements ? width : 1;
 }
 
-/// Removes the rounding of where a value was computed.
-double rounded(double value) {
-  constexpr int bits = 40;
-  int exponent = 0;
-  const double mantissa = std::frexp(value, &exponent);
-  return std::ldexp(std::nearbyint(std::ldexp(mantissa, bits)), exponent - bits);
-}
-
 }  // namespace
 
 void OperatorFamily::belong_to(std::int64_t version, bool tangential) {
@@ -104,13 +96,9 @@ const OperatorFamily::Entry& OperatorFamily::on_grid(std::int64_t step, const As
   return add(std::exp(spacing * static_cast<double>(step)), 0, step, assemble);
 }
 
-std::int64_t OperatorFamily::fill(const FramePlace& place, bool in_steps, bool displacements, const Assemble& assemble,
+std::int64_t OperatorFamily::fill(const FramePlace& place, bool displacements, const Assemble& assemble,
                                   DenseOperators& op) {
-  double length = place.length / place.width, shear = place.shear / place.width;
-  if (in_steps) {
-    length = rounded(length);
-    shear = rounded(shear);
-  }
+  const double length = place.length / place.width, shear = place.shear / place.width;
   const double before = last_length_;
   assemblies_ = 0;
   last_length_ = length;
@@ -120,8 +108,7 @@ std::int64_t OperatorFamily::fill(const FramePlace& place, bool in_steps, bool d
   part[0] = beside_grid(length, shear);
   if (!part[0]) {
     // A shape that changes little by little will come back; others are assembled as they are, one at a time.
-    const bool following =
-        !in_steps && before > 0 && std::abs(std::log(length / before)) < 2 * spacing && std::abs(shear) < same;
+    const bool following = before > 0 && std::abs(std::log(length / before)) < 2 * spacing && std::abs(shear) < same;
     if (following) {
       const double place_on_grid = std::log(length) / spacing, floor = std::floor(place_on_grid);
       share = cubic(place_on_grid - floor);

@@ -20,10 +20,8 @@ class OperatorFamily {
   /// Names the version of compliance and scheme that the operators belong to; another number forgets all of them.
   void belong_to(std::int64_t version, bool tangential);
   /// Puts the operators at a place into blocks that are there or are made at the first call; returns how many were
-  /// assembled. in_steps: they are of this shape itself, whatever came before. displacements: the slip rows are
-  /// displacements, too, and grow with the size.
-  std::int64_t fill(const FramePlace& place, bool in_steps, bool displacements, const Assemble& assemble,
-                    DenseOperators& op);
+  /// assembled. displacements: the slip rows are displacements, too, and grow with the size.
+  std::int64_t fill(const FramePlace& place, bool displacements, const Assemble& assemble, DenseOperators& op);
   std::size_t bytes() const;
 
  private:

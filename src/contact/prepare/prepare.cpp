@@ -161,7 +161,6 @@ void build_frame_part(Preparation& preparation, const Scene& scene) {
     if (on.frame.strips) put_strips(preparation, scene);
     preparation.place.enter(preparation.frame.version(), scene.revision.place);
     on.placed = scene.placed();
-    on.in_steps = scene.placed_in_steps();
     if (on.placed && !on.frame.curved()) take_unit_frame(preparation, scene);
     preparation.changes.nodes = preparation.changes.nodes || !same_size;
   }

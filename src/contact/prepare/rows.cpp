@@ -56,7 +56,7 @@ bool fill_from_family(Preparation& preparation, std::int64_t& assemblies) {
                        mirrors ? preparation.unit.mirror() : std::span<const std::int32_t>{});
   };
   // std::cref avoids a copy.
-  assemblies = preparation.family.fill(on.place, on.in_steps, step, std::cref(assemble), *preparation.dense);
+  assemblies = preparation.family.fill(on.place, step, std::cref(assemble), *preparation.dense);
   return true;
 }
 

@@ -75,9 +75,8 @@ class Scene {
   /// Forgets what set_frame_nodes forgets.
   void set_made_frame(SurfaceMesh mesh, bool ends_at_edge, bool given);
   /// Takes a frame of the library's choice that ends at the contact's edge: a mesh with nodes (X, Y, 0), to be placed
-  /// anew where contacts change. in_steps: its shapes are a few that come again; each has operators of its own, which
-  /// do not depend on what came before.
-  void set_placed_frame(SurfaceMesh mesh, const FramePlace& place, bool in_steps = false);
+  /// anew where contacts change.
+  void set_placed_frame(SurfaceMesh mesh, const FramePlace& place);
   /// Takes a frame of strips that ends at the contact's edge; where its layout is that of the last one it is moved. It
   /// lies in the plane of the axes; see set_made_frame() for the rest.
   void set_strips(const strips::StripLayout& layout, const std::vector<double>& geometry);
@@ -89,7 +88,6 @@ class Scene {
   void place_frame(const FramePlace& place);
   bool placed() const { return !unplaced_.empty(); }
   const FramePlace& place() const { return place_; }
-  bool placed_in_steps() const { return in_steps_; }
   /// Returns the mesh of a placed frame as it would be elsewhere.
   SurfaceMesh mesh_at(const FramePlace& place) const;
   /// Lets the library make the frame from now on, as in a new scene.
@@ -186,7 +184,6 @@ class Scene {
   std::vector<Vec3> unplaced_;  ///< nodes of a placed frame; empty: it is none
   std::unique_ptr<strips::StripFrame> strips_;
   FramePlace place_;
-  bool in_steps_ = false;
   std::array<Pose, 2> pose_{};
   Axes axes_;
   // What is set together, as values.

@@ -43,10 +43,9 @@ void Scene::set_made_frame(SurfaceMesh mesh, bool ends_at_edge, bool given) {
   frame_given_ = given;
 }
 
-void Scene::set_placed_frame(SurfaceMesh mesh, const FramePlace& place, bool in_steps) {
+void Scene::set_placed_frame(SurfaceMesh mesh, const FramePlace& place) {
   set_made_frame(std::move(mesh), true, false);
   unplaced_ = mesh_.node;
-  in_steps_ = in_steps;
   place_frame(place);
 }
 
@@ -111,7 +110,6 @@ void Scene::replace_frame(SurfaceMesh mesh, FrameSource source) {
   unplaced_.clear();
   strips_.reset();
   place_ = {};
-  in_steps_ = false;
   std::swap(mesh_, mesh);
   std::swap(frame_source_, source);
   ++revision.mesh;

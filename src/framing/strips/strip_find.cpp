@@ -167,8 +167,7 @@ double StripFinder::deformed_gap(const StripScene& scene, const StripState& stat
     return gap + integrals_.displacement(integrals_.observe(Displacement::normal, false, p, 0), 0, 0);
   }
   for (int i = 0; i < l.nodes; ++i) {
-    const int row = i / l.nodes_each;
-    const double w = l.unit_weight[i] * g[l.half_of(row)] * g[l.width_of(l.part_of(row))];
+    const double w = l.unit_weight[i] * l.cell(l.node[i], g);
     const double dx = at[0] - l.x(l.node[i], g), dy = at[1] - l.y(l.node[i], g);
     gap += scene.bodies.cn * w * state.pressure[i] / std::sqrt(dx * dx + dy * dy);
   }

@@ -130,7 +130,7 @@ double StripSolver::judge(const StripScene& scene, const StripState& state) {
     law.along = length > 0 ? Vec2{a1 / length, a2 / length} : Vec2{1, 0};
     worst = std::max(worst, std::hypot(t1 - law.share * a1, t2 - law.share * a2));
     largest = std::max(largest, bound_[i]);
-    limit += bound_[i] * l.unit_weight[i] * g[l.half_of(i / l.nodes_each)] * g[l.width_of(l.part_of(i / l.nodes_each))];
+    limit += bound_[i] * l.unit_weight[i] * l.cell(l.node[i], g);
   }
   double residual = largest > 0 ? worst / largest : 0;
   friction_limit_ = limit;

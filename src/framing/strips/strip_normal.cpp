@@ -189,8 +189,7 @@ StripTotals StripSolver::totals(const StripState& state) {
   t.approach = state.approach;
   t.motion = state.motion;
   for (int i = 0; i < l.nodes; ++i) {
-    const int row = i / l.nodes_each;
-    const double w = l.unit_weight[i] * g[l.half_of(row)] * g[l.width_of(l.part_of(row))];
+    const double w = l.unit_weight[i] * l.cell(l.node[i], g);
     const double x = l.x(l.centroid[i], g), y = l.y(l.centroid[i], g);
     const double p = w * state.pressure[i], t1 = w * state.traction[i], t2 = w * state.traction[l.nodes + i];
     t.load += p;

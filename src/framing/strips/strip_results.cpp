@@ -31,10 +31,7 @@ double area(const StripState& state) {
   const StripLayout& l = state.layout;
   const double* g = state.geometry.data();
   double sum = 0;
-  for (int i = 0; i < l.nodes; ++i) {
-    const int row = i / l.nodes_each;
-    sum += l.unit_cell[i] * g[l.half_of(row)] * g[l.width_of(l.part_of(row))];
-  }
+  for (int i = 0; i < l.nodes; ++i) sum += l.unit_cell[i] * l.cell(l.node[i], g);
   return sum;
 }
 
