@@ -91,6 +91,7 @@ std::vector<Case> time_loop_cases();
 std::vector<Case> time_step_cases();
 std::vector<Case> many_cases();
 std::vector<Case> wheel_rail_cases();
+std::vector<Case> wheelset_cases();  ///< where the integrator is there
 std::vector<Case> creep_table_cases();
 std::vector<Case> equivalent_ellipse_cases();
 std::vector<Case> stability_cases();

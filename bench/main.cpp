@@ -36,6 +36,9 @@ std::vector<Case> all_cases() {
                       lattice_cases,        stress_cases,
                       stability_cases})
     for (Case& c : family()) cases.push_back(std::move(c));
+#ifdef ROLLCON_BENCH_WHEELSET
+  for (Case& c : wheelset_cases()) cases.push_back(std::move(c));
+#endif
 #ifdef ROLLCON_BENCH_KERNELS
   for (Case& c : bem_kernel_cases()) cases.push_back(std::move(c));
 #endif

@@ -79,7 +79,7 @@ if wanted tables; then
   echo "wrote docs/tables.md"
 fi
 if wanted wheels; then
-  run_cases 1 wheel_rail manchester
+  run_cases 1 wheel_rail manchester wheelset
   cat "${files[@]}" > "$build/wheels.jsonl"
   python3 bench/report_wheels.py "$build/wheels.jsonl" docs "$command wheels"
   echo "wrote docs/wheelrail.md, errors and times"

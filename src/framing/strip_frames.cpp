@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "framing/strips/strip_results.hpp"
+#include "linalg/blas_threads.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"
 #include "support/index.hpp"
@@ -26,17 +27,17 @@ Rates rates_of(const StripTotals& t) {
   return r;
 }
 
-StripStatus StripFrames::fit(Solver& on, const Rectangle& box, StripCounts counts) {
-  // Some rows of a contact as hollow as that may have two intervals.
-  constexpr double too_hollow = 0.15;
+StripStatus StripFrames::fit(Solver& on, const Rectangle& box, StripCounts counts, bool patient) {
   seconds_ = 0;
   const Stopwatch watch(seconds_);
   givens_.read(on, box);
-  const StripStatus status = contact_.solve(givens_.scene(), box, counts, solution_, warm_).status;
+  const bool near = warm_ && solution_.strips.layout.counts == counts;
+  const StripStatus status = contact_.solve(givens_.scene(), box, counts, solution_, near, patient).status;
   warm_ = status == StripStatus::solved;
   if (!warm_) return status;
   totals_ = StripContact::totals(solution_);
-  return within_bodies() && trust(solution_.strips).hollow <= too_hollow ? status : StripStatus::unfit;
+  const bool hollow = solution_.share > 0 && trust(solution_.strips).hollow > strips::StripTrust::most_hollow;
+  return within_bodies() && !hollow ? status : StripStatus::unfit;
 }
 
 // Says whether both bodies are there wherever the contact ends.
@@ -161,6 +162,7 @@ bool StripFrames::rates(Parameter parameter, Rates& found) {
 }
 
 Rates StripFrames::rates(const StripParameter& by) {
+  const BlasThreads blas(1);  // several are slower for systems of this size
   StripTotals rate;
   if (!contact_.rates(givens_.scene(), solution_, {&by, 1}, {&rate, 1}))
     fail(Status::err_singular, "the linearised system of the contact on strips has no solution");

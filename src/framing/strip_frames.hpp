@@ -14,8 +14,9 @@ namespace rollcon {
 class StripFrames final : public MovingFrame {
  public:
   /// Solves a solver's scene inside of the box, by Coulomb's law or, where another resists slip, without friction. The
-  /// solver's bodies are prepared. unfit: strips do not fit, or a body ends where the contact does.
-  strips::StripStatus fit(Solver& on, const Rectangle& box, strips::StripCounts counts);
+  /// solver's bodies are prepared. patient: many starts are tried. unfit: strips do not fit, or a body ends where the
+  /// contact does.
+  strips::StripStatus fit(Solver& on, const Rectangle& box, strips::StripCounts counts, bool patient = true);
   /// Returns what fit() found; `by_law` friction is missing from it.
   const strips::StripTotals& totals() const { return totals_; }
   /// Says whether friction is missing from the totals.

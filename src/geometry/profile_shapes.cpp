@@ -98,6 +98,13 @@ void add_polynomial(Pieces& all, std::span<const double> coefficient, double fro
   all.insert(all.end(), fit.begin(), fit.end());
 }
 
+/// Moves pieces so that each begins where the one before ends, and one of them stays: published places are rounded.
+Pieces joined(Pieces all, std::size_t stays) {
+  for (std::size_t i = stays + 1; i < all.size(); ++i) all[i].start = end_of(all[i - 1]);
+  for (std::size_t i = stays; i-- > 0;) all[i].start = all[i].start + all[i + 1].start - end_of(all[i]);
+  return all;
+}
+
 /// Builds the wheel of EN 13715, in mm.
 Pieces s1002() {
   constexpr double slope = -0.066666667, rise = 1.364323640;
@@ -122,7 +129,7 @@ Pieces s1002() {
   add_polynomial(all, root, -35, -26, 0.02);
   add_polynomial(all, tread, -26, 32.15796, 0.05);
   all.push_back(straight({32.15796, rise + slope * 32.15796}, {60, rise + slope * 60}));
-  return all;
+  return joined(all, all.size() - 2);
 }
 
 /// Builds the rail of EN 13674-1 to the digits of the Manchester benchmark's rail, in mm.
@@ -139,13 +146,13 @@ Pieces e60() {
   };
   const Vec2 foot{edge[0] + down * std::cos(side), lowest};
   const auto left = [](const Vec2& x) { return Vec2{-x[0], x[1]}; };
-  return {straight(left(foot), left(edge)),
-          arc(left(edge), -side, 13 * (side - to), 1.0 / 13),
-          arc(left(turned(to, shoulder, 80)), -to, 80 * (to - from), 1.0 / 80),
-          arc(left(turned(middle, {0, 300}, 300)), -middle, 600 * middle, 1.0 / 300),
-          arc(turned(from, shoulder, 80), from, 80 * (to - from), 1.0 / 80),
-          arc(turned(to, corner, 13), to, 13 * (side - to), 1.0 / 13),
-          straight(edge, foot)};
+  constexpr std::size_t head = 3;
+  return joined({straight(left(foot), left(edge)), arc(left(edge), -side, 13 * (side - to), 1.0 / 13),
+                 arc(left(turned(to, shoulder, 80)), -to, 80 * (to - from), 1.0 / 80),
+                 arc(left(turned(middle, {0, 300}, 300)), -middle, 600 * middle, 1.0 / 300),
+                 arc(turned(from, shoulder, 80), from, 80 * (to - from), 1.0 / 80),
+                 arc(turned(to, corner, 13), to, 13 * (side - to), 1.0 / 13), straight(edge, foot)},
+                head);
 }
 
 Pieces scaled(Pieces all, double unit) {

@@ -100,15 +100,15 @@ struct FlatLine {
   }
 };
 
-/// Finds the root of the function next to a hint by Newton's method, on the hint's piece or those beside it; finds none
-/// where the steps do not shrink to half.
+/// Finds the root of the function next to a hint by Newton's method, on the hint's piece or those near it; finds none
+/// where the first step is longer than a piece and a fiftieth of the curve, or the others do not shrink to half.
 template <class Function>
 std::optional<ProfilePoint> crossing_near(const ProfileCurve& curve, const Function& f, SurfaceHint& hint) {
   const std::vector<ProfilePiece>& pieces = curve.pieces();
   constexpr int most = 8;
   constexpr double rounding = 1e-15;
   std::size_t piece = hint.piece;
-  double u = hint.parameter, length = pieces[piece].length, last = length;
+  double u = hint.parameter, length = pieces[piece].length, last = 2 * std::max(length, curve.length() / 50);
   // Goes on from where a step led to. Returns false beyond the ends of the curve.
   const auto stay = [&] {
     while (u > length && piece + 1 < pieces.size()) {
@@ -132,8 +132,7 @@ std::optional<ProfilePoint> crossing_near(const ProfileCurve& curve, const Funct
     u += step;
     const std::size_t before = piece;
     if (!stay()) return std::nullopt;
-    if (!done) continue;
-    if (piece != before) return std::nullopt;
+    if (!done || piece != before) continue;
     hint.piece = piece;
     hint.parameter = u;
     return curve.at(piece, u);

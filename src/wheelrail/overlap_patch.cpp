@@ -191,13 +191,14 @@ LocusPlace place_at_y(const ProfileGap& gap, double y, double s, double from, do
 /// visit(point of the wheel, gap) wherever the gap is taken.
 template <class Visit>
 void integrate(const ProfileGap& gap, const GapPoint& from, const GapPoint& to, Overlap& o, Visit visit) {
-  constexpr std::size_t points = 16;
+  constexpr std::size_t points = 16, parts = 3;
   const auto& rule = quadrature::line_rule(static_cast<int>(points));
-  const double middle = (from.wheel[1] + to.wheel[1]) / 2, half = (to.wheel[1] - from.wheel[1]) / 2;
+  const double half = (to.wheel[1] - from.wheel[1]) / (2 * parts);
   const double close_enough = 1e-9 * half;
   GapPoint last = from;
-  for (std::size_t i = 0; i < points; ++i) {
-    const double y = middle + half * rule.x[i];
+  for (std::size_t k = 0; k < parts * points; ++k) {
+    const std::size_t i = k % points;
+    const double y = from.wheel[1] + half * (static_cast<double>(2 * (k / points) + 1) + rule.x[i]);
     const double start = std::clamp(last.s + (y - last.wheel[1]) / last.forward_y, last.s, to.s);
     const LocusPlace place = place_at_y(gap, y, start, from.s, to.s, close_enough);
     const auto g = place.locus ? gap.at(*place.locus, place.s) : std::nullopt;

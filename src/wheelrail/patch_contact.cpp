@@ -89,7 +89,7 @@ Loads PatchContact::found_loads() const {
 // the overlap of the undeformed bodies, beyond which nothing touches.
 void PatchContact::solve_contact(const Fineness& fineness) {
   shown_ = false;
-  now_.on_strips = fineness.strips.along > 0 && !fineness.lattice.conformal && solve_on_strips(fineness.strips);
+  now_.on_strips = fineness.strips.along > 0 && !fineness.lattice.conformal && solve_on_strips(fineness);
   if (now_.on_strips) return;
   now_.place = place();
   put_frame(fineness.lattice, now_.place);
@@ -97,10 +97,12 @@ void PatchContact::solve_contact(const Fineness& fineness) {
   now_.status = contact_->solver->solve();
 }
 
-bool PatchContact::solve_on_strips(const strips::StripCounts& counts) {
+bool PatchContact::solve_on_strips(const Fineness& fineness) {
   Solver& on = *contact_->solver;
   on.pair();
-  const strips::StripStatus found = strips_->fit(on, box(), counts);
+  strips::StripStatus found = strips_->fit(on, box(), fineness.strips, false);
+  if (found == strips::StripStatus::unfit || found == strips::StripStatus::not_converged)
+    found = strips_->fit(on, box(), fineness.finer);
   if (found == strips::StripStatus::no_contact) {
     now_.status = Status::no_contact;
     return true;

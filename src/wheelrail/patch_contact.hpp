@@ -26,6 +26,7 @@ struct LatticeSize {
 /// Says how finely a patch is solved: on strips that fit it, or on a lattice where these do not.
 struct Fineness {
   strips::StripCounts strips;  ///< 0: a lattice is wanted
+  strips::StripCounts finer;   ///< what those that do not fit give way to
   LatticeSize lattice;
 };
 
@@ -147,7 +148,7 @@ class PatchContact {
   void stand_nearby(const Nearby& nearby);
   Loads found_loads() const;
   void solve_contact(const Fineness& fineness);
-  bool solve_on_strips(const strips::StripCounts& counts);
+  bool solve_on_strips(const Fineness& fineness);
   bool take_table_results(const PatchFriction& friction);
   void take_results(const Vec3& force, const Vec3& moment);
   void take_creepages();

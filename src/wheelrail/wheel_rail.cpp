@@ -29,7 +29,9 @@ struct Level {
   double accuracy;
   Fineness fineness;
 };
-constexpr Level levels[] = {{0.02, {{6, 10}, {12, 22}}}, {0.01, {{8, 12}, {20, 40}}}, {0.005, {{12, 12}, {32, 64}}}};
+constexpr Level levels[] = {{0.02, {{6, 10}, {8, 12}, {12, 22}}},
+                            {0.01, {{8, 12}, {12, 12}, {20, 40}}},
+                            {0.005, {{12, 12}, {12, 20}, {32, 64}}}};
 
 Fineness fineness_for(double accuracy, bool conformal, bool on_lattices) {
   Fineness fineness = std::end(levels)[-1].fineness;
@@ -296,6 +298,8 @@ Status WheelRail::meet_force() {
       return status;
     }
     (force < in_.load ? low : high) = sink;
+    // Where no height between two that are so near has the force, it jumps.
+    if (high - low <= 1e-3 * tolerance * low) break;
     if (low == deepest)
       fail(Status::err_load,
            "no height of the wheelset carries the vertical force %g: sunk by a tenth of its radius, the wheel carries "

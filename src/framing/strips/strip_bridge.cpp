@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "framing/strips/strip_results.hpp"
+#include "linalg/blas_threads.hpp"
 
 namespace rollcon::strips {
 namespace {
@@ -114,38 +116,43 @@ void BridgedGap::at(std::span<const Vec2> point, double* value, Vec2* slope) con
 }
 
 bool StripContact::bridge(const StripScene& scene, const Rectangle& box, StripCounts counts, StripSolution& solution,
-                          bool warm) {
+                          bool warm, bool patient) {
   BridgedGap gap;
   gap.gap = scene.gap;
   gap.neck = solution.neck;
   StripScene other = scene;
   other.gap = &gap;
   const double unit = unit_height * solution.neck.wall;
-  bool solved[4];
-  for (int i = 0; i < 4; ++i) {
+  const auto find = [&](std::size_t i, bool near) {
     gap.height = heights[i] * unit;
-    solved[i] = finder_.find(other, box, counts, solution.neighbour[i], warm).status == StripStatus::solved;
-  }
-  // A neighbour that was not found is reached in steps from the other one of the same sign.
-  constexpr int steps = 5;
-  for (int i = 0; i < 4; ++i) {
-    const int from = i ^ 1;
-    if (solved[i]) continue;
-    if (!solved[from]) return false;
+    return finder_.find(other, box, counts, solution.neighbour[i], near, patient).status == StripStatus::solved;
+  };
+  const auto reach = [&](std::size_t i, std::size_t from, int steps) {
     solution.neighbour[i] = solution.neighbour[from];
     for (int step = 1; step <= steps; ++step) {
       gap.height = (heights[from] + (heights[i] - heights[from]) * step / steps) * unit;
       if (finder_.solver().solve(other, solution.neighbour[i], StripStart::solution).status != StripStatus::solved)
         return false;
     }
+    return true;
+  };
+  // One neighbour of either sign is found by itself, the other one from it.
+  constexpr int steps = 5;
+  for (const auto& [far, near] : {std::pair<std::size_t, std::size_t>{0, 1}, {3, 2}}) {
+    const bool first = find(far, warm), both = warm && find(near, true);
+    if (both && first) continue;
+    if (first ? reach(near, far, 1) || reach(near, far, steps) || find(near, false)
+              : (both || find(near, false)) && (reach(far, near, 1) || reach(far, near, steps)))
+      continue;
+    return false;
   }
   return true;
 }
 
 StripReport StripContact::solve(const StripScene& scene, const Rectangle& box, StripCounts counts,
-                                StripSolution& solution, bool warm) {
-  // Neighbours that are nearby are there where the last contact had a neck.
-  const bool bridged = warm && solution.share < 1;
+                                StripSolution& solution, bool warm, bool patient) {
+  const BlasThreads blas(1);  // several are slower for systems of this size
+  if (warm && solution.share < 1 && solve_near_neck(scene, box, counts, solution, patient)) return {};
   StripReport report = finder_.find(scene, box, counts, solution.strips, warm && solution.share > 0, false);
   const auto ended = [&] {
     return report.status == StripStatus::no_contact || report.status == StripStatus::beyond_friction;
@@ -153,26 +160,46 @@ StripReport StripContact::solve(const StripScene& scene, const Rectangle& box, S
   if (ended()) return report;
   // Necks explain most starts that lead nowhere; where there is none, all others are tried.
   bool necked = find_neck(scene, report, solution);
-  if (report.status != StripStatus::solved && !necked) {
+  if (report.status != StripStatus::solved && !necked && patient) {
     report = finder_.find(scene, box, counts, solution.strips, false);
     if (ended()) return report;
     necked = find_neck(scene, report, solution);
   }
   if (solution.share == 1) return report;
-  if (necked && bridge(scene, box, counts, solution, bridged)) {
-    // Strips that were not found from the probe may be from the neighbours.
-    for (const int i : {1, 2}) {
-      if (solution.share > 0) break;
-      solution.strips = solution.neighbour[i];
-      if (finder_.solver().solve(scene, solution.strips, StripStart::solution).status == StripStatus::solved)
-        solution.share = trust(solution.strips).share();
-    }
-    report.status = StripStatus::solved;
-    return report;
+  if (necked && bridge(scene, box, counts, solution, false, patient)) {
+    if (solution.share == 0) start_from_neighbours(scene, solution);
+    return {};
   }
-  if (report.status != StripStatus::solved) report = finder_.find(scene, box, counts, solution.strips, false);
+  if (report.status != StripStatus::solved && patient)
+    report = finder_.find(scene, box, counts, solution.strips, false);
   solution.share = 1;
   return report;
+}
+
+// Goes on from a solution with a neck: no other start is tried. Returns false where that leads nowhere, or past necks.
+bool StripContact::solve_near_neck(const StripScene& scene, const Rectangle& box, StripCounts counts,
+                                   StripSolution& solution, bool patient) {
+  Vec2 first, second;
+  if (!halves(solution.neighbour[1], first, second) && !halves(solution.neighbour[2], first, second)) return false;
+  solution.neck = neck_between(*scene.gap, first, second);
+  if (!(solution.neck.wall > 0 && bridge(scene, box, counts, solution, true, patient))) return false;
+  if (solution.share > 0) {
+    const bool found =
+        finder_.solver().solve(scene, solution.strips, StripStart::solution).status == StripStatus::solved;
+    solution.share = found ? trust(solution.strips).share() : 0;
+  }
+  if (solution.share == 0) start_from_neighbours(scene, solution);
+  return solution.share < 1;
+}
+
+// Strips that are not found from the probe may be from the neighbours.
+void StripContact::start_from_neighbours(const StripScene& scene, StripSolution& solution) {
+  for (const std::size_t i : {1, 2}) {
+    if (solution.share > 0) break;
+    solution.strips = solution.neighbour[i];
+    if (finder_.solver().solve(scene, solution.strips, StripStart::solution).status == StripStatus::solved)
+      solution.share = trust(solution.strips).share();
+  }
 }
 
 // Finds the weight of the strips, and the neck if they are not all. Returns false where there is none.

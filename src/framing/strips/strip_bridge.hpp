@@ -34,9 +34,10 @@ struct StripSolution {
 /// Solves scenes with or without necks. It holds only memory: results depend on what a call is given.
 class StripContact {
  public:
-  /// Solves a scene whose contact lies inside of the box (length). warm: `solution` is one nearby.
+  /// Solves a scene whose contact lies inside of the box (length). warm: `solution` is one nearby. patient: many starts
+  /// are tried.
   StripReport solve(const StripScene& scene, const Rectangle& box, StripCounts counts, StripSolution& solution,
-                    bool warm);
+                    bool warm, bool patient = true);
   static StripTotals totals(const StripSolution& solution);
   /// Computes total derivatives of the totals, one for each parameter. Changes of the weight by the parameter count,
   /// changes of the neck's place do not: they move what is interpolated by less than its error.
@@ -44,7 +45,11 @@ class StripContact {
              std::span<StripTotals> rate);
 
  private:
-  bool bridge(const StripScene& scene, const Rectangle& box, StripCounts counts, StripSolution& solution, bool warm);
+  bool solve_near_neck(const StripScene& scene, const Rectangle& box, StripCounts counts, StripSolution& solution,
+                       bool patient);
+  void start_from_neighbours(const StripScene& scene, StripSolution& solution);
+  bool bridge(const StripScene& scene, const Rectangle& box, StripCounts counts, StripSolution& solution, bool warm,
+              bool patient);
   bool find_neck(const StripScene& scene, const StripReport& report, StripSolution& solution) const;
 
   StripFinder finder_;

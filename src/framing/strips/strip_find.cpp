@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "framing/hertz.hpp"
-#include "linalg/blas_threads.hpp"
 
 namespace rollcon::strips {
 namespace {
@@ -253,7 +252,6 @@ bool StripFinder::more_parts(const StripScene& scene, const Rectangle& box, Stri
 
 StripReport StripFinder::find(const StripScene& scene, const Rectangle& box, StripCounts counts, StripState& state,
                               bool warm, bool patient) {
-  const BlasThreads blas(1);  // several are slower for systems of this size
   StripReport report;
   report.status = StripStatus::unfit;
   const int attempts = patient ? static_cast<int>(std::size(probes)) : 1;

@@ -8,7 +8,7 @@
 namespace rollcon::strips {
 namespace {
 
-constexpr int most_rounds = 25;
+constexpr int most_rounds = 15;
 constexpr double longest_step = 0.3;  // part of a half chord or half width
 // Newton's steps square their errors: after a step of this size, over sizes, the next one is lost in rounding.
 constexpr double last_step = 3e-7;

@@ -159,7 +159,7 @@ double StripTrust::share() const {
     const double s = std::clamp((x - low) / (high - low), 0.0, 1.0);
     return s * s * (3 - 2 * s);
   };
-  return rise(joined, 0.006, 0.018) * rise(apart, 0.5, 1);
+  return rise(joined, 0.006, 0.018) * rise(apart, 0.5, 1) * rise(-hollow, -most_hollow, -2 * most_hollow / 3);
 }
 
 }  // namespace rollcon::strips

@@ -23,9 +23,10 @@ struct StripTrust {
   double joined = 1;
   /// Least distance of two parts over the smaller half width; a large number for one part.
   double apart = 1e9;
-  /// Depth to which the outline is hollow over the longest half chord. Above 0.15 rows may be about to have two
-  /// intervals, which strips do not fit.
+  /// Depth to which the outline is hollow over the longest half chord.
   double hollow = 0;
+  /// Outlines as hollow as that are not trusted; waists are less so until they part.
+  static constexpr double most_hollow = 0.45;
   /// Returns the weight of the strips beside their neighbours (strip_bridge.hpp): 1 where no neck is near, 0 before
   /// strips fail.
   double share() const;
