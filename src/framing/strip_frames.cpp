@@ -31,6 +31,7 @@ StripStatus StripFrames::fit(Solver& on, const Rectangle& box, StripCounts count
   seconds_ = 0;
   const Stopwatch watch(seconds_);
   givens_.read(on, box);
+  box_ = box;
   const bool near = warm_ && solution_.strips.layout.counts == counts;
   const StripStatus status = contact_.solve(givens_.scene(), box, counts, solution_, near, patient).status;
   warm_ = status == StripStatus::solved;
@@ -136,7 +137,7 @@ Status StripFrames::show(Solver& on, double seconds) try {
   return Status::cancelled;
 }
 
-bool StripFrames::rates(Parameter parameter, Rates& found) {
+std::optional<StripParameter> StripFrames::parameter_of(Parameter parameter) const {
   StripParameter by;
   switch (parameter) {
     case Parameter::longitudinal:
@@ -155,10 +156,35 @@ bool StripFrames::rates(Parameter parameter, Rates& found) {
       by.mu = givens_.scene().mu;
       break;
     default:
-      return false;
+      return std::nullopt;
   }
-  found = rates(by);
-  return true;
+  return by;
+}
+
+bool StripFrames::rates(Parameter parameter, Rates& found) {
+  const std::optional<StripParameter> by = parameter_of(parameter);
+  if (by) found = rates(*by);
+  return by.has_value();
+}
+
+bool StripFrames::shift(Parameter parameter, double step) {
+  const std::optional<StripParameter> by = parameter_of(parameter);
+  if (!by) return false;
+  solution_before_ = solution_;
+  shifted_ = {.value = step * by->value, .mu = step * by->mu};
+  for (std::size_t k = 0; k < 3; ++k) shifted_.motion[k] = step * by->motion[k];
+  givens_.shift(shifted_, 1);
+  const bool found = contact_.solve(givens_.scene(), box_, solution_.strips.layout.counts, solution_, true).status ==
+                     StripStatus::solved;
+  if (!found) shift_back();
+  totals_ = StripContact::totals(solution_);
+  return found;
+}
+
+void StripFrames::shift_back() {
+  givens_.shift(shifted_, -1);
+  solution_ = solution_before_;
+  totals_ = StripContact::totals(solution_);
 }
 
 Rates StripFrames::rates(const StripParameter& by) {

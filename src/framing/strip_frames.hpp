@@ -47,17 +47,25 @@ class StripFrames final : public MovingFrame {
   /// Returns the speed at which both bodies run through the contact.
   double speed() const { return givens_.speed(); }
   void forget() { warm_ = false; }
+  /// Solves what fit() solved with another value of a parameter nearby; shift_back() returns to what was there. Returns
+  /// false, and shifts nothing, where the parameter is not known or strips do not fit.
+  bool shift(Parameter parameter, double step);
+  void shift_back();
   /// Goes back to a copy of solution(), found for the scene that the solver has again.
   void return_to(const strips::StripSolution& solution, Solver& on, const Rectangle& box);
 
  private:
   bool within_bodies() const;
   Rates rates(const strips::StripParameter& by);
+  std::optional<strips::StripParameter> parameter_of(Parameter parameter) const;
 
   StripGivens givens_;
   strips::StripContact contact_;
   strips::StripSolution solution_;
   strips::StripTotals totals_;
+  strips::StripSolution solution_before_;  ///< what shift_back() returns to
+  strips::StripParameter shifted_;
+  Rectangle box_{};
   strips::StripState shown_;  ///< what show() solved
   std::vector<LoadedPlace> place_;
   bool warm_ = false;

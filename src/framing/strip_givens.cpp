@@ -60,6 +60,12 @@ void StripGivens::Friction::at(std::span<const Vec2> point, double* value, Vec2*
   }
 }
 
+void StripGivens::shift(const StripParameter& rates, double factor) {
+  scene_.value += factor * rates.value;
+  scene_.mu += factor * rates.mu;
+  for (std::size_t k = 0; k < 3; ++k) scene_.motion[k] += factor * rates.motion[k];
+}
+
 bool StripGivens::both_at(const Vec2& point) const {
   Heights h;
   return !known_ || known_->heights(point[0], point[1], h);

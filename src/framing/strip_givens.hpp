@@ -25,6 +25,8 @@ class StripGivens {
   /// Reads the scene of a solver whose bodies are prepared; box: where the contact lies.
   void read(Solver& on, const Rectangle& box);
   const strips::StripScene& scene() const { return scene_; }
+  /// Adds a multiple of rates to the values of the scene, but not to its fields.
+  void shift(const strips::StripParameter& rates, double factor);
   /// Says whether Coulomb's law with one coefficient or those across is all that resists slip.
   bool coulomb() const { return coulomb_; }
   /// Returns creepages, spin and fields of slip over speed, which frictionless scenes do not have.

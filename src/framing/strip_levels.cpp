@@ -82,37 +82,40 @@ ErrorEstimate estimate(const Scene& scene, StripFrames& on, double off_by, const
 
 }  // namespace
 
-std::optional<Status> StripLevels::solve(Solver& fine, const Rectangle& box, const std::optional<double>& area) {
-  const double wanted = fine.scene.options.frame_accuracy;
-  std::size_t level = 1;
-  while (wanted < strip_levels[level].accuracy) ++level;
-  std::array<std::optional<Rates>, levels> found;
-  const auto find = [&](std::size_t at) {
-    Rates now;
-    if (found[at]) return true;
-    if (!fit(fine, box, at, now)) return false;
-    found[at] = now;
-    return true;
-  };
-  // Results of two levels are mixed where one is about to be enough, so that they do not jump there.
+// Mixes results of two levels where one is about to be enough, so that they do not jump there. find(level): results of
+// a level, null where strips do not fit.
+template <class Find>
+std::optional<StripLevels::Mixture> StripLevels::mix(const Scene& scene, Find find, std::size_t last) {
+  const double wanted = scene.options.frame_accuracy;
   constexpr double enough = 0.7;
-  Rates sure;          // what levels before contribute
+  Mixture m;
   double missing = 1;  // weight that is left
-  bool mixed = false;
-  ErrorEstimate error;
-  for (;; ++level) {
-    const auto& [counts, accuracy, beside, off_by] = strip_levels[level];
-    if (!find(beside) || !find(level)) return std::nullopt;
-    const Rates& finer = *found[level];
-    error = estimate(fine.scene, strips_[level], off_by, *found[beside], finer);
-    const bool last = level + 1 == strip_levels.size();
-    const double wider = (error.worst() / wanted - enough) / (1 - enough),
-                 over = last ? 0 : std::clamp(wider, 0.0, 1.0), weight = missing * (1 - over * over * (3 - 2 * over));
-    add(sure, weight, finer);
+  for (m.level = 1; wanted < strip_levels[m.level].accuracy;) ++m.level;
+  for (;; ++m.level) {
+    const auto& [counts, accuracy, beside, off_by] = strip_levels[m.level];
+    const Rates *const coarser = find(beside), *const finer = coarser ? find(m.level) : nullptr;
+    if (!finer) return std::nullopt;
+    m.error = estimate(scene, strips_[m.level], off_by, *coarser, *finer);
+    const double wider = (m.error.worst() / wanted - enough) / (1 - enough),
+                 over = m.level == last ? 0 : std::clamp(wider, 0.0, 1.0),
+                 weight = missing * (1 - over * over * (3 - 2 * over));
+    add(m.sure, weight, *finer);
     missing -= weight;
-    mixed = weight < 1;
-    if (last || !(missing > 0)) break;
+    m.mixed = weight < 1;
+    if (m.level == last || !(missing > 0)) return m;
   }
+}
+
+std::optional<Status> StripLevels::solve(Solver& fine, const Rectangle& box, const std::optional<double>& area) {
+  std::array<std::optional<Rates>, levels> found;
+  const auto find = [&](std::size_t at) -> const Rates* {
+    Rates now;
+    if (!found[at] && fit(fine, box, at, now)) found[at] = now;
+    return found[at] ? &*found[at] : nullptr;
+  };
+  const std::optional<Mixture> mixture = mix(fine.scene, find, levels - 1);
+  if (!mixture) return std::nullopt;
+  const auto& [sure, level, mixed, error] = *mixture;
   double seconds = 0;
   for (std::size_t i = 0; i <= level; ++i)
     if (found[i]) seconds += strips_[i].seconds();
@@ -124,9 +127,56 @@ std::optional<Status> StripLevels::solve(Solver& fine, const Rectangle& box, con
   Derived& derived = fine.derived();
   derived.error_estimate = error;
   derived.area = area.value_or(area_at(level));
-  if (mixed) derived.extrapolated = Extrapolated{sure.force, sure.moment, sure.motion, *derived.area, 0};
+  if (mixed) {
+    derived.extrapolated = Extrapolated{sure.force, sure.moment, sure.motion, *derived.area, 0};
+    scene_ = &fine.scene;
+    last_ = level;
+    if (!strips_[level].by_law()) fine.follow(*this);
+  }
   const double reached = error.worst();
-  return reached <= wanted ? Status::ok : tell_inaccurate(fine, reached);
+  return reached <= fine.scene.options.frame_accuracy ? Status::ok : tell_inaccurate(fine, reached);
+}
+
+// Returns a step of a parameter over which forces change by little.
+double StripLevels::step_for(const Scene& scene, Parameter parameter, const Rates& rates) const {
+  constexpr double little = 1e-4;
+  const strips::StripTotals& now = strips_[last_].totals();
+  const auto by_force = [&](Direction d) { return scene.load(d).how == How::by_force; };
+  if (parameter == Parameter::normal) return little * (by_force(Direction::normal) ? now.load : now.approach);
+  if (parameter == Parameter::friction) return little * scene.friction(0, 0);
+  const double limit = scene.friction(0, 0) * now.load;
+  if (parameter == Parameter::longitudinal && by_force(Direction::longitudinal)) return little * limit;
+  if (parameter == Parameter::lateral && by_force(Direction::lateral)) return little * limit;
+  const double radius = std::sqrt(strips_[last_].sizes().area / std::numbers::pi);
+  const double slope = std::hypot(rates.force[0], rates.force[1], rates.moment[2] / radius);
+  // Where all slides, slopes are 0.
+  const double largest = std::hypot(now.motion[0], now.motion[1], now.motion[2] * radius);
+  const double most = 10 * little * (parameter == Parameter::spin ? largest / radius : largest);
+  return most > 0 && slope * most > little * limit ? little * limit / slope : most;
+}
+
+bool StripLevels::rates(Parameter parameter, Rates& found) {
+  Rates finest;
+  if (!strips_[last_].rates(parameter, finest)) return false;
+  const double step = step_for(*scene_, parameter, finest);
+  Rates sum;
+  for (const double side : {-1.0, 1.0}) {
+    std::array<std::optional<Rates>, levels> near;
+    const auto find = [&](std::size_t at) -> const Rates* {
+      if (!near[at] && strips_[at].shift(parameter, side * step)) near[at] = rates_of(strips_[at].totals());
+      return near[at] ? &*near[at] : nullptr;
+    };
+    const std::optional<Mixture> mixture = step > 0 ? mix(*scene_, find, last_) : std::nullopt;
+    for (std::size_t at = 0; at < levels; ++at)
+      if (near[at]) strips_[at].shift_back();
+    if (!mixture) {
+      found = finest;
+      return true;
+    }
+    add(sum, side / (2 * step), mixture->sure);
+  }
+  found = sum;
+  return true;
 }
 
 // Fits strips of a level. Returns false where they do not fit the contact.

@@ -9,7 +9,7 @@
 
 namespace rollcon {
 
-class StripLevels {
+class StripLevels final : public MovingFrame {
  public:
   /// Solves on strips that fit the contact inside of the box, of two counts, and on finer ones until the accuracy that
   /// the scene asks for is met. area: that of the contact where it is known. Nothing: strips do not fit. Errors are
@@ -18,14 +18,28 @@ class StripLevels {
   /// Tells that finest frames are off by `reached`, more than was asked for, and returns the status that says so.
   static Status tell_inaccurate(const Solver& fine, double reached);
   void forget();  ///< warm starts
+  /// Takes differences where results of several counts are mixed, because their weights change, too.
+  bool rates(Parameter parameter, Rates& found) override;
 
  private:
+  static constexpr std::size_t levels = 7;
+  /// Holds results of levels that were mixed, the last of them and its error.
+  struct Mixture {
+    Rates sure;
+    std::size_t level = 0;
+    bool mixed = false;
+    ErrorEstimate error;
+  };
+  template <class Find>
+  std::optional<Mixture> mix(const Scene& scene, Find find, std::size_t last);
   bool fit(Solver& fine, const Rectangle& box, std::size_t level, Rates& found);
   double area_at(std::size_t level) const;
+  double step_for(const Scene& scene, Parameter parameter, const Rates& rates) const;
 
-  static constexpr std::size_t levels = 7;
   std::array<StripFrames, levels> strips_;
   std::unique_ptr<Solver> coarse_;
+  const Scene* scene_ = nullptr;  ///< scene of the last mixture
+  std::size_t last_ = 0;          ///< its last level
 };
 
 }  // namespace rollcon
