@@ -66,6 +66,19 @@ StripFrames::Sizes StripFrames::sizes() const {
   return size;
 }
 
+double StripFrames::inclination() const {
+  const StripState& s = solution_.share > 0 ? solution_.strips : solution_.neighbour[1];
+  const StripLayout& l = s.layout;
+  const double* g = s.geometry.data();
+  double all = 0, square = 0;
+  for (std::size_t i = 0; i < l.node.size(); ++i) {
+    const double load = s.pressure[i] * l.unit_weight[i] * l.cell(l.node[i], g);
+    all += load;
+    square += load * givens_.steepness({l.x(l.node[i], g), l.y(l.node[i], g)});
+  }
+  return all > 0 ? std::atan(std::sqrt(square / all)) : 0;
+}
+
 EquivalentEllipse StripFrames::equivalent_ellipse(const PairOfBodies& pair) {
   const StripState& s = solution_.strips;
   const StripLayout& l = s.layout;

@@ -38,6 +38,9 @@ class StripFrames final : public MovingFrame {
     double area = 0, overlap = 0, carried = 0;
   };
   Sizes sizes() const;
+  /// Returns the angle of the contact's normals against n of the axes: the root of the mean square of its tangent, by
+  /// pressures.
+  double inclination() const;
   /// Returns the Hertzian contact that stands for what was found, without friction. Errors: those of
   /// rollcon::equivalent_ellipse().
   EquivalentEllipse equivalent_ellipse(const PairOfBodies& pair);

@@ -133,8 +133,19 @@ std::optional<Status> StripLevels::solve(Solver& fine, const Rectangle& box, con
     last_ = level;
     if (!strips_[level].by_law()) fine.follow(*this);
   }
-  const double reached = error.worst();
-  return reached <= fine.scene.options.frame_accuracy ? Status::ok : tell_inaccurate(fine, reached);
+  const double wanted = fine.scene.options.frame_accuracy, reached = error.worst();
+  if (reached > wanted) return tell_inaccurate(fine, reached);
+  // Pressures act along n of the axes: normals inclined by an angle carry 1 / cos(angle) times as much.
+  const double inclined = strips_[level].inclination(), off = 1 / std::cos(inclined) - 1;
+  derived.error_estimate.normal = std::max(derived.error_estimate.normal, off);
+  if (off <= wanted) return Status::ok;
+  char text[256];
+  std::snprintf(text, sizeof text,
+                "the normals of the contact are inclined by %.3g degrees against n of the axes, so that pressures are "
+                "about %.2g %% too high: turn the axes (rollcon_contact_set_axes), or set the option conformal to 1",
+                inclined * 180 / std::numbers::pi, 100 * off);
+  fine.host.caveat(Status::inaccurate, text);
+  return Status::inaccurate;
 }
 
 // Returns a step of a parameter over which forces change by little.

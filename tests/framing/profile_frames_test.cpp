@@ -2,6 +2,7 @@
 /// poses.
 
 #include "rollcon.h"
+#include "support/closed_forms.hpp"
 #include "support/scene.hpp"
 #include "support/steady_rolling.hpp"
 #include "support/testing.hpp"
@@ -119,6 +120,31 @@ TEST(profile_frames, errors_are_told_wherever_the_axes_are) {
     estimate[at > 0] = pair.stat("error_estimate");
   }
   expect_error("estimates from both origins", relative(estimate[1], estimate[0]), 1e-6);
+}
+
+// A ball on an inclined plane, pressed along n of the axes: the normal force is load / cos(angle).
+TEST(profile_frames, inclined_normals_are_told) {
+  constexpr double radius = 8, degree = std::numbers::pi / 180;
+  for (const double angle : {5.0, 20.0, 45.0})
+    for (const bool turned : {false, true}) {
+      RollingPair pair(steel, steel);
+      const double s = std::sin(angle * degree), c = std::cos(angle * degree);
+      give_shape(pair, 1, "line", {25, 0});
+      give_shape(pair, 2, "arc", {radius, 0.999 * radius});
+      const double origin[3] = {}, along[3] = {1, 0, 0}, normal[3] = {0, -s, c};
+      const double centre[3] = {0, -radius * s, radius * c}, axis[3] = {0, 1, 0};
+      ASSERT_EQ(rollcon_body_extrude_profile(pair.body(1), origin, along, normal), ROLLCON_OK);
+      ASSERT_EQ(rollcon_body_revolve_profile(pair.body(2), centre, axis, radius), ROLLCON_OK);
+      if (turned) pair.axes({0, 0, 0}, {1, 0, 0}, {0, -s, c});
+      pair.friction(0).load(turned ? load / c : load);
+      const double modulus = closed_forms::effective_modulus(steel, steel);
+      const double pressure = std::cbrt(6 * load / c * modulus * modulus / (radius * radius)) / std::numbers::pi;
+      EXPECT_EQ(pair.solve(), turned || angle < 10 ? ROLLCON_OK : ROLLCON_INACCURATE) << angle;
+      const std::string name = std::to_string(angle) + (turned ? " degrees, axes along the normal" : " degrees");
+      const double off = relative(pair.stat("max_pressure"), pressure);
+      expect_error(name, off, turned ? 1e-3 : 1.1 * (1 / c - 1));
+      if (!turned) expect_error(name + ": estimate over error", pair.stat("error_estimate") / off - 1, 0.2);
+    }
 }
 
 TEST(profile_frames, another_pose_is_another_frame) {
