@@ -194,7 +194,8 @@ bool StripFinder::more_parts(const StripScene& scene, const Rectangle& box, Stri
   const double hx = (box.x_greatest - box.x_least) / looks_along, hy = (box.y_greatest - box.y_least) / looks_across;
   point_.clear();
   for (int j = 0; j <= looks_across; ++j)
-    for (int i = 0; i <= looks_along; ++i) point_.push_back({box.x_least + i * hx, box.y_least + j * hy});
+    for (int i = 0; i <= looks_along; ++i)
+      if (const Vec2 at{box.x_least + i * hx, box.y_least + j * hy}; !inside(state, at, reach)) point_.push_back(at);
   gap_.resize(point_.size());
   scene.gap->at(point_, gap_.data(), nullptr);
   std::size_t best = point_.size();
@@ -202,7 +203,7 @@ bool StripFinder::more_parts(const StripScene& scene, const Rectangle& box, Stri
   integrals_.lay(state.layout, scene.bodies, state.geometry.data());
   integrals_.set_field(0, state.pressure.data());
   for (std::size_t i = 0; i < point_.size(); ++i) {
-    if (!(gap_[i] < state.approach) || inside(state, point_[i], reach)) continue;
+    if (!(gap_[i] < state.approach)) continue;
     const double gap = deformed_gap(scene, state, point_[i], false);
     if (best == point_.size() || gap < least) {
       best = i;
