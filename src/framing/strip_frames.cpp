@@ -50,7 +50,7 @@ bool StripFrames::within_bodies() const {
 }
 
 StripFrames::Sizes StripFrames::sizes() const {
-  const StripState& s = solution_.share > 0 ? solution_.strips : solution_.neighbour[1];
+  const StripState& s = peaked();
   const StripLayout& l = s.layout;
   const double* g = s.geometry.data();
   Sizes size;
@@ -67,7 +67,7 @@ StripFrames::Sizes StripFrames::sizes() const {
 }
 
 double StripFrames::inclination() const {
-  const StripState& s = solution_.share > 0 ? solution_.strips : solution_.neighbour[1];
+  const StripState& s = peaked();
   const StripLayout& l = s.layout;
   const double* g = s.geometry.data();
   double all = 0, square = 0;
@@ -112,8 +112,7 @@ std::optional<double> StripFrames::friction_power() const {
 }
 
 Status StripFrames::show(Solver& on, double seconds) try {
-  // Where strips do not fit, a neighbour without a neck shows what the contact is like.
-  const StripState& from = solution_.share > 0 ? solution_.strips : solution_.neighbour[1];
+  const StripState& from = peaked();
   on.scene.set_strips(from.layout, from.geometry);
   Iterate& it = on.start(seconds);
   const std::vector<std::int32_t>& node = on.scene.strips()->node;
@@ -131,7 +130,7 @@ Status StripFrames::show(Solver& on, double seconds) try {
   if (solution_.share > 0) {
     shown_ = from;
     for (std::size_t i = 0; i < node.size(); ++i) shown_.pressure[i] = -it.lambda[2][at(node[i])];
-    on.derived().largest_pressure = largest_pressure(shown_).pressure;
+    on.derived().largest_pressure = strips::largest_pressure(shown_).pressure;
   }
   if (by_law()) return status;
   if (solution_.share < 1) {

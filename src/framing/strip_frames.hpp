@@ -8,6 +8,7 @@
 #include "contact/results/equivalent_ellipse.hpp"
 #include "framing/strip_givens.hpp"
 #include "framing/strips/strip_bridge.hpp"
+#include "framing/strips/strip_results.hpp"
 
 namespace rollcon {
 
@@ -38,6 +39,7 @@ class StripFrames final : public MovingFrame {
     double area = 0, overlap = 0, carried = 0;
   };
   Sizes sizes() const;
+  double largest_pressure() const { return strips::largest_pressure(peaked()).pressure; }
   /// Returns the angle of the contact's normals against n of the axes: the root of the mean square of its tangent, by
   /// pressures.
   double inclination() const;
@@ -59,6 +61,8 @@ class StripFrames final : public MovingFrame {
 
  private:
   bool within_bodies() const;
+  /// Returns the strips, or where they do not fit a neighbour without a neck.
+  const strips::StripState& peaked() const { return solution_.share > 0 ? solution_.strips : solution_.neighbour[1]; }
   Rates rates(const strips::StripParameter& by);
   std::optional<strips::StripParameter> parameter_of(Parameter parameter) const;
 

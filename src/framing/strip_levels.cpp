@@ -57,8 +57,10 @@ double forces_of_motions(const Scene& scene, StripFrames& on, const Rates& coars
   return std::sqrt(square);
 }
 
-/// Estimates the error of the finer of two solutions, that on strips, from their difference.
-ErrorEstimate estimate(const Scene& scene, StripFrames& on, double off_by, const Rates& coarse, const Rates& fine) {
+/// Estimates the error of the finer of two solutions, that on strips, from their difference. pressure: the largest one
+/// of the coarser solution.
+ErrorEstimate estimate(const Scene& scene, StripFrames& on, double off_by, const Rates& coarse, double pressure,
+                       const Rates& fine) {
   if (on.coupled()) off_by *= more_of_coupled;
   const StripFrames::Sizes size = on.sizes();
   const Vec3 force = fine.force - coarse.force;
@@ -76,8 +78,13 @@ ErrorEstimate estimate(const Scene& scene, StripFrames& on, double off_by, const
   const double carried = on.by_law() ? std::hypot(fine.force[0], fine.force[1]) : size.carried;
   e.tangential =
       carried > 0 ? off_by * std::max({std::hypot(force[0], force[1]), std::abs(moment), found}) / carried : 0;
-  e.tractions = std::max(e.normal, e.tangential);
+  e.tractions = std::max({e.normal, e.tangential, std::abs(1 - pressure / on.largest_pressure())});
   return e;
+}
+
+/// Returns what has to be below the accuracy asked for. Largest pressures are judged less sharply than forces.
+double reached(const ErrorEstimate& error) {
+  return std::max(error.worst(), error.tractions / 4);
 }
 
 }  // namespace
@@ -95,8 +102,8 @@ std::optional<StripLevels::Mixture> StripLevels::mix(const Scene& scene, Find fi
     const auto& [counts, accuracy, beside, off_by] = strip_levels[m.level];
     const Rates *const coarser = find(beside), *const finer = coarser ? find(m.level) : nullptr;
     if (!finer) return std::nullopt;
-    m.error = estimate(scene, strips_[m.level], off_by, *coarser, *finer);
-    const double wider = (m.error.worst() / wanted - enough) / (1 - enough),
+    m.error = estimate(scene, strips_[m.level], off_by, *coarser, strips_[beside].largest_pressure(), *finer);
+    const double wider = (reached(m.error) / wanted - enough) / (1 - enough),
                  over = m.level == last ? 0 : std::clamp(wider, 0.0, 1.0),
                  weight = missing * (1 - over * over * (3 - 2 * over));
     add(m.sure, weight, *finer);
@@ -133,8 +140,15 @@ std::optional<Status> StripLevels::solve(Solver& fine, const Rectangle& box, con
     last_ = level;
     if (!strips_[level].by_law()) fine.follow(*this);
   }
-  const double wanted = fine.scene.options.frame_accuracy, reached = error.worst();
-  if (reached > wanted) return tell_inaccurate(fine, reached);
+  const double wanted = fine.scene.options.frame_accuracy;
+  if (error.worst() > wanted) return tell_inaccurate(fine, error.worst());
+  if (reached(error) > wanted) {
+    char text[120];
+    std::snprintf(text, sizeof text, "frames: the largest pressure on the finest frames is off by about %.2g %%",
+                  100 * error.tractions);
+    fine.host.caveat(Status::inaccurate, text);
+    return Status::inaccurate;
+  }
   // Pressures act along n of the axes: normals inclined by an angle carry 1 / cos(angle) times as much.
   const double inclined = strips_[level].inclination(), off = 1 / std::cos(inclined) - 1;
   derived.error_estimate.normal = std::max(derived.error_estimate.normal, off);

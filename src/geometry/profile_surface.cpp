@@ -133,6 +133,11 @@ std::optional<ProfilePoint> crossing_near(const ProfileCurve& curve, const Funct
     const std::size_t before = piece;
     if (!stay()) return std::nullopt;
     if (!done || piece != before) continue;
+    // One step from the nearest of many fixed places makes the last digits independent of the hint.
+    const double grid = length / (1 << 26);
+    u = std::round(u / grid) * grid;
+    const ProfilePoint q = curve.at(piece, u);
+    u = std::clamp(u - f.value(q.x) / f.slope(q.x, q.d1), 0.0, length);
     hint.piece = piece;
     hint.parameter = u;
     return curve.at(piece, u);
@@ -166,16 +171,19 @@ std::optional<ExtrudedProfile::Hit> ExtrudedProfile::meet(const Vec3& from, cons
 
 std::optional<double> ExtrudedProfile::distance_near(const Vec3& from, const Vec3& direction, const Vec3&,
                                                      SurfaceHint& hint) const {
-  if (hint.branch >= 0) {
-    const Vec3 r = from - origin_;
-    const StraightLine line{{dot(r, y_), dot(r, z_)}, {dot(direction, y_), dot(direction, z_)}};
-    if (const auto p = crossing_near(*curve_, line, hint))
-      return dot(p->x - line.from, line.direction) / dot(line.direction, line.direction);
-  }
+  const Vec3 r = from - origin_;
+  const StraightLine line{{dot(r, y_), dot(r, z_)}, {dot(direction, y_), dot(direction, z_)}};
+  const auto near = [&]() -> std::optional<double> {
+    if (hint.branch < 0) return std::nullopt;
+    const auto p = crossing_near(*curve_, line, hint);
+    if (!p) return std::nullopt;
+    return dot(p->x - line.from, line.direction) / dot(line.direction, line.direction);
+  };
+  if (const auto t = near()) return t;
   const auto hit = meet(from, direction);
   hint = hit ? hit->at : SurfaceHint{};
   if (!hit) return std::nullopt;
-  return hit->t;
+  return near().value_or(hit->t);
 }
 
 std::optional<double> ExtrudedProfile::distance(const Vec3& from, const Vec3& direction, const Vec3&) const {
@@ -241,18 +249,22 @@ std::optional<RevolvedProfile::Hit> RevolvedProfile::meet(const Vec3& from, cons
 std::optional<double> RevolvedProfile::distance_near(const Vec3& from, const Vec3& direction, const Vec3& facing,
                                                      SurfaceHint& hint) const {
   const LineAboutAxis line = about_axis(from - origin_, direction, facing, axis_, radius_);
-  if (hint.branch == 2 && !line.steep()) {
-    const FlatLine flat{line};
-    if (const auto p = crossing_near(*curve_, flat, hint)) return flat.t(p->x[0]);
-  } else if (hint.branch >= 0 && hint.branch < 2 && line.steep()) {
-    const SteepHalf half{line, hint.branch == 0 ? -1.0 : 1.0};
-    if (const auto p = crossing_near(*curve_, half, hint); p && line.counts(half.sign))
-      return half.t(radius_ + p->x[1]);
-  }
+  const auto near = [&]() -> std::optional<double> {
+    if (hint.branch == 2 && !line.steep()) {
+      const FlatLine flat{line};
+      if (const auto p = crossing_near(*curve_, flat, hint)) return flat.t(p->x[0]);
+    } else if (hint.branch >= 0 && hint.branch < 2 && line.steep()) {
+      const SteepHalf half{line, hint.branch == 0 ? -1.0 : 1.0};
+      if (const auto p = crossing_near(*curve_, half, hint); p && line.counts(half.sign))
+        return half.t(radius_ + p->x[1]);
+    }
+    return std::nullopt;
+  };
+  if (const auto t = near()) return t;
   const auto hit = meet(from, direction, facing);
   hint = hit ? hit->at : SurfaceHint{};
   if (!hit) return std::nullopt;
-  return hit->t;
+  return near().value_or(hit->t);
 }
 
 Vec3 RevolvedProfile::outward(const Vec3& point) const {
