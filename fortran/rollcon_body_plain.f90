@@ -21,6 +21,7 @@ module rollcon_body_plain
     procedure :: create
     procedure :: load
     procedure :: set_elastic => body_set_elastic
+    procedure :: set_viscoelastic => body_set_viscoelastic
     procedure :: prepare => body_prepare
     procedure :: get_kind => body_get_kind
     procedure :: save => body_save
@@ -226,6 +227,25 @@ contains
     if (present(tag)) tag_or_standard = tag
     call finish(rollcon_body_set_elastic(self%p, int(tag_or_standard, rc_int), young, poisson), self%p, &
       'rc_body%set_elastic', stat, errmsg)
+  end subroutine
+
+  !> Lets the material of a half-space relax: Young's modulus at a time t after a strain is E (1 - sum of ratio (1 -
+  !> exp(-t / time))), E that of rollcon_body_set_elastic, with a Poisson's ratio that does not change. Such bodies roll
+  !> steadily, at the speed of rollcon_contact_set_rolling: time steps, conformal contacts, wear, tables and wheels on
+  !> rails end with ROLLCON_ERR_UNSUPPORTED. What rolling costs is the statistic rolling_resistance.
+  subroutine body_set_viscoelastic(self, ratios, times, tag, stat, errmsg)
+    class(rc_body_plain), intent(inout) :: self
+    real(rc_real), intent(in), contiguous :: ratios(:)
+    real(rc_real), intent(in), contiguous :: times(:)
+    integer, intent(in), optional :: tag
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer :: tag_or_standard
+    tag_or_standard = 0
+    if (present(tag)) tag_or_standard = tag
+    call finish( &
+      rollcon_body_set_viscoelastic(self%p, int(tag_or_standard, rc_int), size(ratios, 1, rc_long), ratios, times), &
+      self%p, 'rc_body%set_viscoelastic', stat, errmsg)
   end subroutine
 
   !> Checks that the body is complete and its mesh and supports sound, assembles and factorises its equations, and

@@ -314,6 +314,18 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_body_set_elastic
 
+    function rollcon_body_set_viscoelastic(body, tag, n, ratios, times) &
+        result(rc) bind(C, name="rollcon_body_set_viscoelastic")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int32_t), value :: tag
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: ratios(*)
+      real(c_double), intent(in) :: times(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_body_set_viscoelastic
+
     function rollcon_body_prepare(body) result(rc) bind(C, name="rollcon_body_prepare")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none

@@ -153,6 +153,15 @@ subroutine rcelas(ibody, itag, young, poisson, ierr)
   ierr = rollcon_body_set_elastic(body_of(ibody), narrow(itag), young, poisson)
 end subroutine
 
+!> Lets the material of a half-space relax.
+subroutine rcvisc(ibody, itag, n, ratios, times, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, itag, n, ierr
+  double precision :: ratios(*), times(*)
+  ierr = rollcon_body_set_viscoelastic(body_of(ibody), narrow(itag), int(n, c_int64_t), ratios, times)
+end subroutine
+
 !> Checks that the body is complete and its mesh and supports sound, assembles and factorises its equations, and .
 subroutine rcprep(ibody, ierr)
   use rollcon_f77_support

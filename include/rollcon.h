@@ -467,6 +467,23 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_elastic(rollcon_body *b
     double young, double poisson);
 
 /*
+ * Lets the material of a half-space relax: Young's modulus at a time t after a strain is E (1 -
+ * sum of ratio (1 - exp(-t / time))), E that of rollcon_body_set_elastic, with a Poisson's ratio
+ * that does not change. Such bodies roll steadily, at the speed of rollcon_contact_set_rolling:
+ * time steps, conformal contacts, wear, tables and wheels on rails end with
+ * ROLLCON_ERR_UNSUPPORTED. What rolling costs is the statistic rolling_resistance.
+ *   body    a half-space, not prepared (ROLLCON_ERR_STATE)
+ *   tag     half-spaces, of one material, ignore it
+ *   n       terms, 0 to 100; 0: the material is elastic
+ *   ratios  [n]; part of E that each term loses, 0 <= ratio < 1; less than 1 - 1e-6 in all
+ *   times   [n]; relaxation time of each term, > 0
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ * Source: docs/theory.md, section 3.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_viscoelastic(rollcon_body *body,
+    int32_t tag, int64_t n, const double *ratios, const double *times);
+
+/*
  * Checks that the body is complete and its mesh and supports sound, assembles and factorises its
  * equations, and freezes it. The call is optional: the first solve does it. Calling it again does
  * nothing. (Finite elements with many contact faces and no loads of their own are factorised when

@@ -258,6 +258,19 @@ static void call_body_set_elastic(call *self) {
   finish(self, rc);
 }
 
+static void call_body_set_viscoelastic(call *self) {
+  int32_t rc = 0;
+  int64_t n = -1;
+  rollcon_body *body = rollcon_body_from_id(take_handle(self, "body"));
+  const int32_t tag = has_more(self) ? take_enumerator(self, "tag", no_names, 0) : 0;
+  const double *ratios = take_reals(self, "ratios", &n, 0, 0);
+  const double *times = take_reals(self, "times", &n, 0, 0);
+  no_more(self);
+  rc = rollcon_body_set_viscoelastic(body, tag, n, ratios, times);
+  if (rc < 0) finish(self, rc);
+  finish(self, rc);
+}
+
 static void call_body_prepare(call *self) {
   int32_t rc = 0;
   rollcon_body *body = rollcon_body_from_id(take_handle(self, "body"));
@@ -2317,6 +2330,7 @@ const entry calls[] = {
   {"body_create", call_body_create, 1},
   {"body_release", call_body_release, 1},
   {"body_set_elastic", call_body_set_elastic, 1},
+  {"body_set_viscoelastic", call_body_set_viscoelastic, 1},
   {"body_prepare", call_body_prepare, 1},
   {"body_get_kind", call_body_get_kind, 1},
   {"body_save", call_body_save, 1},

@@ -41,6 +41,7 @@ std::shared_ptr<Body> Body::copy() const {
   const std::lock_guard lock(mutex_);
   BodyModel& to = *body->model_;
   to.material = model_->material;
+  to.relaxation = model_->relaxation;
   to.mesh = model_->mesh;
   to.profile = model_->profile;
   to.contact_material = model_->contact_material;
@@ -55,6 +56,17 @@ void Body::set_elastic(std::int32_t tag, double young, double poisson) {
   const std::lock_guard lock(mutex_);
   require_unprepared("material is");
   model_->material[traits_.volume ? tag : 0] = model_->contact_material = {young, poisson};
+}
+
+void Body::set_viscoelastic(std::int32_t /*tag*/, std::int64_t n, const double* ratios, const double* times) {
+  if (!traits_.half_space) fail(Status::err_state, "a %s body takes no relaxation; only half-spaces do", traits_.name);
+  set_relaxation(checked_relaxation(n, ratios, times));
+}
+
+void Body::set_relaxation(std::vector<PronyTerm> checked) {
+  const std::lock_guard lock(mutex_);
+  require_unprepared("material is");
+  model_->relaxation = std::move(checked);
 }
 
 bool Body::meshed() const {

@@ -29,6 +29,10 @@ class Body {
   /// Sets finite E > 0 and -1 < nu <= 0.5: of the finite elements with this tag, or of the whole body where it is of
   /// another kind. err_state: the body is rigid.
   void set_elastic(std::int32_t tag, double young, double poisson);
+  /// Sets how the material relaxes from the elastic constants, which are those at once: checked_relaxation().
+  /// err_state: the body is no half-space.
+  void set_viscoelastic(std::int32_t tag, std::int64_t n, const double* ratios, const double* times);
+  void set_relaxation(std::vector<PronyTerm> checked);
   /// Forgets elements, supports, loads and contact faces.
   void set_nodes(std::int64_t n, const double* x, std::int64_t node_stride, std::int64_t component_stride);
   /// Reads all of a mesh from a file, see mesh_file.hpp, in place of what there was; part: see part_of. Gmsh's
@@ -121,6 +125,8 @@ class Body {
   // Elastic constants at the contact: a prepared body of several materials has those of most of its contact faces.
   double young() const { return model_->contact_material.young; }
   double poisson() const { return model_->contact_material.poisson; }
+  /// Says how the material relaxes; empty: it does not.
+  const std::vector<PronyTerm>& relaxation() const { return model_->relaxation; }
   const BodyMesh& mesh() const { return model_->mesh; }
   /// Copies the surface as it is now, also while another thread gives more of it or prepares the body. err_mesh: faces
   /// of finite elements were tagged that are not on the boundary.

@@ -244,6 +244,19 @@ void check_mesh(BodyModel& model) {
   }
 }
 
+void read_relaxation(SectionReader& file, BodyModel& model) {
+  if (!file.has("relax")) return;
+  require(model.traits().half_space, "a body that is no half-space relaxes");
+  file.begin("relax");
+  InArchive ar(file);
+  std::vector<double> ratio, time;
+  ar(ratio);
+  ar(time);
+  file.end();
+  require(ratio.size() == time.size(), "counts of relaxation ratios and times do not match");
+  model.relaxation = checked_relaxation(static_cast<std::int64_t>(ratio.size()), ratio.data(), time.data());
+}
+
 }  // namespace
 
 void require_elastic_constants(double young, double poisson) {
@@ -281,6 +294,12 @@ void write_content(const BodyModel& model, SectionWriter& file) {
   file.begin("body");
   OutArchive ar(file);
   content(ar, model);
+  if (model.relaxation.empty()) return;
+  std::vector<double> ratio, time;
+  for (const PronyTerm& term : model.relaxation) ratio.push_back(term.ratio), time.push_back(term.time);
+  file.begin("relax");
+  ar(ratio);
+  ar(time);
 }
 
 void read_content(SectionReader& file, BodyModel& model) {
@@ -291,6 +310,7 @@ void read_content(SectionReader& file, BodyModel& model) {
     file.end();
     check_materials(model);
     check_mesh(model);
+    read_relaxation(file, model);
   } catch (const Error& e) {
     if (e.status() == Status::err_io) throw;
     file.fail_here(e.what());

@@ -10,6 +10,7 @@
 #include "bodies/meshed_compliance.hpp"
 #include "bodies/model/mesh_models.hpp"
 #include "bodies/model/supports.hpp"
+#include "bodies/pair.hpp"
 #include "support/error.hpp"
 #include "support/index.hpp"
 
@@ -19,8 +20,8 @@ namespace {
 std::unique_ptr<Compliance> on_halfspace(const Frame& frame, const PairOfBodies& pair, int which, double accuracy,
                                          int threads) {
   const Body& body = *pair.body[at(which)];
-  return make_halfspace_compliance(frame, halfspace_constants(body.young(), body.poisson(), which == 0 ? 1 : -1),
-                                   accuracy, threads);
+  return make_lagging_compliance(frame, halfspace_constants(body.young(), body.poisson(), which == 0 ? 1 : -1),
+                                 lags_of(pair, which), accuracy, threads);
 }
 
 std::unique_ptr<Condensed> by_finite_elements(BodyModel& model, int threads, SectionReader* saved) {

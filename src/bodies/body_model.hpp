@@ -5,10 +5,12 @@
 #include <map>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "bodies/body_kind.hpp"
 #include "bodies/model/body_mesh.hpp"
 #include "bodies/model/body_profile.hpp"
+#include "bodies/model/relaxation.hpp"
 #include "bodies/model/surface_response.hpp"
 #include "bodies/thinness.hpp"
 #include "geometry/mesh_surface.hpp"
@@ -23,6 +25,7 @@ struct BodyModel {
   BodyKind kind = BodyKind::rigid;
   const BodyTraits& traits() const { return traits_of(kind); }
   std::map<std::int32_t, Elastic> material;  ///< materials by tag; one for the whole body has tag 0
+  std::vector<PronyTerm> relaxation;         ///< how the material relaxes; empty: it does not
   BodyMesh mesh;
   BodyProfile profile;
   BodyOptions options;  ///< options that it was prepared with

@@ -159,6 +159,7 @@ std::shared_ptr<Body> Body::with_profile_alone() const {
   const std::lock_guard lock(mutex_);
   require_profile();
   body->model_->material = model_->material;
+  body->model_->relaxation = model_->relaxation;
   body->model_->contact_material = model_->contact_material;
   body->model_->profile.curve = model_->profile.curve;
   return body;
@@ -167,7 +168,7 @@ std::shared_ptr<Body> Body::with_profile_alone() const {
 bool Body::same_elastic(const Body& other) const {
   if (this == &other) return true;
   const std::scoped_lock lock(mutex_, other.mutex_);
-  return model_->contact_material == other.model_->contact_material;
+  return model_->contact_material == other.model_->contact_material && model_->relaxation == other.model_->relaxation;
 }
 
 double Body::profile_length() const {

@@ -9,6 +9,10 @@ bool PairOfBodies::meshed() const {
   return body[0]->meshed() || body[1]->meshed();
 }
 
+bool PairOfBodies::creeps() const {
+  return std::any_of(body.begin(), body.end(), [](const Body* b) { return !b->relaxation().empty(); });
+}
+
 bool PairOfBodies::half_spaces() const {
   return std::all_of(body.begin(), body.end(), [](const Body* b) { return b->rigid() || b->traits().half_space; });
 }

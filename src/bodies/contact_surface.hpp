@@ -11,7 +11,9 @@ struct PairOfBodies {
   std::array<const Body*, 2> body{};  ///< prepared
   std::array<Pose, 2> pose{};
   double layer = 0;          ///< layer between them: tangential displacement per traction
+  double speed = 0;          ///< rolling speed, of bodies that creep
   bool meshed() const;       ///< true if at least one body has a mesh
+  bool creeps() const;       ///< true if the material of at least one relaxes
   bool half_spaces() const;  ///< true if they respond as half-spaces; one may be rigid
 };
 

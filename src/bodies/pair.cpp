@@ -17,21 +17,48 @@ HalfspaceConstants constants_of(const Body& body, int which) {
   return halfspace_constants(body.young(), body.poisson(), which == 0 ? 1 : -1);
 }
 
-}  // namespace
-
-HalfspaceConstants half_spaces_of(const PairOfBodies& pair) {
-  const HalfspaceConstants c1 = constants_of(*pair.body[0], 0), c2 = constants_of(*pair.body[1], 1);
+HalfspaceConstants together(const HalfspaceConstants& c1, const HalfspaceConstants& c2) {
   HalfspaceConstants sum{c1.cn + c2.cn, c1.cv + c2.cv, c1.ck + c2.ck};
   // Equal (1 - 2 nu)/G decouples; rounding of two equal materials must not couple them again.
   if (std::abs(sum.ck) <= 1e-14 * (std::abs(c1.ck) + std::abs(c2.ck))) sum.ck = 0;
   return sum;
 }
 
+}  // namespace
+
+HalfspaceConstants half_spaces_of(const PairOfBodies& pair) {
+  return together(constants_of(*pair.body[0], 0), constants_of(*pair.body[1], 1));
+}
+
+std::vector<LaggingBody> lags_of(const PairOfBodies& pair, int which) {
+  std::vector<LaggingBody> bodies;
+  for (int b = 0; b < 2; ++b) {
+    const Body& body = *pair.body[at(b)];
+    if (body.relaxation().empty() || (which >= 0 && which != b)) continue;
+    LaggingBody own{constants_of(body, b), {}};
+    for (const PronyTerm& term : creep_of(body.relaxation())) own.lag.push_back({term.ratio, pair.speed * term.time});
+    if (!bodies.empty() && pair.body[0]->relaxation() == body.relaxation())
+      bodies[0].c = together(bodies[0].c, own.c);
+    else
+      bodies.push_back(std::move(own));
+  }
+  return bodies;
+}
+
+// A lag of ratio f loses -f times the mean of the slope upstream.
+std::unique_ptr<Compliance> make_loss(const Frame& frame, const PairOfBodies& pair, double accuracy, int threads) {
+  std::vector<LaggingBody> bodies = lags_of(pair);
+  if (bodies.empty()) return nullptr;
+  for (LaggingBody& body : bodies)
+    for (Lag& lag : body.lag) lag = {-lag.ratio, lag.length, true};
+  return make_lagging_compliance(frame, {}, std::move(bodies), accuracy, threads);
+}
+
 std::unique_ptr<Compliance> make_pair_compliance(const Frame& frame, const PairOfBodies& pair, double accuracy,
                                                  int threads) {
   std::vector<std::unique_ptr<Compliance>> parts;
   const HalfspaceConstants sum = half_spaces_of(pair);
-  if (sum.cn > 0) parts.push_back(make_halfspace_compliance(frame, sum, accuracy, threads));
+  if (sum.cn > 0) parts.push_back(make_lagging_compliance(frame, sum, lags_of(pair), accuracy, threads));
   for (int which = 0; which < 2; ++which)
     if (!pair.body[at(which)]->traits().half_space)
       if (auto part = make_body_compliance(frame, pair, which, accuracy, threads)) parts.push_back(std::move(part));
@@ -57,6 +84,13 @@ double contact_modulus(const PairOfBodies& pair) {
     const Body& body = *pair.body[at(which)];
     if (!body.rigid()) cn += halfspace_constants(body.young(), body.poisson(), 1).cn;
   }
+  return 1 / (std::numbers::pi * cn);
+}
+
+double relaxed_modulus(const PairOfBodies& pair) {
+  double cn = 1 / (std::numbers::pi * contact_modulus(pair));
+  for (const LaggingBody& body : lags_of(pair))
+    for (const Lag& lag : body.lag) cn += lag.ratio * body.c.cn;
   return 1 / (std::numbers::pi * cn);
 }
 

@@ -35,6 +35,13 @@ rollcon_status rollcon_body_set_elastic(rollcon_body *body, int32_t tag, double 
   });
 }
 
+rollcon_status rollcon_body_set_viscoelastic(rollcon_body *body, int32_t tag, int64_t n,
+    const double *ratios, const double *times) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.set_viscoelastic(tag, n, ratios, times);
+  });
+}
+
 rollcon_status rollcon_body_set_nodes(rollcon_body *body, int64_t n, const double *x,
     int64_t node_stride, int64_t component_stride) {
   return with_body(__func__, body, [&](Body& self) {

@@ -33,10 +33,20 @@ std::unique_ptr<Solver> Solver::another() const {
 }
 
 std::unique_ptr<Solver> Solver::make_half_space(double modulus) const {
-  const auto elastic = std::make_shared<Body>(host.context, static_cast<std::int32_t>(BodyKind::halfspace));
-  elastic->set_elastic(0, modulus, 0);
-  const auto rigid = std::make_shared<Body>(host.context, static_cast<std::int32_t>(BodyKind::rigid));
-  auto pressed = std::make_unique<Solver>(host, elastic, rigid);
+  const auto make = [&](BodyKind kind) {
+    return std::make_shared<Body>(host.context, static_cast<std::int32_t>(kind));
+  };
+  std::shared_ptr<Body> pair[2] = {make(BodyKind::halfspace), make(BodyKind::rigid)};
+  const bool creeps = bodies().creeps();
+  for (std::size_t b = 0; creeps && b < 2; ++b) {
+    const Body& own = *bodies().body[b];
+    pair[b] = make(own.rigid() ? BodyKind::rigid : BodyKind::halfspace);
+    if (!own.rigid()) pair[b]->set_elastic(0, own.young(), own.poisson());
+    if (!own.relaxation().empty()) pair[b]->set_relaxation(own.relaxation());
+  }
+  if (!creeps) pair[0]->set_elastic(0, modulus, 0);
+  auto pressed = std::make_unique<Solver>(host, pair[0], pair[1]);
+  if (creeps) pressed->scene.set_speed(scene.speed({0, 0, 0}));
   pressed->host.progress = nullptr;
   pressed->host.quiet = true;
   return pressed;

@@ -41,7 +41,8 @@ class Solver {
 
   /// Makes a solver of the same bodies for the same host.
   std::unique_ptr<Solver> another() const;
-  /// Makes a solver of an elastic half-space with this E* on a rigid body; its caveats go to nobody.
+  /// Makes a solver of an elastic half-space with this E* on a rigid body, or where a body creeps of half-spaces of the
+  /// bodies' own materials at the scene's speed; its caveats go to nobody.
   std::unique_ptr<Solver> make_half_space(double modulus) const;
   /// Takes over the host, and everything but the frame from the scene, of another solver.
   void take_over(const Solver& other) {

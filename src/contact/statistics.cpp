@@ -98,6 +98,9 @@ const Builds& builds_of(Solver& v) {
 
 double put_in(Solver& v) {
   const Solution& s = v.solution();
+  // What bodies lose by creeping is not friction's.
+  const bool creeps = s.prepared->pair.creeps() && !s.frictionless;
+  if (creeps) return power_put_in(s) - s.prepared->speed * rolling_resistance(s);
   return s.prepared->step == StepKind::steady ? power_put_in(s) : power_in_step(s, v.derived(), v.preparation());
 }
 
@@ -176,6 +179,12 @@ constexpr Statistic table[] = {
      true},
     {{"friction_power_balance", "power of friction, by the balance of work"},
      [](Solver& v) { return put_in(v); },
+     true},
+    {{"rolling_resistance", "force of rolling resistance of viscoelastic bodies: power lost in them over the speed"},
+     [](Solver& v) { return rolling_resistance(v.solution()); },
+     true},
+    {{"body_power", "power lost in viscoelastic bodies"},
+     [](Solver& v) { return v.solution().prepared->speed * rolling_resistance(v.solution()); },
      true},
     {{"t_gamma", "wear number: force times creepage, without the spin"}, t_gamma},
     {{"rolling_speed", "speed V, given or from the velocity of the contact"},

@@ -120,6 +120,21 @@ class AutomaticFrames final : public FrameMaker {
   }
 
  private:
+  /// Holds what the outlines of patches were found from.
+  struct Found {
+    std::int64_t gap = -1;
+    double modulus = 0;
+    How how{};
+    double value = 0;
+    double speed = 0;  ///< speed of bodies that creep; else 0
+    std::array<std::int64_t, 2> pose{-1, -1};
+    std::int64_t axes = -1;
+    bool conformal = false;
+    bool tilted = false;
+    Tilts tilts{};
+    bool operator==(const Found&) const = default;
+  };
+
   /// Solves on strips that fit the contact, of two counts, and on finer ones until the accuracy asked for is met.
   /// Nothing: strips do not fit this scene.
   std::optional<Status> solve_on_strips(Solver& fine) {
@@ -177,8 +192,10 @@ class AutomaticFrames final : public FrameMaker {
     PairOfBodies pair = fine.bodies();
     if (const auto quadratic = scene.quadratic_gap();
         quadratic && !pair.meshed() && pair.half_spaces() && !scene.tilts()) {
+      if (pair.creeps()) return find_creeping(fine, {(*quadratic)[0], (*quadratic)[1], (*quadratic)[2]});
       shape_.outline.clear();
-      const HertzContact hertz = find_ellipse(fine, {(*quadratic)[0], (*quadratic)[1], (*quadratic)[2]});
+      const HertzContact hertz =
+          find_ellipse(fine, {(*quadratic)[0], (*quadratic)[1], (*quadratic)[2]}, contact_modulus(fine.pair()));
       shape_.place = place_of_disc(hertz.larger, hertz.smaller, hertz.angle);
       shape_.load = hertz.load;
       shape_.stretch = stretch_by_friction(dundurs_beta(fine.pair()), scene.friction(0, 0));
@@ -195,9 +212,8 @@ class AutomaticFrames final : public FrameMaker {
            "no frame was given: the library makes one where the gap is known between nodes, too "
            "(rollcon_contact_set_gap_quadratic, rollcon_contact_set_gap_grid, profiles of the bodies); else call "
            "rollcon_contact_frame_ellipse, rollcon_contact_frame_nodes or rollcon_contact_frame_from_body");
-    const Load& normal = scene.load(Direction::normal);
     pair = fine.pair();
-    Found now{scene.revision.gap, contact_modulus(pair), normal.how, normal.value};
+    Found now = found_now(fine);
     now.conformal = scene.options.conformal != 0 && !scene.has_gap() && !pair.meshed();
     if (!scene.has_gap() || pair.meshed()) {
       now.pose = scene.revision.pose;
@@ -207,20 +223,55 @@ class AutomaticFrames final : public FrameMaker {
     if (now.tilted) now.tilts = tilts_for(fine);
     if (!shape_.outline.empty() && now == found_) return;
     gap_ = known_gap(scene, pair);
+    gap_at_ = [this](double x, double y) { return (*gap_)(x, y); };
     const auto gap = [this, now](double x, double y) {
-      return (*gap_)(x, y) - (now.tilted ? now.tilts[0] * y - now.tilts[1] * x : 0);
+      return gap_at_(x, y) - (now.tilted ? now.tilts[0] * y - now.tilts[1] * x : 0);
     };
-    const Patches patches = search_.find(fine, {gap, gap_->bounds(), now.modulus, normal.how == How::by_force,
-                                                normal.value, !scene.has_gap() && !pair.meshed()});
+    const Patches patches = search_.find(fine, {gap, gap_->bounds(), now.modulus, now.speed, now.how == How::by_force,
+                                                now.value, !scene.has_gap() && !pair.meshed()});
+    take_outlines(fine, patches, now);
+    beyond_bounds_ = patches.at_bounds ? gap_->beyond_bounds() : nullptr;
+  }
+
+  /// Finds where bodies that creep touch under a quadratic gap: ahead of where elastic ones do.
+  void find_creeping(Solver& fine, const QuadraticGap& given) {
+    const Scene& scene = fine.scene;
+    const Load& normal = scene.load(Direction::normal);
+    const Found now = found_now(fine);
+    beyond_bounds_ = nullptr;
+    if (!shape_.outline.empty() && now == found_) return;
+    gap_at_ = [given](double x, double y) { return given.a * x * x + given.b * y * y + given.c * x * y; };
+    // The search looks so much further than relaxed bodies touch.
+    constexpr double wider = 2;
+    const HertzContact largest = find_ellipse(fine, given, relaxed_modulus(fine.pair()));
+    const FramePlace place = place_of_disc(largest.larger, largest.smaller, largest.angle);
+    const double x = wider * std::hypot(place.length, place.shear), y = wider * place.width;
+    const Patches patches = search_.find(
+        fine, {gap_at_, {-x, x, -y, y}, now.modulus, now.speed, normal.how == How::by_force, normal.value});
+    take_outlines(fine, patches, now);
+  }
+
+  /// Returns what frames for outlines are found from.
+  static Found found_now(Solver& fine) {
+    const PairOfBodies pair = fine.pair();
+    const Load& normal = fine.scene.load(Direction::normal);
+    Found now{fine.scene.revision.gap, contact_modulus(pair), normal.how, normal.value};
+    if (pair.creeps()) now.speed = fine.scene.speed({0, 0, 0});
+    return now;
+  }
+
+  void take_outlines(Solver& fine, const Patches& patches, const Found& now) {
+    const PairOfBodies pair = fine.bodies();
     shape_.outline = patches.outline;
     shape_.box = box_of(shape_);
     constexpr double too_hollow = 0.1;
-    // A conformal contact ends elsewhere than its outline in the plane of the axes.
-    shape_.lattice = now.conformal || std::any_of(shape_.outline.begin(), shape_.outline.end(),
-                                                  [](const Outline& outline) { return outline.hollow() > too_hollow; });
+    // A conformal contact ends elsewhere than its outline in the plane of the axes; bodies that creep are fast on
+    // lattices.
+    shape_.lattice = now.conformal || now.speed != 0 ||
+                     std::any_of(shape_.outline.begin(), shape_.outline.end(),
+                                 [](const Outline& outline) { return outline.hollow() > too_hollow; });
     shape_.stretch = usual_stretch;
     shape_.at_body_ends = surfaces_deform(pair) ? AtBodyEnds::even : AtBodyEnds::closer;
-    beyond_bounds_ = patches.at_bounds ? gap_->beyond_bounds() : nullptr;
     found_ = now;
     ++shapes_;
     // Pressures at a sharp end depend on the frame: no level is taken over from the scene before.
@@ -258,14 +309,13 @@ class AutomaticFrames final : public FrameMaker {
     return any;
   }
 
-  static HertzContact find_ellipse(Solver& fine, const QuadraticGap& gap) {
+  static HertzContact find_ellipse(Solver& fine, const QuadraticGap& gap, double modulus) {
     if (!has_ellipse(gap))
       fail(Status::err_state,
            "no frame was given, and the gap %g x^2 %c %g y^2 %c %g x y does not grow in all directions: no ellipse "
            "bounds the contact; call rollcon_contact_frame_rectangle or another maker of frames",
            gap.a, gap.b < 0 ? '-' : '+', std::abs(gap.b), gap.c < 0 ? '-' : '+', std::abs(gap.c));
     const Load& normal = fine.scene.load(Direction::normal);
-    const double modulus = contact_modulus(fine.pair());
     HertzContact hertz = normal.how == How::by_force ? hertz_by_load(gap, modulus, normal.value)
                                                      : hertz_by_approach(gap, modulus, normal.value);
     // Bodies that do not touch still have a frame, about a thousandth of the radius of curvature in size.
@@ -400,8 +450,8 @@ class AutomaticFrames final : public FrameMaker {
       hy = std::min(hy, (b.y_greatest - b.y_least) / (outline.more_strips() * static_cast<double>(across)));
     }
     const double x = 0.5 * (all.x_least + all.x_greatest), y = 0.5 * (all.y_least + all.y_greatest);
-    const auto nx = intervals(all.x_least, all.x_greatest, hx, [&](double at) { return (*gap_)(at, y); }),
-               ny = intervals(all.y_least, all.y_greatest, hy, [&](double at) { return (*gap_)(x, at); });
+    const auto nx = intervals(all.x_least, all.x_greatest, hx, [&](double at) { return gap_at_(at, y); }),
+               ny = intervals(all.y_least, all.y_greatest, hy, [&](double at) { return gap_at_(x, at); });
     return rectangle_mesh(scene.axes(), ElementType::quad4, nx, ny, all);
   }
 
@@ -458,18 +508,6 @@ class AutomaticFrames final : public FrameMaker {
   /// % of the force, too long by as much up to 0.2 %.
   static constexpr double usual_stretch = 1.004;
 
-  struct Found {
-    std::int64_t gap = -1;
-    double modulus = 0;
-    How how{};
-    double value = 0;
-    std::array<std::int64_t, 2> pose{-1, -1};
-    std::int64_t axes = -1;
-    bool conformal = false;
-    bool tilted = false;
-    Tilts tilts{};
-    bool operator==(const Found&) const = default;
-  };
   struct Made {
     std::size_t level = levels.size();
     std::int64_t mesh = -1, axes = -1, shape = -1;
@@ -486,6 +524,7 @@ class AutomaticFrames final : public FrameMaker {
   Tilts tilts_{};                        ///< tilts for which frames were made last
   bool tilts_known_ = false;             ///< tilts come from a solve or a guess
   std::unique_ptr<KnownGap> gap_;        ///< gap of the scene being solved
+  GapBetween gap_at_;                    ///< that gap, or the quadratic one of bodies that creep
   const char* beyond_bounds_ = nullptr;  ///< text for a contact that reaches the bounds
   std::int64_t shapes_ = 0;              ///< number of shapes found so far
   std::size_t level_ = levels.size();    ///< levels.size(): none yet

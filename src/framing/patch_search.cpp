@@ -227,7 +227,7 @@ SearchGrid PatchSearch::close_in(Solver& contact, const PatchScene& scene) {
       }
     if (near.empty()) near.push_back(nearest);
     const double along = next.spacing_along(), across = next.spacing_across();
-    const double angle = near.size() > 8 ? principal_angle(near, next.angle) : next.angle;
+    const double angle = near.size() > 8 && scene.speed == 0 ? principal_angle(near, next.angle) : next.angle;
     SearchGrid closer = around(near, angle, along, across, usual_intervals);
     if (angle == next.angle && closer.half_length > filled * next.half_length &&
         closer.half_width > filled * next.half_width) {
@@ -246,9 +246,10 @@ SearchGrid PatchSearch::close_in(Solver& contact, const PatchScene& scene) {
 }
 
 Patches PatchSearch::find(Solver& contact, const PatchScene& scene) {
-  if (!half_space_ || modulus_ != scene.modulus) {
+  if (!half_space_ || modulus_ != scene.modulus || speed_ != scene.speed) {
     half_space_ = contact.make_half_space(scene.modulus);
     modulus_ = scene.modulus;
+    speed_ = scene.speed;
     const double none = 0;
     half_space_->scene.set_friction("coulomb", 1, &none);
   }

@@ -14,6 +14,7 @@ struct PatchScene {
   GapBetween gap;
   Rectangle bounds;  ///< region over which the gap is known, in the axes
   double modulus = 0;
+  double speed = 0;  ///< speed of bodies that creep, for which lattices lie along the rolling direction; else 0
   bool by_force = false;
   double value = 0;        ///< load or approach
   bool no_inside = false;  ///< bodies' surfaces have no inside: the gap alone tells on which sides they lie
@@ -39,7 +40,7 @@ class PatchSearch {
   SearchGrid close_in(Solver& contact, const PatchScene& scene);
 
   std::unique_ptr<Solver> half_space_;  ///< half-spaces on the lattice
-  double modulus_ = 0;
+  double modulus_ = 0, speed_ = 0;
   SearchGrid lattice_;
   std::vector<double> gap_, pressure_, deformed_;
   double depth_ = 0;  ///< approach

@@ -12,9 +12,9 @@ using namespace strips;
 
 bool strips_may_fit(const Scene& scene, const PairOfBodies& pair) {
   const bool known = is_gap_known(scene, pair) || (scene.quadratic_gap() && !pair.meshed());
-  return known && pair.half_spaces() && !pair.meshed() && scene.step_kind() == StepKind::steady && !scene.tilts() &&
-         !(scene.options.conformal != 0 && !scene.has_gap()) && scene.options.convection == "characteristic" &&
-         choose_procedure(scene.options).standard();
+  return known && pair.half_spaces() && !pair.creeps() && !pair.meshed() && scene.step_kind() == StepKind::steady &&
+         !scene.tilts() && !(scene.options.conformal != 0 && !scene.has_gap()) &&
+         scene.options.convection == "characteristic" && choose_procedure(scene.options).standard();
 }
 
 void StripGivens::Gap::at(std::span<const Vec2> point, double* value, Vec2* slope) const {

@@ -11,8 +11,8 @@
 
 namespace rollcon {
 
-/// Says whether strips can be tried: half-spaces or rigid surfaces in steady rolling, on a plane, under loads without
-/// tilts.
+/// Says whether strips can be tried: elastic half-spaces or rigid surfaces in steady rolling, on a plane, under loads
+/// without tilts.
 bool strips_may_fit(const Scene& scene, const PairOfBodies& pair);
 
 /// Holds the fields of a scene, as it was when it was read, for strips. It refers to the bodies alone.

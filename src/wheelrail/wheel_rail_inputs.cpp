@@ -27,6 +27,12 @@ WheelRail::WheelRail(std::shared_ptr<Context> context, std::shared_ptr<Body> whe
   if (side != -1 && side != 1) fail(Status::err_argument, "side is %d; allowed: -1 (left), 1 (right)", side);
   given_wheel_->profile();
   given_rail_->profile();
+  for (const auto& [body, name] : {std::pair{&given_wheel_, "wheel"}, {&given_rail_, "rail"}})
+    if (!(*body)->relaxation().empty())
+      fail(
+          Status::err_unsupported,
+          "the %s is viscoelastic (rollcon_body_set_viscoelastic); allowed: wheels and rails that are elastic or rigid",
+          name);
 }
 
 void WheelRail::set_track(double gauge, double gauge_height, double cant) {

@@ -210,6 +210,9 @@ FUNCTIONS = {
     "rollcon_body_create": (c_int32, [c_void_p, c_int32, POINTER(c_void_p)]),
     "rollcon_body_release": (None, [c_void_p]),
     "rollcon_body_set_elastic": (c_int32, [c_void_p, c_int32, c_double, c_double]),
+    "rollcon_body_set_viscoelastic": (c_int32, [
+        c_void_p, c_int32, c_int64,
+        POINTER(c_double), POINTER(c_double)]),
     "rollcon_body_prepare": (c_int32, [c_void_p]),
     "rollcon_body_get_kind": (c_int32, [c_void_p, POINTER(c_int32)]),
     "rollcon_body_save": (c_int32, [c_void_p, c_char_p]),
@@ -566,6 +569,9 @@ ARGUMENTS = {
     "rollcon_body_create": [("context", ""), ("kind", "body kind"), ("body", "")],
     "rollcon_body_release": [("body", "")],
     "rollcon_body_set_elastic": [("body", ""), ("tag", ""), ("young", ""), ("poisson", "")],
+    "rollcon_body_set_viscoelastic": [
+        ("body", ""), ("tag", ""), ("n", ""), ("ratios", ""), ("times", "")
+    ],
     "rollcon_body_prepare": [("body", "")],
     "rollcon_body_get_kind": [("body", ""), ("kind", "")],
     "rollcon_body_save": [("body", ""), ("path", "")],

@@ -63,6 +63,21 @@ class BodyPlain:
         """
         self._call("set_elastic", tag, young, poisson)
 
+    def set_viscoelastic(self, ratios: ArrayLike, times: ArrayLike, tag: int = 0) -> None:
+        """Lets the material of a half-space relax: Young's modulus at a time t after a strain is
+        E (1 - sum of ratio (1 - exp(-t / time))), E that of set_elastic(), with a Poisson's ratio
+        that does not change. Such bodies roll steadily, at the speed of set_rolling(): time
+        steps, conformal contacts, wear, tables and wheels on rails end with ERR_UNSUPPORTED. What
+        rolling costs is the statistic rolling_resistance.
+
+        tag: half-spaces, of one material, ignore it.
+        ratios: part of E that each term loses, 0 <= ratio < 1; less than 1 - 1e-6 in all.
+        times: relaxation time of each term, > 0.
+        """
+        ratios, ratios_at = reals(ratios)
+        times, times_at = reals(times)
+        self._call("set_viscoelastic", tag, len(ratios), ratios_at, times_at)
+
     def prepare(self) -> None:
         """Checks that the body is complete and its mesh and supports sound, assembles and
         factorises its equations, and freezes it. The call is optional: the first solve does it.

@@ -11,6 +11,7 @@
 /// A t is u1 - u2.
 
 #include <memory>
+#include <vector>
 
 #include "bodies/model/compliance.hpp"
 #include "mesh/frame.hpp"
@@ -23,6 +24,19 @@ struct HalfspaceConstants {
   double ck = 0;  ///< factor of normal-tangential coupling, signed
 };
 
+/// Describes a delayed part of a displacement in steady rolling: ratio times the mean of the displacements that the
+/// material has had, of weight exp(-s / length) / length at the distance s upstream, towards +t1.
+struct Lag {
+  double ratio = 0, length = 0;
+  bool slope = false;  ///< the mean is that of the displacement's slope along t1
+};
+
+/// Holds the lags of a body and what its own constants are.
+struct LaggingBody {
+  HalfspaceConstants c;
+  std::vector<Lag> lag;
+};
+
 /// Returns the constants of one body. sign = +1 for body 1, -1 for body 2.
 HalfspaceConstants halfspace_constants(double young, double poisson, int sign);
 
@@ -30,5 +44,9 @@ HalfspaceConstants halfspace_constants(double young, double poisson, int sign);
 /// its row; threads: most threads of block and apply.
 std::unique_ptr<Compliance> make_halfspace_compliance(const Frame& frame, HalfspaceConstants c, double tolerance,
                                                       int threads);
+/// Makes the compliance of half-spaces that creep in steady rolling: that of the constants c, and the lags of bodies,
+/// of which there may be none. Other frames than lattices along t1 take integrals along lines.
+std::unique_ptr<Compliance> make_lagging_compliance(const Frame& frame, HalfspaceConstants c,
+                                                    std::vector<LaggingBody> bodies, double tolerance, int threads);
 
 }  // namespace rollcon

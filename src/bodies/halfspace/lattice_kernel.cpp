@@ -106,4 +106,14 @@ void LatticeIntegrals::row(std::int64_t j, std::int64_t first, std::int64_t coun
   }
 }
 
+void LatticeIntegrals::at_place(double x, std::int64_t j, double* const (&integral)[integral_count]) const {
+  const double near = std::max(clear_along * hat_.dx, hat_.dx + clear_beside * hat_.dy);
+  if (std::abs(x) > near || !near_y_.contains(j))
+    return far(shift_y_ + static_cast<double>(j) * hat_.dy, &x, 1, 0, integral);
+  std::vector<double> value[integral_count];
+  near_lattice_integrals(hat_, x, shift_y_, terms_, {0, 0}, {j, j}, value);
+  for (int k = 0; k < integral_count; ++k)
+    if (!value[k].empty()) *integral[k] = value[k].front();
+}
+
 }  // namespace rollcon::halfspace

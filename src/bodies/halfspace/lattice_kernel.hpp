@@ -22,6 +22,9 @@ class LatticeIntegrals {
   /// several threads.
   void row(std::int64_t j, std::int64_t first, std::int64_t count, double* const (&integral)[integral_count]) const;
 
+  /// Sets integral[k][0] for an observer at x, which shifts nothing, on line j.
+  void at_place(double x, std::int64_t j, double* const (&integral)[integral_count]) const;
+
  private:
   struct Rule {
     std::vector<double> x, w;

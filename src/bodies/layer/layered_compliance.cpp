@@ -55,6 +55,7 @@ class LayeredKernel final : public TranslationKernel {
       : bodies_(std::move(bodies)), flexibility_(flexibility) {}
   bool couples() const override { return bodies_->couples(); }
   bool shears() const override { return bodies_->shears(); }
+  bool turns() const override { return bodies_->turns(); }
   std::unique_ptr<LatticeRows> on_lattice(const LatticeHat& source, double shift_x, double shift_y,
                                           OffsetReach reach) const override {
     return std::make_unique<LayeredRows>(bodies_->on_lattice(source, shift_x, shift_y, reach), flexibility_, source,

@@ -44,6 +44,8 @@ class TranslationKernel {
   virtual bool shears() const = 0;
   /// Tells whether displacements grow in the same ratio when all lengths are stretched and tractions held.
   virtual bool scales() const { return false; }
+  /// Says whether the first axis of lattices may have any direction; else it is t1.
+  virtual bool turns() const { return true; }
   /// Returns the rows of a source, which the kernel must outlive.
   virtual std::unique_ptr<LatticeRows> on_lattice(const LatticeHat& source, double shift_x, double shift_y,
                                                   OffsetReach reach) const = 0;

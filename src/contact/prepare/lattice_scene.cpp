@@ -24,6 +24,8 @@ const char* obstacle_to_table(const Prepared& on) {
   if (!on.compliance->translation()) return "not both bodies respond alike everywhere, as half-spaces do";
   if (!on.lattice) return on.no_lattice.c_str();
   if (!on.lattice->has_inner_node()) return "the grid has no inner node";
+  if (on.lattice->ey != 0 && !on.compliance->translation()->turns())
+    return "the grid is turned against the rolling direction, along which viscoelastic bodies creep";
   return nullptr;
 }
 

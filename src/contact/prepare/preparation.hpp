@@ -62,11 +62,11 @@ struct Preparation {
   Revision mesh = -1;  ///< revision of the frame's mesh
   /// Key: mesh, place if it cannot follow that, axes, poses that turn or move it, gap if bodies end there, conformal.
   Stage<Revision, Revision, Revision, Poses, Poses, bool> frame;
-  Stage<Revision, Revision> place;             ///< frame, revision
-  Stage<Revision, Poses, Poses> rim;           ///< frame, poses of bodies with a mesh, where the gap ends
-  Stage<Revision, double, double> compliance;  ///< frame, accuracy, layer
-  Stage<Revision, Scheme> convection;          ///< compliance, scheme
-  Stage<Revision> offset;                      ///< convection
+  Stage<Revision, Revision> place;                     ///< frame, revision
+  Stage<Revision, Poses, Poses> rim;                   ///< frame, poses of bodies with a mesh, where the gap ends
+  Stage<Revision, double, double, double> compliance;  ///< frame, accuracy, layer, speed of bodies that creep
+  Stage<Revision, Scheme> convection;                  ///< compliance, scheme
+  Stage<Revision> offset;                              ///< convection
   /// Key: convection, revision, place if it varies across.
   Stage<Revision, Revision, Revision> friction;
   Stage<Revision, double> law;  ///< friction, rolling speed

@@ -173,7 +173,7 @@ void build_frame_part(Preparation& preparation, const Scene& scene) {
 void build_compliance(Preparation& preparation, const Scene& scene, int threads) {
   Prepared& on = *preparation.made;
   preparation.threads = threads;
-  if (!preparation.compliance.enter(preparation.frame.version(), scene.options.accuracy, scene.layer()))
+  if (!preparation.compliance.enter(preparation.frame.version(), scene.options.accuracy, scene.layer(), on.pair.speed))
     return on.compliance->set_threads(threads);
   const Stopwatch watch(preparation.timings.compliance);
   ++preparation.builds.compliances;
@@ -265,6 +265,25 @@ void prepare_body(Body& body, int which, Builds& builds) {
   }
 }
 
+// Says how fast bodies that creep are passed, and refuses what is not known of them.
+double speed_of_creep(const Scene& scene, const PairOfBodies& pair) {
+  if (!pair.creeps()) return 0;
+  if (scene.step_kind() != StepKind::steady)
+    fail(
+        Status::err_unsupported,
+        "a body is viscoelastic (rollcon_body_set_viscoelastic): it is followed in steady rolling alone, as time steps "
+        "do not keep its past; allowed: steady rolling (rollcon_contact_set_step)");
+  if (is_conformal(scene, pair))
+    fail(Status::err_unsupported,
+         "a body is viscoelastic (rollcon_body_set_viscoelastic), which conformal frames do not know; allowed: option "
+         "conformal = 0");
+  if (!scene.speed_given())
+    fail(Status::err_state,
+         "a body is viscoelastic (rollcon_body_set_viscoelastic), and the rolling speed is not known: call "
+         "rollcon_contact_set_rolling or rollcon_contact_set_velocity");
+  return scene.speed({0, 0, 0});
+}
+
 }  // namespace
 
 Prescribed prescribed_by(const Scene& scene, const Preparation& preparation) {
@@ -303,6 +322,7 @@ void prepare(Preparation& preparation, const Scene& scene, Body& body1, Body& bo
   prepare_bodies(preparation, body1, body2);
   Prepared& on = *preparation.made;
   on.pair = {{&body1, &body2}, {scene.pose(0), scene.pose(1)}, scene.layer()};
+  on.pair.speed = speed_of_creep(scene, on.pair);
   on.heat = scene.heat();
   build_frame_part(preparation, scene);
   build_compliance(preparation, scene, threads);

@@ -6,6 +6,7 @@
 
 #include "bodies/body.hpp"
 #include "contact/solution.hpp"
+#include "support/error.hpp"
 #include "support/index.hpp"
 
 namespace rollcon {
@@ -69,6 +70,11 @@ void add_slip(std::span<const LoadedPlace> place, const Moments& m, EquivalentEl
 CommonElasticity common_elasticity(const Body& body1, const Body& body2) {
   double flexible = 0, sideways = 0, strained = 0, sign = 1;
   for (const Body* body : {&body1, &body2}) {
+    if (!body->relaxation().empty())
+      fail(
+          Status::err_unsupported,
+          "a body is viscoelastic (rollcon_body_set_viscoelastic), which creep-force tables and simplified theories do "
+          "not know; allowed: elastic and rigid bodies");
     if (!body->rigid()) {
       const double of_one = 2 * (1 + body->poisson()) / body->young();
       flexible += of_one / 2;

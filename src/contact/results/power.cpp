@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 
 #include "contact/derived.hpp"
+#include "contact/prepare/lattice_scene.hpp"
 #include "contact/prepare/time_step.hpp"
+#include "linalg/fft.hpp"
 #include "mesh/quadrature.hpp"
 #include "mesh/shape.hpp"
 #include "support/index.hpp"
@@ -137,6 +140,21 @@ double power_in_step(const Solution& s, Derived& d, Preparation* preparation) {
 double power_put_in(const Solution& s) {
   if (s.frictionless) return 0;
   return -s.prepared->speed * (work_of_pressures(s) + work_of_rigid_slip(s));
+}
+
+double rolling_resistance(const Solution& s) {
+  const Prepared& on = *s.prepared;
+  const std::unique_ptr<Compliance> loss = make_loss(on.frame, on.pair, on.accuracy, 1);
+  if (!loss) return 0;
+  const Problem& p = on.problem;
+  const std::vector<double>(&lambda)[3] = s.iterate.lambda;
+  std::vector<double> u(3 * on.frame.x.size()), traction(u.size());
+  for (std::size_t k = 0; k < u.size(); ++k) traction[k] = lambda[k % 3][k / 3];
+  if (!on.lattice || on.lattice->ey != 0 || !has_fft() || !displacements_on_lattice(s, *loss, u.data()))
+    loss->apply({on.frame.x, on.frame.y}, traction.data(), u.data());
+  double sum = 0;
+  for (std::size_t k = 0; k < u.size(); ++k) sum += p.weight[k / 3] * traction[k] * u[k];
+  return sum;
 }
 
 bool power_is_balanced(const Solution& s) {

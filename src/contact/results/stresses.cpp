@@ -65,6 +65,12 @@ void find_stresses(const Solution& state, std::int32_t body, const PointsInside&
     fail(Status::err_unsupported,
          "stresses inside half-spaces are those under a contact in a plane, and this one is conformal (option "
          "conformal is 1)");
+  // Stresses under given tractions do not depend on the modulus.
+  if (displacement && !which.relaxation().empty())
+    fail(Status::err_unsupported,
+         "body %d is viscoelastic (rollcon_body_set_viscoelastic): displacements inside it are not computed; allowed: "
+         "stresses alone, and displacements of its surface (rollcon_contact_get_displacements_at)",
+         body);
   require_inside(points, body);
   // Depth points into the body: along -n into body 1, whose tractions are lambda, along n into body 2, which has
   // -lambda. A mirrored body obeys the same laws.

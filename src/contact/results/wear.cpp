@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "contact/results/power.hpp"
+#include "support/error.hpp"
 #include "support/index.hpp"
 
 namespace rollcon {
@@ -142,6 +143,9 @@ void meet_balance(const Solution& state, const WearLaw& law, NodalWear& wear) {
 
 double add_wear(const Solution& state, Derived& derived, const WearLaw& law, std::span<const double> y, double share,
                 double* volume) {
+  if (state.prepared->pair.creeps())
+    fail(Status::err_unsupported,
+         "a body is viscoelastic (rollcon_body_set_viscoelastic); allowed: wear of elastic and rigid bodies");
   derive_fields(state, derived);
   const Prepared& on = *state.prepared;
   const std::vector<double> half = half_widths(on.frame);

@@ -135,6 +135,7 @@ class Scene {
   const Axes& axes() const { return axes_; }
   /// Returns the speed at a point of the axes: what was set, or the speed of the contact over both bodies.
   double speed(const Vec3& point) const;
+  bool speed_given() const { return rolling_.speed_given || rolling_.travel_given; }
   StepKind step_kind() const { return rolling_.step; }
   double step_time() const { return rolling_.dt; }
   bool velocities_given() const { return rolling_.velocities_given; }
