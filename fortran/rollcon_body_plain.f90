@@ -30,6 +30,8 @@ module rollcon_body_plain
     procedure :: set_rotation => body_set_rotation
     procedure :: set_pressure => body_set_pressure
     procedure :: set_contact_faces => body_set_contact_faces
+    procedure :: revolve => body_revolve
+    procedure :: extrude => body_extrude
     procedure :: read_mesh => body_read_mesh
     procedure :: tag_group => body_tag_group
     procedure :: get_group_count => body_get_group_count
@@ -346,6 +348,33 @@ contains
     character(len=*), intent(inout), optional :: errmsg
     call finish(rollcon_body_set_contact_faces(self%p, size(tags, 1, rc_long), int(tags, rc_int)), self%p, &
       'rc_body%set_contact_faces', stat, errmsg)
+  end subroutine
+
+  !> Makes the plane mesh of a section a body of revolution: a wheel, a ring, a roller. Its nodes lie in a half plane
+  !> that ends at the axis. Supports, tractions and given displacements count along x, y and z where the section lies,
+  !> and turn with it: all of them are the same all the way round. Once prepared, the body has the nodes and faces of
+  !> the surface that its contact edges sweep.
+  subroutine body_revolve(self, origin, axis, stat, errmsg)
+    class(rc_body_plain), intent(inout) :: self
+    real(rc_real), intent(in) :: origin(3)
+    real(rc_real), intent(in) :: axis(3)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_body_revolve(self%p, origin, axis), self%p, 'rc_body%revolve', stat, errmsg)
+  end subroutine
+
+  !> Draws the plane mesh of a section along a line: a rail, a raceway strip. Its nodes lie in the plane at right angles
+  !> to the line through the origin. Supports, tractions and given displacements are the same all along; what a contact
+  !> does repeats after the period, which is long enough when the answer does not depend on it. The surface reaches as
+  !> far to both sides of the section as that is wide: bring the contact there.
+  subroutine body_extrude(self, origin, direction, period, stat, errmsg)
+    class(rc_body_plain), intent(inout) :: self
+    real(rc_real), intent(in) :: origin(3)
+    real(rc_real), intent(in) :: direction(3)
+    real(rc_real), intent(in) :: period
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_body_extrude(self%p, origin, direction, period), self%p, 'rc_body%extrude', stat, errmsg)
   end subroutine
 
   !> Takes nodes, elements and names from a file, in place of the whole former mesh: a file of Gmsh if the name ends in

@@ -42,6 +42,7 @@ module rollcon_c
   integer(c_int32_t), parameter :: rollcon_body_bem = 2_c_int32_t
   integer(c_int32_t), parameter :: rollcon_body_halfspace = 3_c_int32_t
   integer(c_int32_t), parameter :: rollcon_body_rigid = 4_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_body_section = 5_c_int32_t
 
   ! element type
   integer(c_int32_t), parameter :: rollcon_tri3 = 203_c_int32_t
@@ -494,6 +495,26 @@ module rollcon_c
       integer(c_int32_t), intent(in) :: tags(*)
       integer(c_int32_t) :: rc
     end function rollcon_body_set_contact_faces
+
+    function rollcon_body_revolve(body, origin, axis) result(rc) bind(C, name="rollcon_body_revolve")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      real(c_double), intent(in) :: origin(*)
+      real(c_double), intent(in) :: axis(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_body_revolve
+
+    function rollcon_body_extrude(body, origin, direction, period) &
+        result(rc) bind(C, name="rollcon_body_extrude")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      real(c_double), intent(in) :: origin(*)
+      real(c_double), intent(in) :: direction(*)
+      real(c_double), value :: period
+      integer(c_int32_t) :: rc
+    end function rollcon_body_extrude
 
     function rollcon_body_read_mesh(body, path, part) &
         result(rc) bind(C, name="rollcon_body_read_mesh")

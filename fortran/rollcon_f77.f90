@@ -374,6 +374,24 @@ subroutine rcbfac(ibody, n, itags, ierr)
   ierr = rollcon_body_set_contact_faces(body_of(ibody), int(n, c_int64_t), packed_tags)
 end subroutine
 
+!> Makes the plane mesh of a section a body of revolution.
+subroutine rcbrvl(ibody, origin, axis, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, ierr
+  double precision :: origin(3), axis(3)
+  ierr = rollcon_body_revolve(body_of(ibody), origin, axis)
+end subroutine
+
+!> Draws the plane mesh of a section along a line.
+subroutine rcbxtr(ibody, origin, direction, period, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, ierr
+  double precision :: origin(3), direction(3), period
+  ierr = rollcon_body_extrude(body_of(ibody), origin, direction, period)
+end subroutine
+
 !> Takes nodes, elements and names from a file, in place of the whole former mesh.
 subroutine rcbmsh(ibody, path, part, ierr)
   use rollcon_f77_support

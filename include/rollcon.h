@@ -108,7 +108,8 @@ enum {
   ROLLCON_BODY_FEM       = 1,    /* finite elements: a volume mesh, one material for each tag (ROLLCON_ERR_UNSUPPORTED in builds without them) */
   ROLLCON_BODY_BEM       = 2,    /* boundary elements: a closed surface mesh, one material (ROLLCON_ERR_UNSUPPORTED in builds without them) */
   ROLLCON_BODY_HALFSPACE = 3,    /* elastic half-space: material, no mesh; a profile only to compute gaps */
-  ROLLCON_BODY_RIGID     = 4     /* rigid: no material; a surface mesh or a profile only to compute gaps */
+  ROLLCON_BODY_RIGID     = 4,    /* rigid: no material; a surface mesh or a profile only to compute gaps */
+  ROLLCON_BODY_SECTION   = 5     /* a plane mesh of a section, one material for each tag, turned about an axis or drawn along a line: rollcon_body_revolve, rollcon_body_extrude (ROLLCON_ERR_UNSUPPORTED in builds without finite elements) */
 };
 
 /* Elements of contact frames, of the surfaces of bodies, and of finite-element bodies. Surface
@@ -714,6 +715,37 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_node_tractions(rollcon_
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_contact_faces(rollcon_body *body,
     int64_t n, const int32_t *tags);
+
+/*
+ * Makes the plane mesh of a section a body of revolution: a wheel, a ring, a roller. Its nodes
+ * lie in a half plane that ends at the axis. Supports, tractions and given displacements count
+ * along x, y and z where the section lies, and turn with it: all of them are the same all the way
+ * round. Once prepared, the body has the nodes and faces of the surface that its contact edges
+ * sweep.
+ *   body    a section, not prepared (else ROLLCON_ERR_STATE)
+ *   origin  [3]; point of the axis, length
+ *   axis    [3]; direction, of any length but 0
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE.
+ * Source: docs/sections.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_revolve(rollcon_body *body,
+    const double *origin, const double *axis);
+
+/*
+ * Draws the plane mesh of a section along a line: a rail, a raceway strip. Its nodes lie in the
+ * plane at right angles to the line through the origin. Supports, tractions and given
+ * displacements are the same all along; what a contact does repeats after the period, which is
+ * long enough when the answer does not depend on it. The surface reaches as far to both sides of
+ * the section as that is wide: bring the contact there.
+ *   body       a section, not prepared (else ROLLCON_ERR_STATE)
+ *   origin     [3]; a point in the section's plane, length
+ *   direction  [3]; of the line, of any length but 0
+ *   period     length after which all repeats, > 0
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE.
+ * Source: docs/sections.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_extrude(rollcon_body *body,
+    const double *origin, const double *direction, double period);
 
 /*
  * Takes nodes, elements and names from a file, in place of the whole former mesh: a file of Gmsh

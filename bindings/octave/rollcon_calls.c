@@ -24,10 +24,12 @@ static const enumerator names_of_body_kind[] = {
   {"bem", 2},
   {"halfspace", 3},
   {"rigid", 4},
+  {"section", 5},
   {"body_fem", 1},
   {"body_bem", 2},
   {"body_halfspace", 3},
   {"body_rigid", 4},
+  {"body_section", 5},
   {NULL, 0}};
 static const enumerator names_of_body_of_a_contact[] = {
   {"body1", 1},
@@ -458,6 +460,33 @@ static void call_body_set_contact_faces(call *self) {
   const int32_t *tags = take_integers(self, "tags", &n, 0);
   no_more(self);
   rc = rollcon_body_set_contact_faces(body, n < 0 ? 0 : n, tags);
+  if (rc < 0) finish(self, rc);
+  finish(self, rc);
+}
+
+static void call_body_revolve(call *self) {
+  int32_t rc = 0;
+  rollcon_body *body = rollcon_body_from_id(take_handle(self, "body"));
+  int64_t origin_rows = 3;
+  const double *origin = take_reals(self, "origin", &origin_rows, 0, 0);
+  int64_t axis_rows = 3;
+  const double *axis = take_reals(self, "axis", &axis_rows, 0, 0);
+  no_more(self);
+  rc = rollcon_body_revolve(body, origin, axis);
+  if (rc < 0) finish(self, rc);
+  finish(self, rc);
+}
+
+static void call_body_extrude(call *self) {
+  int32_t rc = 0;
+  rollcon_body *body = rollcon_body_from_id(take_handle(self, "body"));
+  int64_t origin_rows = 3;
+  const double *origin = take_reals(self, "origin", &origin_rows, 0, 0);
+  int64_t direction_rows = 3;
+  const double *direction = take_reals(self, "direction", &direction_rows, 0, 0);
+  const double period = take_real(self, "period");
+  no_more(self);
+  rc = rollcon_body_extrude(body, origin, direction, period);
   if (rc < 0) finish(self, rc);
   finish(self, rc);
 }
@@ -2347,6 +2376,8 @@ const entry calls[] = {
   {"body_set_pressure", call_body_set_pressure, 1},
   {"body_set_node_tractions", call_body_set_node_tractions, 1},
   {"body_set_contact_faces", call_body_set_contact_faces, 1},
+  {"body_revolve", call_body_revolve, 1},
+  {"body_extrude", call_body_extrude, 1},
   {"body_read_mesh", call_body_read_mesh, 1},
   {"body_tag_group", call_body_tag_group, 1},
   {"body_get_group_count", call_body_get_group_count, 1},

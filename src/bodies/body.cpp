@@ -42,7 +42,7 @@ std::shared_ptr<Body> Body::copy() const {
   BodyModel& to = *body->model_;
   to.material = model_->material;
   to.relaxation = model_->relaxation;
-  to.mesh = model_->mesh;
+  to.mesh = unswept(model_->mesh);
   to.profile = model_->profile;
   to.contact_material = model_->contact_material;
   body->options_ = options_;
@@ -55,7 +55,7 @@ void Body::set_elastic(std::int32_t tag, double young, double poisson) {
   require_elastic_constants(young, poisson);
   const std::lock_guard lock(mutex_);
   require_unprepared("material is");
-  model_->material[traits_.volume ? tag : 0] = model_->contact_material = {young, poisson};
+  model_->material[traits_.filled() ? tag : 0] = model_->contact_material = {young, poisson};
 }
 
 void Body::set_viscoelastic(std::int32_t /*tag*/, std::int64_t n, const double* ratios, const double* times) {
@@ -83,7 +83,10 @@ std::pair<std::int64_t, std::int64_t> Body::size() const {
 SurfaceMesh Body::surface_copy() {
   const std::lock_guard lock(mutex_);
   update_boundary(given());
-  return given().surface;
+  if (!traits_.section || given().surface.elements() == 0) return given().surface;
+  BodyMesh swept = given();
+  sweep_section(swept);
+  return swept.surface;
 }
 
 void Body::prepare(SectionReader* saved) {
@@ -163,14 +166,16 @@ void Body::require_complete() const {
     fail(Status::err_state, "the rigid body has nodes but no elements: %s", remedy);
   if (model_->profile.curve && model_->profile.place == ProfilePlace::none)
     fail(Status::err_state, "the profile has no place: rollcon_body_extrude_profile or rollcon_body_revolve_profile");
-  if (traits_.volume) require_materials();
+  if (traits_.section && given().surface.elements() == 0) fail(Status::err_state, "the section has no elements: %s", remedy);
+  if (traits_.filled()) require_materials();
 }
 
 void Body::require_materials() const {
   const VolumeElements& volume = given().volume;
-  for (std::int64_t e = 0; e < volume.elements(); ++e) {
+  const std::vector<std::int32_t>& tag = traits_.volume ? volume.tag : given().surface.tag;
+  for (std::int64_t e = 0; e < std::ssize(tag); ++e) {
     const auto i = static_cast<std::size_t>(e);
-    const auto found = model_->material.find(volume.tag[i]);
+    const auto found = model_->material.find(tag[i]);
     const std::int32_t base = given().surface.index_base;
     if (found == model_->material.end()) {
       std::string tags;
@@ -178,7 +183,14 @@ void Body::require_materials() const {
       fail(Status::err_state,
            "element %lld (counting from %d) has tag %d, for which rollcon_body_set_elastic gave no "
            "constants; it was called for tags: %s",
-           static_cast<long long>(e) + base, base, volume.tag[i], tags.c_str());
+           static_cast<long long>(e) + base, base, tag[i], tags.c_str());
+    }
+    if (traits_.section) {
+      constexpr double most_of_plane = 0.4999999;
+      if (found->second.poisson > most_of_plane)
+        fail(Status::err_unsupported, "element %lld of the section (counting from %d) has poisson %.9g; allowed: up to %g",
+             static_cast<long long>(e) + base, base, found->second.poisson, most_of_plane);
+      continue;
     }
     const double most = fem::largest_poisson(volume.type[i]);
     if (found->second.poisson <= most) continue;

@@ -67,6 +67,12 @@ class Body {
   void set_body_force(std::int32_t tag, const double* force);
   void set_rotation(std::int32_t tag, double density, const double* origin, const double* rate);
   void set_contact_faces(std::int64_t n, const std::int32_t* tag);
+  /// Turns a section about an axis.
+  void revolve(const double* origin, const double* axis) { set_path(Sweep::revolved, origin, axis, 0); }
+  /// Draws a section along a line; all on it repeats after the period.
+  void extrude(const double* origin, const double* direction, double period) {
+    set_path(Sweep::extruded, origin, direction, period);
+  }
   // Half-spaces and rigid bodies without a mesh take a profile; a new one replaces the last and has no place yet.
 
   /// Takes the profile through n points (y, z), see profile_through; err_argument, err_nonfinite.
@@ -159,6 +165,7 @@ class Body {
  private:
   void require_unprepared(const char* what) const;
   void require_takes_mesh() const;
+  void set_path(Sweep sweep, const double* origin, const double* axis, double period);
   /// Makes a mesh with these nodes, none of them held, and no elements.
   BodyMesh empty_mesh(std::int64_t n, const double* x, std::int64_t node_stride, std::int64_t component_stride) const;
   const BodyGroup& group(const char* name) const;

@@ -67,7 +67,13 @@ void options(Archive& ar, Model& model) {
 }
 
 template <class Archive, class Mesh>
-void mesh_content(Archive& ar, Mesh& mesh, bool volume) {
+void mesh_content(Archive& ar, Mesh& mesh, const BodyTraits& traits) {
+  const bool volume = traits.volume;
+  if constexpr (!Archive::reads)
+    if (mesh.section.swept()) {
+      BodyMesh given = unswept(mesh);
+      return mesh_content(ar, given, traits);
+    }
   ar(mesh.surface.index_base);
   ar(mesh.surface.node);
   if (!volume) {  // update_boundary() makes the surface of a volume
@@ -106,6 +112,11 @@ void mesh_content(Archive& ar, Mesh& mesh, bool volume) {
     a(load.rate);
   });
   ar(mesh.contact_tag);
+  if (!traits.section) return;
+  ar(mesh.path.sweep);
+  ar(mesh.path.origin);
+  ar(mesh.path.axis);
+  ar(mesh.path.period);
 }
 
 /// Checks of a profile what setters check when a caller gives it.
@@ -159,7 +170,7 @@ void content(Archive& ar, Model& model) {
   materials(ar, model);
   options(ar, model);
   if constexpr (Archive::reads) require(find_traits(model.kind) != nullptr, "the kind of body is unknown");
-  mesh_content(ar, model.mesh, model.traits().volume);
+  mesh_content(ar, model.mesh, model.traits());
   profile_content(ar, model.profile);
 }
 
@@ -188,8 +199,11 @@ void require_all_finite(const std::vector<Vec3>& vectors) {
 
 void check_naming(const FaceNaming& naming, const BodyMesh& mesh) {
   for (const BoundaryFace& face : naming.face) {
-    require(face.element >= 0 && face.element < mesh.volume.elements(), "a tagged face belongs to no element");
-    const auto sides = faces_of(mesh.volume.type[static_cast<std::size_t>(face.element)]).size();
+    const bool plane = mesh.volume.elements() == 0;
+    require(face.element >= 0 && face.element < (plane ? mesh.surface.elements() : mesh.volume.elements()),
+            "a tagged face belongs to no element");
+    const auto e = static_cast<std::size_t>(face.element);
+    const std::size_t sides = plane ? static_cast<std::size_t>(corner_count(mesh.surface.type[e])) : faces_of(mesh.volume.type[e]).size();
     require(face.side >= 0 && static_cast<std::size_t>(face.side) < sides, "an element has no such face");
   }
   require_ids(naming.nodes, mesh.surface.nodes());
@@ -204,7 +218,7 @@ void check_materials(BodyModel& model) {
   require(model.traits().elastic || model.material.empty(), "a rigid body has a material");
   for (const auto& [tag, elastic] : model.material) {
     require_elastic_constants(elastic.young, elastic.poisson);
-    require(model.traits().volume || tag == 0, "a body of one material has several");
+    require(model.traits().filled() || tag == 0, "a body of one material has several");
     model.contact_material = elastic;
   }
 }
@@ -216,8 +230,13 @@ void check_mesh(BodyModel& model) {
   require(model.traits().meshed || nodes == 0, "a half-space has nodes");
   require(!model.profile.curve || (nodes == 0 && !(model.traits().meshed && model.traits().elastic)),
           "a body with a mesh has a profile");
-  require(model.traits().volume || (mesh.volume.type.empty() && mesh.naming.empty()),
+  require(model.traits().volume || (mesh.volume.type.empty() && (model.traits().section || mesh.naming.empty())),
           "a body without volume has volume elements");
+  const auto sweep = static_cast<std::int32_t>(mesh.path.sweep);
+  require(sweep >= 0 && sweep <= 2 && (sweep == 0 || std::abs(length(mesh.path.axis) - 1) < 1e-9) &&
+              std::isfinite(mesh.path.period) && (sweep != 2 || mesh.path.period > 0),
+          "the way of a section is out of range");
+  require_all_finite({mesh.path.origin});
   require(mesh.surface.index_base == 0 || mesh.surface.index_base == 1, "the index base is neither 0 nor 1");
   if (!model.traits().volume)
     mesh.surface.offset = offsets(mesh.surface.type, mesh.surface.tag, mesh.surface.connectivity);

@@ -46,7 +46,7 @@ void require_node_ids(std::int64_t n, const std::int32_t* node, std::int32_t ind
 }
 
 void require_volume(const BodyTraits& traits) {
-  if (!traits.volume) fail(Status::err_state, "a %s body has no volume elements: no forces act inside", traits.name);
+  if (!traits.filled()) fail(Status::err_state, "a %s body has no volume elements: no forces act inside", traits.name);
 }
 
 void require_moderate(const double* v, const char* name) {
@@ -78,7 +78,7 @@ void Body::require_tag(std::int32_t tag, const std::string& entry) const {
     fail(Status::err_state, "the body has no %selements: call rollcon_body_add_elements before naming their tags",
          traits_.volume ? "volume " : "");
   const std::vector<std::int32_t>& tags = given().surface.tag;
-  const bool volume = given().volume.elements() > 0;
+  const bool volume = given().volume.elements() > 0 || traits_.section;
   if (volume ? tag == 0 || std::any_of(given().naming.begin(), given().naming.end(),
                                        [&](const FaceNaming& n) { return n.tag == tag; })
              : std::find(tags.begin(), tags.end(), tag) != tags.end())
@@ -165,7 +165,7 @@ void Body::add_elements(std::int32_t type, std::int64_t n, const std::int32_t* c
 
 void Body::tag_faces(std::int64_t n, const std::int32_t* element, const std::int32_t* side, std::int32_t index_base,
                      std::int32_t tag) {
-  if (!traits_.volume)
+  if (!traits_.filled())
     fail(Status::err_state,
          "the body has no volume elements whose faces could be tagged: it is not a finite-element "
          "body");
@@ -174,8 +174,10 @@ void Body::tag_faces(std::int64_t n, const std::int32_t* element, const std::int
   require_count(n, "n");
   require_index_base(index_base);
   const VolumeElements& volume = given().volume;
-  if (volume.elements() == 0)
-    fail(Status::err_state, "the body has no volume elements: call rollcon_body_add_elements before tagging faces");
+  const SurfaceMesh& plane = given().surface;
+  const std::int64_t elements = traits_.volume ? volume.elements() : plane.elements();
+  if (elements == 0)
+    fail(Status::err_state, "the body has no %selements: call rollcon_body_add_elements before tagging faces", traits_.volume ? "volume " : "");
   if (n == 0) return;
   require_pointer(element, "elements");
   require_pointer(side, "faces");
@@ -184,10 +186,12 @@ void Body::tag_faces(std::int64_t n, const std::int32_t* element, const std::int
   for (std::int64_t i = 0; i < n; ++i) {
     const std::int64_t e = std::int64_t{element[i]} - index_base;
     const auto entry = static_cast<long long>(i) + index_base;
-    if (e < 0 || e >= volume.elements())
+    if (e < 0 || e >= elements)
       fail(Status::err_mesh, "entry %lld of elements (counting from %d) is %d; allowed: %d to %lld", entry, index_base,
-           element[i], index_base, static_cast<long long>(volume.elements()) - 1 + index_base);
-    const auto sides = static_cast<std::int64_t>(faces_of(volume.type[static_cast<std::size_t>(e)]).size());
+           element[i], index_base, static_cast<long long>(elements) - 1 + index_base);
+    const auto own = static_cast<std::size_t>(e);
+    const std::int64_t sides =
+        traits_.volume ? std::ssize(faces_of(volume.type[own])) : std::int64_t{corner_count(plane.type[own])};
     const std::int64_t s = std::int64_t{side[i]} - index_base;
     if (s < 0 || s >= sides)
       fail(Status::err_mesh, "entry %lld of faces (counting from %d) is %d; allowed for its element: %d to %lld", entry,
@@ -210,7 +214,7 @@ void Body::tag_faces_of_nodes(std::int64_t n, const std::int32_t* node, std::int
   given().surface.index_base = index_base;
   FaceNaming naming{.tag = tag};
   for (std::int64_t i = 0; i < n; ++i) naming.nodes.push_back(node[i] - index_base);
-  if (traits_.volume) {
+  if (traits_.filled()) {
     given().naming.push_back(std::move(naming));
     given().boundary_current = false;
   } else {
@@ -317,6 +321,25 @@ void Body::set_rotation(std::int32_t tag, double density, const double* origin, 
   load.density = density;
   load.origin = {origin[0], origin[1], origin[2]};
   load.rate = {rate[0], rate[1], rate[2]};
+}
+
+void Body::set_path(Sweep sweep, const double* origin, const double* axis, double period) {
+  if (!traits_.section)
+    fail(Status::err_state, "a %s body is not carried: rollcon_body_create with ROLLCON_BODY_SECTION makes one that is",
+         traits_.name);
+  require_moderate(origin, "origin");
+  require_moderate(axis, sweep == Sweep::revolved ? "axis" : "direction");
+  const Vec3 along{axis[0], axis[1], axis[2]};
+  if (!(length(along) > 0))
+    fail(Status::err_argument, "%s is zero; allowed: any other vector", sweep == Sweep::revolved ? "axis" : "direction");
+  if (sweep == Sweep::extruded) {
+    require_finite(period, "period");
+    if (!(period > 0 && period <= most_given))
+      fail(Status::err_argument, "period is %g; allowed: > 0, up to %g", period, most_given);
+  }
+  const std::lock_guard lock(mutex_);
+  require_unprepared("way is");
+  given().path = {sweep, {origin[0], origin[1], origin[2]}, (1 / length(along)) * along, period};
 }
 
 void Body::set_contact_faces(std::int64_t n, const std::int32_t* tag) {

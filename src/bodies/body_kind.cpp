@@ -28,6 +28,10 @@ std::unique_ptr<Condensed> by_finite_elements(BodyModel& model, int threads, Sec
   return fem::make_response(model.mesh, model.smooth_fans, model.material, model.options, threads, saved);
 }
 
+std::unique_ptr<Condensed> by_section(BodyModel& model, int threads, SectionReader* saved) {
+  return section::make_response(model.mesh, model.smooth_fans, model.material, model.options, threads, saved);
+}
+
 std::unique_ptr<Condensed> by_boundary_elements(BodyModel& model, int threads, SectionReader* saved) {
   const auto [young, poisson] = model.contact_material;
   refuse_incompressible_cavities(model.mesh, poisson);
@@ -67,6 +71,14 @@ constexpr BodyTraits kinds[] = {
      .meshed = false,
      .half_space = true,
      .make_compliance = on_halfspace},
+    {.kind = BodyKind::section,
+     .name = "section",
+     .parts = "section of finite elements",
+     .section = true,
+     .require_support = section::require_support,
+     .make_compliance = make_meshed_compliance,
+     .make_response = by_section,
+     .worst_condition = 1e12},
     {.kind = BodyKind::rigid, .name = "rigid", .parts = "rigid", .elastic = false},
 };
 

@@ -64,9 +64,11 @@ void require_node_tractions(const BodyMesh& mesh) {
 void choose_contact_material(BodyModel& model) {
   const BodyMesh& mesh = model.mesh;
   std::map<std::int32_t, double> area;
-  for (const std::int64_t e : contact_elements(mesh))
-    area[mesh.volume.tag[static_cast<std::size_t>(mesh.origin[static_cast<std::size_t>(e)].element)]] +=
-        element_area(mesh.surface, e);
+  const auto tag = [&](std::int64_t e) {
+    if (mesh.section.swept()) return mesh.section.plane().tag[static_cast<std::size_t>(mesh.section.element_under(e))];
+    return mesh.volume.tag[static_cast<std::size_t>(mesh.origin[static_cast<std::size_t>(e)].element)];
+  };
+  for (const std::int64_t e : contact_elements(mesh)) area[tag(e)] += element_area(mesh.surface, e);
   double most = 0;
   for (const auto& [tag, a] : area) {
     if (a <= most) continue;
@@ -85,6 +87,7 @@ void prepare_model(BodyModel& model, int threads, const EquationSource& from) {
     update_boundary(mesh);
     require_tagged_faces(mesh);
   }
+  if (traits.section) sweep_section(mesh);
   if (mesh.surface.elements() == 0) return;
   check_surface(mesh.surface, traits.surface);
   require_node_tractions(mesh);
@@ -103,9 +106,11 @@ void prepare_model(BodyModel& model, int threads, const EquationSource& from) {
   model.surface = std::make_unique<MeshSurface>(mesh.surface, model.smooth_fans, *model.search);
   if (!traits.make_response) return;
 
-  require_supports(mesh);
-  model.thin = thinness(mesh, traits.thin_linear, traits.thin_quadratic);
-  if (traits.volume) choose_contact_material(model);
+  if (traits.filled()) choose_contact_material(model);
+  if (!traits.section) {
+    require_supports(mesh);
+    model.thin = thinness(mesh, traits.thin_linear, traits.thin_quadratic);
+  }
   try {
     if (const std::shared_ptr<BodyModel>& base = from.unlike_loads) {
       model.own = base->response->solve_loads(mesh, threads);

@@ -1,4 +1,4 @@
-/// Stands for finite-element bodies in a build without them.
+/// Stands for finite-element bodies, and those given by sections, in a build without them.
 
 #include "bodies/model/mesh_models.hpp"
 #include "support/error.hpp"
@@ -25,3 +25,20 @@ std::unique_ptr<Condensed> make_response(const BodyMesh& /*mesh*/, const Tractio
 }
 
 }  // namespace rollcon::fem
+
+namespace rollcon::section {
+
+void require_support() {
+  fail(Status::err_unsupported,
+       "kind is 5 (SECTION), but this build of rollcon has no bodies given by sections (component FEM: "
+       "ROLLCON_WITH_FEM is OFF, or CHOLMOD is not built in)");
+}
+
+std::unique_ptr<Condensed> make_response(const BodyMesh& /*mesh*/, const TractionNodes& /*fans*/,
+                                         const std::map<std::int32_t, Elastic>& /*material*/,
+                                         const BodyOptions& /*options*/, int /*threads*/, SectionReader* /*saved*/) {
+  require_support();
+  return nullptr;
+}
+
+}  // namespace rollcon::section

@@ -115,6 +115,19 @@ rollcon_status rollcon_body_set_contact_faces(rollcon_body *body, int64_t n, con
   });
 }
 
+rollcon_status rollcon_body_revolve(rollcon_body *body, const double *origin, const double *axis) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.revolve(origin, axis);
+  });
+}
+
+rollcon_status rollcon_body_extrude(rollcon_body *body, const double *origin,
+    const double *direction, double period) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.extrude(origin, direction, period);
+  });
+}
+
 rollcon_status rollcon_body_read_mesh(rollcon_body *body, const char *path, const char *part) {
   return with_body(__func__, body, [&](Body& self) {
     self.read_mesh(path, part);

@@ -166,6 +166,35 @@ class BodyPlain:
         tags, tags_at = integer_list(tags, "tags")
         self._call("set_contact_faces", len(tags), tags_at)
 
+    def revolve(self, origin: ArrayLike, axis: ArrayLike) -> None:
+        """Makes the plane mesh of a section a body of revolution: a wheel, a ring, a roller. Its
+        nodes lie in a half plane that ends at the axis. Supports, tractions and given
+        displacements count along x, y and z where the section lies, and turn with it: all of them
+        are the same all the way round. Once prepared, the body has the nodes and faces of the
+        surface that its contact edges sweep.
+
+        origin: point of the axis, length.
+        axis: direction, of any length but 0.
+        """
+        origin, origin_at = vector(origin)
+        axis, axis_at = vector(axis)
+        self._call("revolve", origin_at, axis_at)
+
+    def extrude(self, origin: ArrayLike, direction: ArrayLike, period: float) -> None:
+        """Draws the plane mesh of a section along a line: a rail, a raceway strip. Its nodes lie
+        in the plane at right angles to the line through the origin. Supports, tractions and given
+        displacements are the same all along; what a contact does repeats after the period, which
+        is long enough when the answer does not depend on it. The surface reaches as far to both
+        sides of the section as that is wide: bring the contact there.
+
+        origin: a point in the section's plane, length.
+        direction: of the line, of any length but 0.
+        period: length after which all repeats, > 0.
+        """
+        origin, origin_at = vector(origin)
+        direction, direction_at = vector(direction)
+        self._call("extrude", origin_at, direction_at, period)
+
     def read_mesh(self, path: str | PathLike, part: str = "") -> None:
         """Takes nodes, elements and names from a file, in place of the whole former mesh: a file
         of Gmsh if the name ends in .msh (versions 2 to 2.2 and 4.1, text or binary), of Abaqus or

@@ -245,6 +245,14 @@ void System::condense(const std::vector<std::int32_t>& loaded, const RowMatrix<d
   if (options_.keep_factors == 0) factor_.reset();
 }
 
+FeltTractions System::feel(const SurfaceMesh& layer, SurfaceOutline& outline) const {
+  const auto material = [this](std::int64_t face) {
+    const Material& m = assembly_.material(mesh_.origin[at(face)].element);
+    return Elastic{m.young * reference_, m.poisson};
+  };
+  return rollcon::feel({mesh_, fans_, material}, layer, outline, false);
+}
+
 void System::respond(const LoadedSurface& surface, SurfaceRows& rows, int threads) {
   if (surface.of_faces()) {
     const SurfaceCoupling mass = couple_faces(surface_, surface.face);

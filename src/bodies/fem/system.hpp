@@ -6,9 +6,9 @@
 #include <string>
 
 #include "bodies/fem/assembly.hpp"
-#include "bodies/fem/felt_tractions.hpp"
 #include "bodies/fem/interior.hpp"
 #include "bodies/model/body_mesh.hpp"
+#include "bodies/model/felt_layer.hpp"
 #include "bodies/model/response_cache.hpp"
 #include "geometry/surface_coupling.hpp"
 #include "linalg/sparse_factor.hpp"
@@ -54,10 +54,6 @@ class System final : public ResponseCache {
   void require_whole(int threads);
   /// Condenses loads that each column of rows has at nodes `loaded`.
   void condense(const std::vector<std::int32_t>& loaded, const RowMatrix<double>& load, SurfaceRows& rows, int threads);
-  std::vector<std::int64_t> facing(const Vec3& normal) const;
-  std::vector<std::int64_t> feeling_faces(const SurfaceCoupling& coupling, const SurfaceOutline& rows,
-                                          const std::vector<std::int64_t>& candidates) const;
-  void choose_material(SurfaceOutline& rows) const;
 
   const BodyMesh& mesh_;
   const TractionNodes& fans_;

@@ -68,7 +68,8 @@ Vec3 FaceLoad::turned(const Vec3& v, const Vec3& normal) const {
 }
 
 bool BodyMesh::moved() const {
-  return std::any_of(held_value.begin(), held_value.end(), [](const Vec3& v) { return v != Vec3{0, 0, 0}; });
+  const std::vector<Vec3>& given = section.swept() ? given_value : held_value;
+  return std::any_of(given.begin(), given.end(), [](const Vec3& v) { return v != Vec3{0, 0, 0}; });
 }
 
 void tag_by_nodes(const FaceNaming& naming, SurfaceMesh& surface) {

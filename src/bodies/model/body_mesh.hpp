@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesh/surface_mesh.hpp"
+#include "mesh/swept_section.hpp"
 #include "mesh/volume_boundary.hpp"
 #include "mesh/volume_mesh.hpp"
 
@@ -63,6 +64,13 @@ struct BodyMesh {
   std::vector<FaceNaming> naming;    ///< tags given to a volume's faces
   std::vector<BoundaryFace> origin;  ///< face of the volume that each surface element is
   bool boundary_current = false;
+
+  // A section's plane elements and supports stand in surface and held, too, until they are swept.
+  SectionPath path;
+  SweptSection section;                  ///< section that sweeping took; swept() is false before
+  std::vector<std::uint8_t> given_held;  ///< supports of its plane nodes
+  std::vector<Vec3> given_value;
+
   std::string passed_over;        ///< parts of the mesh's file that were not read
   std::vector<double> thickness;  ///< thickness behind each surface element, from thinness(), which explains 0
 
@@ -96,6 +104,12 @@ void tag_by_nodes(const FaceNaming& naming, SurfaceMesh& surface);
 /// elements. Throws err_mesh naming the element and face, or the surface element, that is no boundary face; the mesh
 /// is then unchanged.
 void update_boundary(BodyMesh& mesh);
+
+/// Puts the surface that a section sweeps in place of its plane elements, from the edges that may come into contact;
+/// does nothing when that is done. err_mesh, err_state.
+void sweep_section(BodyMesh& mesh);
+/// Returns the mesh as it was given, before it was swept.
+BodyMesh unswept(const BodyMesh& mesh);
 
 /// Returns "element 12 (counting from 1)", or "face 2 of element 12 (both counting from 1)".
 std::string face_name(const BodyMesh& mesh, std::int64_t element);

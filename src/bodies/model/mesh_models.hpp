@@ -34,4 +34,13 @@ std::unique_ptr<Condensed> make_response(const BodyMesh& mesh, const TractionNod
                                          const BodyOptions& options, int threads, SectionReader* saved);
 }  // namespace bem
 
+namespace section {
+/// Throws err_unsupported, naming component and option, in a build without them.
+void require_support();
+/// Makes the response of a body that a section gives, see section::System.
+std::unique_ptr<Condensed> make_response(const BodyMesh& mesh, const TractionNodes& fans,
+                                         const std::map<std::int32_t, Elastic>& material, const BodyOptions& options,
+                                         int threads, SectionReader* saved);
+}  // namespace section
+
 }  // namespace rollcon

@@ -15,7 +15,7 @@ class ResponseCache : public Condensed, public AsEquations, public Saved {
   std::shared_ptr<const SurfaceRows> rows(const LoadedSurface& surface, int threads) final;
   std::shared_ptr<const SurfaceLoads> loads(const LoadedSurface& surface, int threads) final;
   const OwnLoads& own() const final { return own_; }
-  AsEquations* as_equations() final { return this; }
+  AsEquations* as_equations() override { return this; }
   Saved* saved() final { return this; }
   std::int64_t solvable() const final;
   void save(SectionWriter& file, const OwnLoads& own) const final;

@@ -1,6 +1,6 @@
 // Tests tractions as coarse faces feel them: constants stay, the rest becomes smoother with the weight of smoothing.
 
-#include "bodies/fem/felt_tractions.hpp"
+#include "bodies/model/felt_tractions.hpp"
 
 #include "geometry/surface_coupling.hpp"
 #include "support/frames.hpp"
@@ -22,7 +22,7 @@ Felt felt(const SurfaceMesh& surface, double share, const std::vector<double>& t
   std::vector<std::int32_t> column(t.size());
   std::iota(column.begin(), column.end(), 0);
   const std::vector<double> shares(face.size(), share);
-  const fem::FeltTractions f = fem::felt_tractions(surface, face, shares, coupling, column);
+  const FeltTractions f = felt_tractions(surface, face, shares, coupling, column);
   Felt result;
   for (std::int64_t i = 0; i < f.traction.rows(); ++i) {
     double value = 0;
@@ -86,7 +86,7 @@ TEST(SmoothingShares, follow_the_frames_spacing_over_the_faces_in_any_unit) {
       std::iota(face.begin(), face.end(), 0);
       const TractionNodes fans = split_at_edges(body, 30);
       const auto shares = [&](const SurfaceMesh& layer) {
-        return fem::smoothing_shares(body, fans, face, couple_layer(body, face, layer));
+        return smoothing_shares(body, fans, face, couple_layer(body, face, layer));
       };
       const std::size_t inside = 2 * 6 + 2;  // a face whose nodes are no ends of the frame
       const double found = shares(frames::rectangle(ElementType::quad4, dense, dense))[inside];

@@ -1,4 +1,4 @@
-#include "bodies/fem/felt_tractions.hpp"
+#include "bodies/model/felt_tractions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include "mesh/surface_quadrature.hpp"
 #include "support/index.hpp"
 
-namespace rollcon::fem {
+namespace rollcon {
 namespace {
 
 /// Returns the lower triangle of a coupling of faces with themselves, nodes numbered by place.
@@ -155,4 +155,4 @@ FeltTractions felt_tractions(const SurfaceMesh& surface, std::span<const std::in
   return felt;
 }
 
-}  // namespace rollcon::fem
+}  // namespace rollcon

@@ -15,7 +15,7 @@
 #include "linalg/sparse_factor.hpp"
 #include "mesh/traction_nodes.hpp"
 
-namespace rollcon::fem {
+namespace rollcon {
 
 struct FeltTractions {
   std::vector<std::int32_t> node;  ///< nodes of the faces, ascending
@@ -45,4 +45,4 @@ FeltTractions felt_tractions(const SurfaceMesh& surface, std::span<const std::in
                              std::span<const double> share, const SurfaceCoupling& coupling,
                              std::span<const std::int32_t> column);
 
-}  // namespace rollcon::fem
+}  // namespace rollcon

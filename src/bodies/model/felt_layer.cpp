@@ -1,18 +1,16 @@
-/// Tells which faces of finite elements feel a layer, and as what.
+#include "bodies/model/felt_layer.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
 
-#include "bodies/fem/felt_tractions.hpp"
-#include "bodies/fem/system.hpp"
 #include "geometry/surface_search.hpp"
 #include "mesh/surface_geometry.hpp"
 #include "support/error.hpp"
 #include "support/index.hpp"
 
-namespace rollcon::fem {
+namespace rollcon {
 namespace {
 
 /// Lists reference coordinates of a point inside every element.
@@ -35,16 +33,15 @@ void limit_by_thickness(const SurfaceMesh& surface, const std::vector<std::int64
   }
 }
 
-}  // namespace
-
 // Finds the contact faces whose corners look the way of the layer; walls of the body beside it are left out.
-std::vector<std::int64_t> System::facing(const Vec3& normal) const {
+std::vector<std::int64_t> facing(const BodyMesh& mesh, const Vec3& normal) {
   constexpr double least_cosine = 0.25;
   std::vector<std::int64_t> face;
-  for (const std::int64_t e : contact_elements(mesh_)) {
-    const auto nodes = surface_.element(e);
-    const auto corner = [&](std::size_t i) { return surface_.node[at(nodes[i])]; };
-    const std::size_t last = at(corner_count(surface_.type[at(e)])) - 1;
+  const SurfaceMesh& surface = mesh.surface;
+  for (const std::int64_t e : contact_elements(mesh)) {
+    const auto nodes = surface.element(e);
+    const auto corner = [&](std::size_t i) { return surface.node[at(nodes[i])]; };
+    const std::size_t last = at(corner_count(surface.type[at(e)])) - 1;
     const Vec3 n = cross(corner(last - 1) - corner(0), corner(last) - corner(last == 3 ? 1 : 0));
     if (dot(n, normal) > least_cosine * length(n)) face.push_back(e);
   }
@@ -52,31 +49,32 @@ std::vector<std::int64_t> System::facing(const Vec3& normal) const {
 }
 
 // The half-space under a layer has the material of most of the faces that feel it.
-void System::choose_material(SurfaceOutline& rows) const {
+void choose_material(const FeelingBody& body, SurfaceOutline& rows) {
   std::map<std::pair<double, double>, double> area;
   double most = 0;
   for (const std::int64_t e : rows.seen_face) {
-    const Material& m = assembly_.material(mesh_.origin[at(e)].element);
+    const Elastic m = body.material(e);
     double& sum = area[{m.young, m.poisson}];
-    sum += element_area(surface_, e);
+    sum += element_area(body.mesh.surface, e);
     if (sum <= most) continue;
     most = sum;
-    rows.young = m.young * reference_;
+    rows.young = m.young;
     rows.poisson = m.poisson;
   }
 }
 
 // Finds faces that feel a layer, as all of their nodes do (or a node that does in no other one), and the faces around
 // them on the same smooth surface whose displacements are known.
-std::vector<std::int64_t> System::feeling_faces(const SurfaceCoupling& coupling, const SurfaceOutline& rows,
-                                                const std::vector<std::int64_t>& candidates) const {
-  std::vector<std::uint8_t> known(at(surface_.nodes()), 0), fan(at(fans_.size()), 0);
+std::vector<std::int64_t> feeling_faces(const FeelingBody& body, const SurfaceCoupling& coupling,
+                                        const SurfaceOutline& rows, const std::vector<std::int64_t>& candidates) {
+  const SurfaceMesh& surface = body.mesh.surface;
+  std::vector<std::uint8_t> known(at(surface.nodes()), 0), fan(at(body.fans.size()), 0);
   const auto all_marked = [&](std::int64_t e) {
-    const auto nodes = surface_.element(e);
+    const auto nodes = surface.element(e);
     return std::all_of(nodes.begin(), nodes.end(), [&](std::int32_t k) { return known[at(k)] != 0; });
   };
   const auto fans_of = [&](std::int64_t e) {
-    return std::span(fans_.of).subspan(at(surface_.offset[at(e)]), surface_.element(e).size());
+    return std::span(body.fans.of).subspan(at(surface.offset[at(e)]), surface.element(e).size());
   };
   std::vector<std::int64_t> face;
   for (const std::int32_t k : coupling.node) known[at(k)] = 1;
@@ -88,12 +86,12 @@ std::vector<std::int64_t> System::feeling_faces(const SurfaceCoupling& coupling,
     if (all_marked(e)) feels(e);
   std::vector<std::uint8_t> alone = known;
   for (const std::int64_t e : face)
-    for (const std::int32_t k : surface_.element(e)) alone[at(k)] = 0;
+    for (const std::int32_t k : surface.element(e)) alone[at(k)] = 0;
   for (const std::int32_t k : rows.row) known[at(k)] = 1;
   // A layer in the corner of a face is felt by that corner's nodes alone.
   std::vector<std::uint8_t> missed = alone;
   for (const std::int64_t e : candidates) {
-    const auto nodes = surface_.element(e);
+    const auto nodes = surface.element(e);
     if (!all_marked(e) || std::none_of(nodes.begin(), nodes.end(), [&](std::int32_t k) { return alone[at(k)] != 0; }))
       continue;
     feels(e);
@@ -101,7 +99,7 @@ std::vector<std::int64_t> System::feeling_faces(const SurfaceCoupling& coupling,
   }
   if (const auto k = std::find(missed.begin(), missed.end(), 1); k != missed.end())
     fail(Status::err_mesh, "node %lld (counting from %d) of the body feels the frame, but no face around it does",
-         static_cast<long long>(k - missed.begin()) + surface_.index_base, surface_.index_base);
+         static_cast<long long>(k - missed.begin()) + surface.index_base, surface.index_base);
   std::sort(face.begin(), face.end());
   const std::size_t under = face.size();
   for (const std::int64_t e : candidates) {
@@ -115,19 +113,25 @@ std::vector<std::int64_t> System::feeling_faces(const SurfaceCoupling& coupling,
   return face;
 }
 
-FeltTractions System::feel(const SurfaceMesh& layer, SurfaceOutline& outline) const {
+}  // namespace
+
+FeltTractions feel(const FeelingBody& body, const SurfaceMesh& layer, SurfaceOutline& outline, bool as_tractions) {
+  const SurfaceMesh& surface = body.mesh.surface;
   Vec3 normal{0, 0, 0};
   for (std::int64_t e = 0; e < layer.elements(); ++e)
     normal = normal + element_area(layer, e) * unit_normal(layer, e, middle, middle);
-  const std::vector<std::int64_t> candidates = facing(normalized(normal));
-  const SurfaceCoupling coupling = couple_layer(surface_, candidates, layer);
+  const std::vector<std::int64_t> candidates = facing(body.mesh, normalized(normal));
+  const SurfaceCoupling coupling = couple_layer(surface, candidates, layer);
   // Nothing of such tractions is left to a half-space.
-  if (coupling.in_faces) return {coupling.node, {}, columns_of(coupling, outline.column)};
-  outline.seen_face = feeling_faces(coupling, outline, candidates);
-  choose_material(outline);
-  std::vector<double> share = smoothing_shares(surface_, fans_, outline.seen_face, coupling);
-  limit_by_thickness(surface_, outline.seen_face, share);
-  return felt_tractions(surface_, outline.seen_face, share, coupling, outline.column);
+  if (coupling.in_faces && !as_tractions) return {coupling.node, {}, columns_of(coupling, outline.column)};
+  outline.seen_face = feeling_faces(body, coupling, outline, candidates);
+  choose_material(body, outline);
+  std::vector<double> share(outline.seen_face.size(), 0.0);
+  if (!coupling.in_faces) {
+    share = smoothing_shares(surface, body.fans, outline.seen_face, coupling);
+    limit_by_thickness(surface, outline.seen_face, share);
+  }
+  return felt_tractions(surface, outline.seen_face, share, coupling, outline.column);
 }
 
-}  // namespace rollcon::fem
+}  // namespace rollcon
