@@ -141,6 +141,29 @@ static void pressed(rollcon_context* context) {
   rollcon_body_release(bar);
 }
 
+static void section(rollcon_context* context) {
+  /* A roller of steel, whose section is one quadrilateral, and a strip that is drawn along x. */
+  const double corner[4][3] = {{0, 0, 1}, {0, 4, 1}, {0, 4, 9}, {0, 0, 9}}, origin[3] = {0, 0, 0}, axis[3] = {0, 1, 0},
+               along[3] = {1, 0, 0};
+  const int32_t quad[4] = {0, 1, 2, 3}, bore[2] = {0, 1}, tread[2] = {2, 3}, tag = 1;
+  rollcon_body *roller, *strip;
+  must(rollcon_body_create(context, ROLLCON_BODY_SECTION, &roller));
+  must(rollcon_body_set_nodes(roller, 4, &corner[0][0], 3, 1));
+  must(rollcon_body_add_elements(roller, ROLLCON_QUAD4, 1, quad, 0, 0));
+  must(rollcon_body_set_elastic(roller, 0, 210000, 0.3));
+  must(rollcon_body_set_support(roller, 2, bore, 0, 7, NULL));
+  must(rollcon_body_tag_faces_of_nodes(roller, 2, tread, 0, tag));
+  must(rollcon_body_set_contact_faces(roller, 1, &tag));
+  must(rollcon_body_copy(roller, &strip));
+  must(rollcon_body_revolve(roller, origin, axis));
+  must(rollcon_body_prepare(roller));
+  must(rollcon_body_extrude(strip, origin, along, 100));
+  must(rollcon_body_prepare(strip));
+  printf("a roller and a strip by their sections\n");
+  rollcon_body_release(strip);
+  rollcon_body_release(roller);
+}
+
 static void tables_of_bodies(void) {
   int32_t type;
   double low, high, usual;
@@ -192,6 +215,7 @@ int main(void) {
   write_mesh("each_call.inp");
   mesh(context);
   pressed(context);
+  if (rollcon_has_feature("fem")) section(context);
   tables_of_bodies();
   profiles(context);
   frame(context);

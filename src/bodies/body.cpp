@@ -85,7 +85,7 @@ SurfaceMesh Body::surface_copy() {
   update_boundary(given());
   if (!traits_.section || given().surface.elements() == 0) return given().surface;
   BodyMesh swept = given();
-  sweep_section(swept);
+  sweep_section(swept, options_.stations);
   return swept.surface;
 }
 
@@ -166,7 +166,8 @@ void Body::require_complete() const {
     fail(Status::err_state, "the rigid body has nodes but no elements: %s", remedy);
   if (model_->profile.curve && model_->profile.place == ProfilePlace::none)
     fail(Status::err_state, "the profile has no place: rollcon_body_extrude_profile or rollcon_body_revolve_profile");
-  if (traits_.section && given().surface.elements() == 0) fail(Status::err_state, "the section has no elements: %s", remedy);
+  if (traits_.section && given().surface.elements() == 0)
+    fail(Status::err_state, "the section has no elements: %s", remedy);
   if (traits_.filled()) require_materials();
 }
 
@@ -188,7 +189,8 @@ void Body::require_materials() const {
     if (traits_.section) {
       constexpr double most_of_plane = 0.4999999;
       if (found->second.poisson > most_of_plane)
-        fail(Status::err_unsupported, "element %lld of the section (counting from %d) has poisson %.9g; allowed: up to %g",
+        fail(Status::err_unsupported,
+             "element %lld of the section (counting from %d) has poisson %.9g; allowed: up to %g",
              static_cast<long long>(e) + base, base, found->second.poisson, most_of_plane);
       continue;
     }

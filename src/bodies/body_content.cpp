@@ -203,7 +203,8 @@ void check_naming(const FaceNaming& naming, const BodyMesh& mesh) {
     require(face.element >= 0 && face.element < (plane ? mesh.surface.elements() : mesh.volume.elements()),
             "a tagged face belongs to no element");
     const auto e = static_cast<std::size_t>(face.element);
-    const std::size_t sides = plane ? static_cast<std::size_t>(corner_count(mesh.surface.type[e])) : faces_of(mesh.volume.type[e]).size();
+    const std::size_t sides =
+        plane ? static_cast<std::size_t>(corner_count(mesh.surface.type[e])) : faces_of(mesh.volume.type[e]).size();
     require(face.side >= 0 && static_cast<std::size_t>(face.side) < sides, "an element has no such face");
   }
   require_ids(naming.nodes, mesh.surface.nodes());

@@ -177,7 +177,8 @@ void Body::tag_faces(std::int64_t n, const std::int32_t* element, const std::int
   const SurfaceMesh& plane = given().surface;
   const std::int64_t elements = traits_.volume ? volume.elements() : plane.elements();
   if (elements == 0)
-    fail(Status::err_state, "the body has no %selements: call rollcon_body_add_elements before tagging faces", traits_.volume ? "volume " : "");
+    fail(Status::err_state, "the body has no %selements: call rollcon_body_add_elements before tagging faces",
+         traits_.volume ? "volume " : "");
   if (n == 0) return;
   require_pointer(element, "elements");
   require_pointer(side, "faces");
@@ -331,7 +332,8 @@ void Body::set_path(Sweep sweep, const double* origin, const double* axis, doubl
   require_moderate(axis, sweep == Sweep::revolved ? "axis" : "direction");
   const Vec3 along{axis[0], axis[1], axis[2]};
   if (!(length(along) > 0))
-    fail(Status::err_argument, "%s is zero; allowed: any other vector", sweep == Sweep::revolved ? "axis" : "direction");
+    fail(Status::err_argument, "%s is zero; allowed: any other vector",
+         sweep == Sweep::revolved ? "axis" : "direction");
   if (sweep == Sweep::extruded) {
     require_finite(period, "period");
     if (!(period > 0 && period <= most_given))

@@ -22,6 +22,9 @@ const SettingTable<BodyOptions>& body_option_table() {
        "1: preparing factorises what contacts are known to need; 0: it checks only, and what a "
        "contact then asks for comes with it. Bodies with loads or given displacements of their own "
        "are factorised in any case."},
+      {"stations", &BodyOptions::stations, 0, 1e6,
+       "Sections: nodes of the surface once round, or over a period, made even. 0: half as many again for a length "
+       "as the section's contact edges have on the average."},
       {"cache_bytes", &BodyOptions::cache_bytes, 0, 1e15,
        "Bytes of responses (to the frames of contacts) that the body keeps: beyond them those not "
        "used for longest are dropped, but never the last one."},

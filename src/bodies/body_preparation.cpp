@@ -87,7 +87,7 @@ void prepare_model(BodyModel& model, int threads, const EquationSource& from) {
     update_boundary(mesh);
     require_tagged_faces(mesh);
   }
-  if (traits.section) sweep_section(mesh);
+  if (traits.section) sweep_section(mesh, model.options.stations);
   if (mesh.surface.elements() == 0) return;
   check_surface(mesh.surface, traits.surface);
   require_node_tractions(mesh);

@@ -40,7 +40,8 @@ void SweptSection::find_axes() {
     double most = 0;
     for (const Vec3& x : plane_.node)
       if (const double r = length(across(x)); r > most) most = r, e1 = (1 / r) * across(x);
-    if (!(most > flat * reach)) fail(Status::err_mesh, "all nodes of the section lie on the axis that it is turned about");
+    if (!(most > flat * reach))
+      fail(Status::err_mesh, "all nodes of the section lie on the axis that it is turned about");
   } else {
     // The first of the body's axes that lies across the line: supports and tractions then count along the body's axes.
     double least = 2;
@@ -59,8 +60,9 @@ void SweptSection::find_axes() {
     if (std::abs(off) > flat * reach || (revolved() && place_.back()[0] < -flat * reach))
       fail(Status::err_mesh, "node %lld (counting from %d) does not lie in the %s; it is off by %.6g",
            caller_number(plane_, k), plane_.index_base,
-           revolved() ? "half plane of the other nodes that ends at the axis" : "plane through the origin at right angles "
-                                                                               "to the direction",
+           revolved() ? "half plane of the other nodes that ends at the axis"
+                      : "plane through the origin at right angles "
+                        "to the direction",
            std::abs(off) > flat * reach ? off : place_.back()[0]);
   }
 }
@@ -83,8 +85,10 @@ void SweptSection::orient() {
       const double jacobian = j[0] * j[3] - j[1] * j[2];
       if (sign == 0) sign = jacobian > 0 ? 1 : -1;
       if (!(jacobian * sign > 0))
-        fail(Status::err_mesh, "element %lld of the section (counting from %d) is degenerate: its area vanishes or turns "
-             "over within it", caller_number(plane_, e), plane_.index_base);
+        fail(Status::err_mesh,
+             "element %lld of the section (counting from %d) is degenerate: its area vanishes or turns "
+             "over within it",
+             caller_number(plane_, e), plane_.index_base);
     }
     for (const std::int32_t k : nodes) used[at(k)] = 1;
     turn_.push_back(sign);
@@ -108,10 +112,11 @@ void SweptSection::find_edges() {
       const auto key = std::minmax(edge.node[0], edge.node[1]);
       const auto [entry, first] = found.try_emplace(key, edge, 0);
       if (++entry->second.second > 2 || (!first && entry->second.first.node[2] != edge.node[2]))
-        fail(Status::err_mesh, "elements %lld and %lld of the section (counting from %d) do not share the side between "
-             "nodes %lld and %lld as neighbours do", caller_number(plane_, entry->second.first.element),
-             caller_number(plane_, e), plane_.index_base, caller_number(plane_, key.first),
-             caller_number(plane_, key.second));
+        fail(Status::err_mesh,
+             "elements %lld and %lld of the section (counting from %d) do not share the side between "
+             "nodes %lld and %lld as neighbours do",
+             caller_number(plane_, entry->second.first.element), caller_number(plane_, e), plane_.index_base,
+             caller_number(plane_, key.first), caller_number(plane_, key.second));
     }
   }
   for (const auto& [key, entry] : found)
@@ -134,12 +139,13 @@ Vec3 SweptSection::point(std::int32_t node, double angle) const {
 }
 
 // An extruded body has nodes as far to both sides of the section's place as its section is wide.
-void SweptSection::choose_stations(std::size_t edges, double spacing, double farthest) {
+void SweptSection::choose_stations(std::int64_t wished, double spacing, double farthest) {
   constexpr double most_faces = 2e5, least = 16;
   const double round = 2 * pi * way(farthest), per_face = quadratic_ ? 2 : 1;
+  if (wished > 0) spacing = round / static_cast<double>(wished);
   const Box box = box_of(plane_.node);
   const double reach = revolved() ? round / 2 : std::min(round / 2, std::max(length(box.size()), 20 * spacing));
-  const double most = most_faces * per_face / static_cast<double>(edges) * round / (2 * reach);
+  const double most = most_faces * per_face / static_cast<double>(chosen_.size()) * round / (2 * reach);
   const double wanted = std::clamp(round / spacing, least, std::max(least, most));
   stations_ = 2 * static_cast<std::int64_t>(std::ceil(wanted / 2));
   if (revolved()) {
@@ -147,23 +153,27 @@ void SweptSection::choose_stations(std::size_t edges, double spacing, double far
     count_ = stations_;
     return;
   }
-  const std::int64_t half = std::min(stations_ / 2, 2 * static_cast<std::int64_t>(std::ceil(reach / round * wanted / 2)));
+  const std::int64_t half =
+      std::min(stations_ / 2, 2 * static_cast<std::int64_t>(std::ceil(reach / round * wanted / 2)));
   first_ = -half;
   count_ = 2 * half + 1;
 }
 
-SurfaceMesh SweptSection::sweep(std::span<const std::size_t> edge) {
+SurfaceMesh SweptSection::sweep(std::span<const std::size_t> edge, std::int64_t wished) {
   chosen_.assign(edge.begin(), edge.end());
   quadratic_ = edge_[edge[0]].nodes() == 3;
-  double spacing = HUGE_VAL, farthest = 0;
+  double whole = 0, farthest = 0;
   std::map<std::int32_t, std::int32_t> number;
   for (const std::size_t i : edge) {
     const SectionEdge& e = edge_[i];
     if ((e.nodes() == 3) != quadratic_)
-      fail(Status::err_mesh, "the contact part of the section has linear and quadratic elements, such as %lld (counting "
-           "from %d): it must have one kind", caller_number(plane_, e.element), plane_.index_base);
-    for (std::size_t a = 0; a < e.nodes(); ++a) number.emplace(e.node[a], 0), farthest = std::max(farthest, place(e.node[a])[0]);
-    spacing = std::min(spacing, length(plane_.node[at(e.node[1])] - plane_.node[at(e.node[0])]) / (quadratic_ ? 2 : 1));
+      fail(Status::err_mesh,
+           "the contact part of the section has linear and quadratic elements, such as %lld (counting "
+           "from %d): it must have one kind",
+           caller_number(plane_, e.element), plane_.index_base);
+    for (std::size_t a = 0; a < e.nodes(); ++a)
+      number.emplace(e.node[a], 0), farthest = std::max(farthest, place(e.node[a])[0]);
+    whole += length(plane_.node[at(e.node[1])] - plane_.node[at(e.node[0])]);
   }
   profile_.clear();
   for (auto& [node, i] : number) i = static_cast<std::int32_t>(profile_.size()), profile_.push_back(node);
@@ -173,13 +183,16 @@ SurfaceMesh SweptSection::sweep(std::span<const std::size_t> edge) {
     for (std::size_t a = 0; a < edge_[i].nodes(); ++a) in[a] = number.at(edge_[i].node[a]);
     in_profile_.push_back(in);
   }
-  choose_stations(edge.size(), spacing, farthest);
+  // Quadratic faces bend along the way as they do across it; contacts are mostly shorter that way.
+  constexpr double closer = 1.5;
+  choose_stations(wished, whole / static_cast<double>(edge.size()) / (quadratic_ ? 2 : 1) / closer, farthest);
 
   SurfaceMesh surface;
   surface.index_base = plane_.index_base;
   const auto width = static_cast<std::int32_t>(profile_.size());
   for (std::int64_t k = 0; k < count_; ++k)
-    for (const std::int32_t node : profile_) surface.node.push_back(point(node, static_cast<double>(station(k)) * step()));
+    for (const std::int32_t node : profile_)
+      surface.node.push_back(point(node, static_cast<double>(station(k)) * step()));
   const std::int64_t per_face = quadratic_ ? 2 : 1;
   surface.offset = {0};
   for (std::int64_t k = 0; k + (closed() ? 0 : per_face) < count_; k += per_face)
@@ -190,7 +203,8 @@ SurfaceMesh SweptSection::sweep(std::span<const std::size_t> edge) {
       };
       const std::int64_t l = per_face;
       if (quadratic_)
-        for (const std::int32_t n : {id(0, 0), id(l, 0), id(l, 1), id(0, 1), id(1, 0), id(l, 2), id(1, 1), id(0, 2), id(1, 2)})
+        for (const std::int32_t n :
+             {id(0, 0), id(l, 0), id(l, 1), id(0, 1), id(1, 0), id(l, 2), id(1, 1), id(0, 2), id(1, 2)})
           surface.connectivity.push_back(n);
       else
         for (const std::int32_t n : {id(0, 0), id(l, 0), id(l, 1), id(0, 1)}) surface.connectivity.push_back(n);

@@ -20,8 +20,8 @@ struct SectionPath {
   double period = 0;                    ///< length after which an extruded body and all on it repeat
 };
 
-/// Holds right-handed unit vectors at the section's place: e1 away from the axis (extruded: in the section), `along` the
-/// way, e2 along the axis (extruded: in the section).
+/// Holds right-handed unit vectors at the section's place: e1 away from the axis (extruded: in the section), `along`
+/// the way, e2 along the axis (extruded: in the section).
 struct SectionAxes {
   Vec3 e1{1, 0, 0}, along{0, 1, 0}, e2{0, 0, 1};
   std::array<Vec3, 3> all() const { return {e1, along, e2}; }
@@ -57,10 +57,10 @@ class SweptSection {
   Vec3 point(std::int32_t node, double angle) const;
   const std::array<Vec3, 3>& axes_at_start() const { return start_; }
 
-  /// Chooses stations for the surface of some edges, as far apart as their nodes, and returns it: quad4, or quad9 of
-  /// quadratic edges, looking out of the body. Node i of the profile at station k has number k * profile + i. err_mesh:
-  /// the edges have linear and quadratic elements.
-  SurfaceMesh sweep(std::span<const std::size_t> edge);
+  /// Chooses stations for the surface of some edges, 1.5 times as close as their nodes on average, and returns it:
+  /// quad4, or quad9 of quadratic edges, looking out of the body. Node i of the profile at station k has number k *
+  /// profile + i. err_mesh: the edges have linear and quadratic elements. stations: how many all along; 0: as said.
+  SurfaceMesh sweep(std::span<const std::size_t> edge, std::int64_t stations);
   // What sweep() chose:
   const std::vector<std::int32_t>& profile() const { return profile_; }
   /// Returns places in the profile of the nodes of edge i of those swept.
@@ -84,7 +84,7 @@ class SweptSection {
   void find_axes();
   void orient();
   void find_edges();
-  void choose_stations(std::size_t edges, double spacing, double farthest);
+  void choose_stations(std::int64_t wished, double spacing, double farthest);
 
   SurfaceMesh plane_;
   SectionPath path_;

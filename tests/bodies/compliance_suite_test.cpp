@@ -172,7 +172,8 @@ ComplianceCase section(ElementType type, bool own_mesh) {
     const SurfaceMesh& surface = owner->surface();
     for (std::int64_t e = 0; e < surface.elements(); ++e) {
       const auto nodes = surface.element(e);
-      if (std::all_of(nodes.begin(), nodes.end(), [&](std::int32_t k) { return std::abs(surface.node[at(k)][0]) < 1.001 * unit; }))
+      if (std::all_of(nodes.begin(), nodes.end(),
+                      [&](std::int32_t k) { return std::abs(surface.node[at(k)][0]) < 1.001 * unit; }))
         zone.push_back(e);
     }
     SurfaceMesh frame = own_mesh ? scaled(square(ElementType::quad8, 5 << level), 0.9 * unit)

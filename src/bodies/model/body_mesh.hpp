@@ -94,6 +94,7 @@ struct BodyOptions {
   std::int64_t between_nodes = 0;  ///< "between_nodes": 0 with half-space, 1 shape functions
   std::int64_t hex8 = 0;           ///< "hex8": 0 enhanced, 1 B-bar
   std::int64_t prepare = 1;        ///< "prepare": 0 checks only, 1 factorises what is known to be needed
+  std::int64_t stations = 0;       ///< "stations": nodes of a section's surface all along its way; 0: by the section's
   std::int64_t cache_bytes = std::int64_t{1} << 28U;  ///< "cache_bytes": most bytes of responses kept
 };
 
@@ -106,8 +107,8 @@ void tag_by_nodes(const FaceNaming& naming, SurfaceMesh& surface);
 void update_boundary(BodyMesh& mesh);
 
 /// Puts the surface that a section sweeps in place of its plane elements, from the edges that may come into contact;
-/// does nothing when that is done. err_mesh, err_state.
-void sweep_section(BodyMesh& mesh);
+/// does nothing when that is done. stations: see BodyOptions. err_mesh, err_state.
+void sweep_section(BodyMesh& mesh, std::int64_t stations);
 /// Returns the mesh as it was given, before it was swept.
 BodyMesh unswept(const BodyMesh& mesh);
 

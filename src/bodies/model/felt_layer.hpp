@@ -10,7 +10,7 @@ namespace rollcon {
 
 struct FeelingBody {
   const BodyMesh& mesh;
-  const TractionNodes& fans;  ///< fans of the smooth surface
+  const TractionNodes& fans;                      ///< fans of the smooth surface
   std::function<Elastic(std::int64_t)> material;  ///< constants behind a face of the surface
 };
 

@@ -22,9 +22,10 @@ void name_edges(const BodyMesh& mesh, SweptSection& section) {
       });
       const std::int32_t base = mesh.surface.index_base;
       if (found == section.edges().end())
-        fail(Status::err_mesh,
-             "side %d of element %lld (both counting from %d), which was given tag %d, is not on the section's boundary",
-             face.side + base, static_cast<long long>(face.element) + base, base, naming.tag);
+        fail(
+            Status::err_mesh,
+            "side %d of element %lld (both counting from %d), which was given tag %d, is not on the section's boundary",
+            face.side + base, static_cast<long long>(face.element) + base, base, naming.tag);
       found->tag = naming.tag;
     }
     for (SectionEdge& e : section.edges())
@@ -35,7 +36,8 @@ void name_edges(const BodyMesh& mesh, SweptSection& section) {
 
 void require_tagged_edges(const BodyMesh& mesh, const SweptSection& section) {
   const auto require = [&](std::int32_t tag, const char* what) {
-    if (std::none_of(section.edges().begin(), section.edges().end(), [&](const SectionEdge& e) { return e.tag == tag; }))
+    if (std::none_of(section.edges().begin(), section.edges().end(),
+                     [&](const SectionEdge& e) { return e.tag == tag; }))
       fail(Status::err_mesh, "tag %d, named by %s, is on no edge of the section's boundary", tag, what);
   };
   for (const FaceLoad& load : mesh.load) require(load.tag, "rollcon_body_set_traction or rollcon_body_set_pressure");
@@ -53,10 +55,11 @@ void require_steady_loads(const BodyMesh& mesh, const SweptSection& section) {
            load.tag);
     if ((section.revolved() && aside(load.force)) || (load.density > 0 && aside(load.rate)) ||
         (section.revolved() && load.density > 0 && aside(load.origin - mesh.path.origin)))
-      fail(Status::err_unsupported,
-           "the force inside elements with tag %d changes along the way that the section is carried: allowed are forces "
-           "along the axis of a revolved one and rotations about its axis",
-           load.tag);
+      fail(
+          Status::err_unsupported,
+          "the force inside elements with tag %d changes along the way that the section is carried: allowed are forces "
+          "along the axis of a revolved one and rotations about its axis",
+          load.tag);
   }
   for (const FaceLoad& load : mesh.load)
     if (!load.node.empty())
@@ -65,7 +68,7 @@ void require_steady_loads(const BodyMesh& mesh, const SweptSection& section) {
 
 }  // namespace
 
-void sweep_section(BodyMesh& mesh) {
+void sweep_section(BodyMesh& mesh, std::int64_t stations) {
   if (mesh.section.swept()) return;
   if (mesh.path.sweep == Sweep::none)
     fail(Status::err_state, "the section has no way: rollcon_body_revolve or rollcon_body_extrude was not called");
@@ -85,7 +88,7 @@ void sweep_section(BodyMesh& mesh) {
                                  : std::any_of(mesh.contact_tag.begin(), mesh.contact_tag.end(), has))
       chosen.push_back(i);
   }
-  SurfaceMesh surface = section.sweep(chosen.empty() ? all : chosen);
+  SurfaceMesh surface = section.sweep(chosen.empty() ? all : chosen, stations);
   std::vector<std::uint8_t> held;
   for (std::int64_t k = 0; k < section.surface_stations(); ++k)
     for (const std::int32_t node : section.profile())

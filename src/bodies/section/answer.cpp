@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "bodies/section/system.hpp"
@@ -14,17 +13,11 @@
 namespace rollcon::section {
 namespace {
 
-/// Names what acts: the part of tractions that goes with profile node `node` and the shape function `function` along
-/// the way, over the stretch of faces that begins at `station` of the surface.
-struct Source {
-  std::int64_t station = 0;
-  std::int32_t node = 0, function = 0;
-  auto operator<=>(const Source&) const = default;
-};
+using EdgeMass = std::array<std::array<double, 3>, 3>;
 
 /// Computes integrals of products of an edge's shape functions, over the way per radian.
-std::array<std::array<double, 3>, 3> edge_mass(const SweptSection& section, const SectionEdge& edge) {
-  std::array<std::array<double, 3>, 3> mass{};
+EdgeMass edge_mass(const SweptSection& section, const SectionEdge& edge) {
+  EdgeMass mass{};
   const LineRule line = gauss_legendre(6);
   const bool middle = edge.nodes() == 3;
   for (std::size_t g = 0; g < line.x.size(); ++g) {
@@ -45,152 +38,178 @@ std::array<std::array<double, 3>, 3> edge_mass(const SweptSection& section, cons
 
 /// Lists coefficients of 1, x, x^2 in the shape functions along the way: at the first station, the last, the middle.
 constexpr double quadratic_functions[3][3] = {{0, -0.5, 0.5}, {0, 0.5, 0.5}, {1, 0, -1}},
-                 linear_functions[2][3] = {{0.5, -0.5, 0}, {0.5, 0.5, 0}};
+                 linear_functions[3][3] = {{0.5, -0.5, 0}, {0.5, 0.5, 0}, {0, 0, 0}};
 
-/// Lists distinct values, ascending, and where each is.
+/// Lists distinct values, ascending.
 template <class T>
 std::vector<T> distinct(std::vector<T> all) {
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
 }
-template <class T>
-std::int64_t find_in(const std::vector<T>& all, const T& value) {
-  return std::lower_bound(all.begin(), all.end(), value) - all.begin();
+
+/// Computes c += a b, row by row.
+void add_product(const RowMatrix<double>& a, const RowMatrix<double>& b, RowMatrix<double>& c) {
+  const int m = static_cast<int>(b.columns()), n = static_cast<int>(a.rows()), l = static_cast<int>(a.columns());
+  const double one = 1;
+  dgemm_("N", "N", &m, &n, &l, &one, b.data(), &m, a.data(), &l, &one, c.data(), &m);
 }
 
-/// Holds responses between profile nodes for all offsets that occur, by kernel.
+/// Holds responses between profile nodes for all offsets that occur: under each function along the way, row by offset.
 class Table {
  public:
-  Table(const Harmonics& harmonics, const RowMatrix<double>& response, std::int64_t width, double half, double step,
-        std::vector<std::int64_t> offset, std::vector<std::int32_t> to, std::vector<std::int32_t> from)
-      : offset_(std::move(offset)), to_(std::move(to)), from_(std::move(from)) {
+  Table(const Harmonics& harmonics, const RowMatrix<double>& response, std::int64_t width, bool quadratic, double step,
+        std::span<const std::int64_t> offset, std::span<const std::int32_t> to, std::span<const std::int32_t> from)
+      : from_(std::ssize(from)) {
+    const double half = quadratic ? step : 0.5 * step;
     std::vector<double> angle;
-    for (const std::int64_t k : offset_) angle.push_back(static_cast<double>(k) * step - half);
+    for (const std::int64_t k : offset) angle.push_back(static_cast<double>(k) * step - half);
     const StationWeights weights = station_weights(harmonics, half, angle);
-    const auto samples = response.rows(), pairs = 9 * std::ssize(to_) * std::ssize(from_);
-    RowMatrix<double> wanted[2];
+    const auto samples = response.rows(), pairs = 9 * std::ssize(to) * from_;
+    RowMatrix<double> wanted[2], power;  // by kernel; power: rows by monomial and offset
     for (auto& w : wanted) w.resize(samples, pairs);
-    columns_ = pairs;
     for (std::int64_t s = 0; s < samples; ++s) {
       std::int64_t k = 0;
-      for (const std::int32_t j : to_)
+      for (const std::int32_t j : to)
         for (std::int64_t a = 0; a < 3; ++a)
-          for (const std::int32_t i : from_)
+          for (const std::int32_t i : from)
             for (std::int64_t b = 0; b < 3; ++b, ++k)
-              wanted[(a == 1) != (b == 1) ? 1 : 0].row(s)[k] = response.row(s)[((3 * j + a) * width + i) * 3 + b];
+              // Forces along the way and displacements across it go with sines of opposite sign.
+              wanted[(a == 1) != (b == 1) ? 1 : 0].row(s)[k] =
+                  (b == 1 && a != 1 ? -1 : 1) * response.row(s)[((3 * j + a) * width + i) * 3 + b];
     }
     const RowMatrix<double>* weight[2] = {&weights.cosine, &weights.sine};
-    value_.resize(weights.cosine.rows(), pairs);
-    for (std::size_t kernel = 0; kernel < 2; ++kernel) {
-      const int m = static_cast<int>(pairs), n = static_cast<int>(value_.rows()), l = static_cast<int>(samples);
-      const double one = 1;
-      dgemm_("N", "N", &m, &n, &l, &one, wanted[kernel].data(), &m, weight[kernel]->data(), &l, &one, value_.data(), &m);
+    power.resize(weights.cosine.rows(), pairs);
+    for (std::size_t kernel = 0; kernel < 2; ++kernel) add_product(*weight[kernel], wanted[kernel], power);
+    const std::int64_t count = std::ssize(offset);
+    for (std::size_t f = 0; f < (quadratic ? 3 : 2); ++f) {
+      value_[f].resize(count, pairs);
+      for (std::int64_t m = 0; m < 3; ++m)
+        for (std::int64_t k = 0; k < count; ++k)
+          axpy((quadratic ? quadratic_functions : linear_functions)[f][m], power.row(m * count + k), value_[f].row(k),
+               pairs);
     }
   }
-  /// Returns the displacement component a of `to` under b at `from`, under a load of these coefficients.
-  double at_offset(std::int64_t offset, const double (&coefficient)[3], std::int64_t to, std::size_t a,
-                   std::int64_t from, std::size_t b) const {
-    const std::int64_t k = find_in(offset_, offset), count = std::ssize(offset_);
-    const std::int64_t column = ((3 * to + static_cast<std::int64_t>(a)) * std::ssize(from_) + from) * 3 + static_cast<std::int64_t>(b);
-    double sum = 0;
-    for (std::int64_t m = 0; m < 3; ++m) sum += coefficient[m] * value_.row(m * count + k)[column];
-    // Forces along the way and displacements across it go with sines of opposite sign.
-    return b == 1 && a != 1 ? -sum : sum;
+  /// Returns nine displacements a under b of places in `to` and `from`: [3 * from_count * a + b] from the pointer on.
+  const double* pair(std::int32_t function, std::int64_t offset, std::int64_t to, std::int64_t from) const {
+    return value_[at(function)].row(offset) + 9 * to * from_ + 3 * from;
   }
+  std::int64_t stride() const { return 3 * from_; }
 
  private:
-  std::vector<std::int64_t> offset_;
-  std::vector<std::int32_t> to_, from_;
-  std::int64_t columns_ = 0;
-  RowMatrix<double> value_;
+  std::int64_t from_;
+  RowMatrix<double> value_[3];
 };
+
+/// Says where the rows and the sources of a response are along the way and across it.
+struct Places {
+  std::vector<std::int64_t> station, first;  ///< distinct stations of rows; of beginnings of stretches
+  std::vector<std::int32_t> to, from;        ///< distinct profile nodes of rows and of sources
+  std::vector<std::int64_t> offset;          ///< distinct offsets
+  std::vector<std::int64_t> row_station, row_to, source_first, source_from;  ///< place of each in these lists
+  std::vector<std::int64_t> between;  ///< place of the offset: [station * first.size() + first]
+};
+
+Places find_places(const SweptSection& section, std::span<const std::int32_t> row, std::span<const Source> source) {
+  const auto width = static_cast<std::int32_t>(section.profile().size());
+  Places p;
+  for (const std::int32_t k : row) p.station.push_back(section.station(k / width)), p.to.push_back(k % width);
+  for (const Source& s : source) p.first.push_back(section.station(s.station)), p.from.push_back(s.node);
+  const auto number = [](auto& all, std::vector<std::int64_t>& place) {
+    const auto each = all;
+    all = distinct(all);
+    for (const auto& value : each) place.push_back(std::lower_bound(all.begin(), all.end(), value) - all.begin());
+  };
+  number(p.station, p.row_station), number(p.to, p.row_to);
+  number(p.first, p.source_first), number(p.from, p.source_from);
+  const std::int64_t round = section.stations();
+  for (const std::int64_t l : p.station)
+    for (const std::int64_t k : p.first) p.offset.push_back(((l - k) % round + round) % round);
+  number(p.offset, p.between);
+  return p;
+}
 
 }  // namespace
 
-void System::answer(std::span<const std::int64_t> face, std::span<const std::int32_t> node,
-                    const RowMatrix<double>& traction, SurfaceRows& rows) const {
-  const auto width = static_cast<std::int32_t>(section_.profile().size());
-  const auto edges = static_cast<std::int64_t>(section_.swept_edges().size());
-  const std::int64_t per_face = section_.quadratic() ? 2 : 1, stations = section_.stations();
+// Tractions become sources: integrals across the way. acting[i] holds source i by column.
+void System::find_sources(std::span<const std::int64_t> face, std::span<const std::int32_t> node,
+                          const RowMatrix<double>& traction, std::vector<Source>& source,
+                          RowMatrix<double>& acting) const {
+  const auto width = static_cast<std::int64_t>(section_.profile().size()), edges = std::ssize(section_.swept_edges());
+  const std::int64_t per_face = section_.quadratic() ? 2 : 1, more[3] = {0, per_face, 1};
   const std::size_t functions = section_.quadratic() ? 3 : 2;
-  const std::int64_t more[3] = {0, per_face, 1};  // station of each function
-
-  // Tractions become sources: integrals across the way.
+  std::vector<EdgeMass> mass;
+  for (const std::size_t e : section_.swept_edges()) mass.push_back(edge_mass(section_, section_.edges()[e]));
+  for (const std::int64_t f : face)
+    for (std::size_t a = 0; a < functions; ++a)
+      for (std::size_t s = 0; s < functions; ++s)
+        source.push_back({f / edges * per_face, section_.of_edge(at(f % edges))[a], static_cast<std::int32_t>(s)});
+  source = distinct(std::move(source));
   std::vector<std::int64_t> row_of(at(surface_.nodes()), -1);
   for (std::size_t r = 0; r < node.size(); ++r) row_of[at(node[r])] = static_cast<std::int64_t>(r);
-  const std::int64_t columns = traction.columns();
-  std::map<Source, std::vector<double>> acting;
-  std::vector<std::array<std::array<double, 3>, 3>> mass;
-  for (const std::size_t e : section_.swept_edges()) mass.push_back(edge_mass(section_, section_.edges()[e]));
-  for (const std::int64_t f : face) {
-    const std::size_t e = at(f % edges);
-    const std::int64_t station = f / edges * per_face;
-    for (std::size_t s = 0; s < functions; ++s)
-      for (std::size_t b = 0; b < functions; ++b) {
-        const std::int64_t k = (station + more[s]) % section_.surface_stations();
-        const std::int64_t r = row_of[at(k * width + section_.of_edge(e)[b])];
-        if (r < 0) continue;
-        for (std::size_t a = 0; a < functions; ++a) {
-          std::vector<double>& sum = acting[{station, section_.of_edge(e)[a], static_cast<std::int32_t>(s)}];
-          sum.resize(at(columns), 0.0);
-          axpy(mass[e][a][b], traction.row(r), sum.data(), columns);
-        }
+  acting.resize(std::ssize(source), traction.columns());
+  for (const std::int64_t f : face)
+    for (std::size_t s = 0; s < functions; ++s) {
+      const std::size_t e = at(f % edges);
+      const std::int64_t station = f / edges * per_face, k = (station + more[s]) % section_.surface_stations();
+      for (std::size_t a = 0; a < functions; ++a) {
+        const Source own{station, section_.of_edge(e)[a], static_cast<std::int32_t>(s)};
+        double* sum = acting.row(std::lower_bound(source.begin(), source.end(), own) - source.begin());
+        for (std::size_t b = 0; b < functions; ++b)
+          if (const std::int64_t r = row_of[at(k * width + section_.of_edge(e)[b])]; r >= 0)
+            axpy(mass[e][a][b], traction.row(r), sum, traction.columns());
       }
-  }
+    }
+}
 
-  // Offsets of rows from the stretches' beginnings, once round at most.
-  std::vector<std::int64_t> station_of_row, station_of_source, offset;
-  std::vector<std::int32_t> to, from;
-  for (const std::int32_t k : rows.row) {
-    station_of_row.push_back(section_.station(k / width));
-    to.push_back(k % width);
-  }
-  for (const auto& [source, sum] : acting) {
-    station_of_source.push_back(section_.station(source.station));
-    from.push_back(source.node);
-  }
-  const auto between = [&](std::int64_t l, std::int64_t k) { return ((l - k) % stations + stations) % stations; };
-  for (const std::int64_t l : distinct(station_of_row))
-    for (const std::int64_t k : distinct(station_of_source)) offset.push_back(between(l, k));
-  to = distinct(to), from = distinct(from);
-  const Table table(harmonics_, response_, width, 0.5 * static_cast<double>(per_face) * section_.step(), section_.step(),
-                    distinct(offset), to, from);
+void System::answer(std::span<const std::int64_t> face, std::span<const std::int32_t> node,
+                    const RowMatrix<double>& traction, SurfaceRows& rows) const {
+  std::vector<Source> source;
+  RowMatrix<double> acting;
+  find_sources(face, node, traction, source, acting);
+  const Places place = find_places(section_, rows.row, source);
+  const Table table(harmonics_, response_, std::ssize(section_.profile()), section_.quadratic(), section_.step(),
+                    place.offset, place.to, place.from);
+  const std::int64_t sources = std::ssize(source), wanted = 3 * std::ssize(rows.row), columns = traction.columns();
 
-  const auto sources = static_cast<std::int64_t>(acting.size()), wanted = 3 * std::ssize(rows.row);
-  RowMatrix<double> all, matrix, moved;
-  all.resize(sources, columns);
-  std::int64_t row = 0;
-  for (const auto& [source, sum] : acting) std::copy(sum.begin(), sum.end(), all.row(row++));
-  RowMatrix<double> by_axis[3];
+  const std::int64_t more[3] = {0, section_.quadratic() ? 2 : 1, 1};
+  std::vector<std::array<Vec3, 3>> axes;
+  for (const Source& s : source)
+    axes.push_back(
+        section_.axes(static_cast<double>(section_.station(s.station) + more[at(s.function)]) * section_.step()).all());
+
+  // Displacements along e1, the way and e2 at the row under sources along the body's axes: by_axis[y].
+  RowMatrix<double> by_axis[3], moved;
   for (auto& m : by_axis) m.resize(wanted, sources);
-  std::int64_t s = 0;
-  for (const auto& [source, sum] : acting) {
-    const double(&coefficient)[3] = section_.quadratic() ? quadratic_functions[source.function] : linear_functions[source.function];
-    const std::int64_t first = section_.station(source.station), own = first + more[source.function];
-    const auto there = section_.axes(static_cast<double>(own) * section_.step()).all();
-    const std::int64_t i = find_in(from, source.node);
-    for (std::size_t r = 0; r < rows.row.size(); ++r) {
-      const std::int64_t l = station_of_row[r], k = between(l, first), j = find_in(to, static_cast<std::int32_t>(rows.row[r] % width));
-      const auto here = section_.axes(static_cast<double>(l) * section_.step()).all();
-      for (std::size_t a = 0; a < 3; ++a)
-        for (std::size_t b = 0; b < 3; ++b) {
-          const double u = table.at_offset(k, coefficient, j, a, i, b);
-          for (std::size_t x = 0; x < 3; ++x)
-            for (std::size_t y = 0; y < 3; ++y)
-              by_axis[y].row(static_cast<std::int64_t>(3 * r + x))[s] += here[a][x] * u * there[b][y];
+  for (std::int64_t r = 0; r < wanted / 3; ++r)
+    for (std::int64_t s = 0; s < sources; ++s) {
+      const std::int64_t offset =
+          place.between[at(place.row_station[at(r)] * std::ssize(place.first) + place.source_first[at(s)])];
+      const double* u = table.pair(source[at(s)].function, offset, place.row_to[at(r)], place.source_from[at(s)]);
+      for (std::int64_t a = 0; a < 3; ++a)
+        for (std::size_t y = 0; y < 3; ++y) {
+          double sum = 0;
+          for (std::size_t b = 0; b < 3; ++b) sum += u[at(a * table.stride()) + b] * axes[at(s)][b][y];
+          by_axis[y].row(3 * r + a)[s] = sum;
         }
     }
-    ++s;
-  }
   rows.u.resize(wanted, 3 * columns);
-  moved.resize(wanted, columns);
-  for (std::int64_t y = 0; y < 3; ++y) {
-    const int m = static_cast<int>(columns), n = static_cast<int>(wanted), l = static_cast<int>(sources);
-    const double one = 1, zero = 0;
-    dgemm_("N", "N", &m, &n, &l, &one, all.data(), &m, by_axis[y].data(), &l, &zero, moved.data(), &m);
-    for (std::int64_t r = 0; r < wanted; ++r)
-      for (std::int64_t c = 0; c < columns; ++c) rows.u.row(r)[3 * c + y] = moved.row(r)[c];
+  for (std::size_t y = 0; y < 3; ++y) {
+    moved.release();
+    moved.resize(wanted, columns);
+    add_product(by_axis[y], acting, moved);
+    for (std::int64_t r = 0; r < wanted / 3; ++r) {
+      const auto here =
+          section_.axes(static_cast<double>(place.station[at(place.row_station[at(r)])]) * section_.step()).all();
+      for (std::size_t x = 0; x < 3; ++x) {
+        double* out = rows.u.row(3 * r + static_cast<std::int64_t>(x)) + y;
+        for (std::int64_t c = 0; c < columns; ++c) {
+          double sum = 0;
+          for (std::size_t a = 0; a < 3; ++a) sum += here[a][x] * moved.row(3 * r + static_cast<std::int64_t>(a))[c];
+          out[3 * c] = sum;
+        }
+      }
+    }
   }
 }
 

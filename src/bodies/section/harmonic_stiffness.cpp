@@ -186,10 +186,11 @@ std::array<std::pair<std::size_t, double>, 3> body_axes_of(const SweptSection& s
     const Vec3& e = section.axes_at_start()[c];
     const std::size_t most = std::abs(e[0]) > 0.9 ? 0 : std::abs(e[1]) > 0.9 ? 1 : 2;
     if (std::abs(e[most]) < 1 - rounding)
-      fail(Status::err_state,
-           "the section's axes are (%.6g, %.6g, %.6g) and those of its plane, not the body's: hold all three components "
-           "of a node, or draw the section along the body's axes",
-           section.path().axis[0], section.path().axis[1], section.path().axis[2]);
+      fail(
+          Status::err_state,
+          "the section's axes are (%.6g, %.6g, %.6g) and those of its plane, not the body's: hold all three components "
+          "of a node, or draw the section along the body's axes",
+          section.path().axis[0], section.path().axis[1], section.path().axis[2]);
     found[c] = {most, e[most]};
   }
   return found;
@@ -205,27 +206,51 @@ void HarmonicStiffness::number() {
     for (std::size_t c = 0; c < 3; ++c) of_.push_back(h == all || (h >> axis[c].first & 1U) ? -1 : count_++);
 }
 
-// Rigid motions are harmonics: n = 0 along the axis and about it, n = 1 across it; extruded bodies have all of theirs in
-// n = 0. Motions that move no held component are free.
+// Rigid motions are harmonics: n = 0 along the axis and about it, n = 1 across it; extruded bodies have all of theirs
+// in n = 0. Motions that move no held component are free.
 void HarmonicStiffness::require_held() const {
   constexpr double least = 1e-13;
   const SweptSection& s = mesh_.section;
   double size = 0;
   for (std::int64_t k = 0; k < s.plane().nodes(); ++k)
-    size = std::max({size, std::abs(s.place(static_cast<std::int32_t>(k))[0]), std::abs(s.place(static_cast<std::int32_t>(k))[1])});
+    size = std::max(
+        {size, std::abs(s.place(static_cast<std::int32_t>(k))[0]), std::abs(s.place(static_cast<std::int32_t>(k))[1])});
   struct Motion {
     const char* name;
     int harmonic;
     std::array<double, 3> (*of)(double p, double q);
   };
-  constexpr Motion revolved[] = {{"along its axis", 0, [](double, double) { return std::array<double, 3>{0, 0, 1}; }},
-                                 {"about its axis", 0, [](double p, double) { return std::array<double, 3>{0, p, 0}; }},
-                                 {"across its axis", 1, [](double, double) { return std::array<double, 3>{1, -1, 0}; }},
-                                 {"tilting its axis", 1, [](double p, double q) { return std::array<double, 3>{q, -q, -p}; }}},
-                   extruded[] = {{"across its line", 0, [](double, double) { return std::array<double, 3>{1, 0, 0}; }},
-                                 {"along its line", 0, [](double, double) { return std::array<double, 3>{0, 1, 0}; }},
-                                 {"across its line", 0, [](double, double) { return std::array<double, 3>{0, 0, 1}; }},
-                                 {"about its line", 0, [](double p, double q) { return std::array<double, 3>{-q, 0, p}; }}};
+  constexpr Motion revolved[] = {{"along its axis", 0,
+                                  [](double, double) {
+                                    return std::array<double, 3>{0, 0, 1};
+                                  }},
+                                 {"about its axis", 0,
+                                  [](double p, double) {
+                                    return std::array<double, 3>{0, p, 0};
+                                  }},
+                                 {"across its axis", 1,
+                                  [](double, double) {
+                                    return std::array<double, 3>{1, -1, 0};
+                                  }},
+                                 {"tilting its axis", 1,
+                                  [](double p, double q) {
+                                    return std::array<double, 3>{q, -q, -p};
+                                  }}},
+                   extruded[] = {{"across its line", 0,
+                                  [](double, double) {
+                                    return std::array<double, 3>{1, 0, 0};
+                                  }},
+                                 {"along its line", 0,
+                                  [](double, double) {
+                                    return std::array<double, 3>{0, 1, 0};
+                                  }},
+                                 {"across its line", 0,
+                                  [](double, double) {
+                                    return std::array<double, 3>{0, 0, 1};
+                                  }},
+                                 {"about its line", 0, [](double p, double q) {
+                                    return std::array<double, 3>{-q, 0, p};
+                                  }}};
   const Motion(&motions)[4] = s.revolved() ? revolved : extruded;
   for (const int harmonic : {0, 1}) {
     double gram[4][4] = {};

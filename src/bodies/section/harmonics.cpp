@@ -43,7 +43,8 @@ StationWeights station_weights(const Harmonics& harmonics, double half, const st
   const LineRule rule = gauss_legendre(20);
   const auto count = static_cast<std::int64_t>(offset.size());
   StationWeights out;
-  for (RowMatrix<double>* m : {&out.cosine, &out.sine}) m->resize(3 * count, static_cast<std::int64_t>(harmonics.samples().size()));
+  for (RowMatrix<double>* m : {&out.cosine, &out.sine})
+    m->resize(3 * count, static_cast<std::int64_t>(harmonics.samples().size()));
   for (std::int64_t n = 0; n <= harmonics.most(); ++n) {
     const double number = static_cast<double>(n);
     // Parts of the monomials along cos and sin of the stretch.

@@ -78,8 +78,9 @@ void System::solve_harmonics(int threads) {
   const Stopwatch watch(statistics_.seconds_factor);
   const BlasThreads blas(1);
   const std::vector<std::int64_t> condensed = profile_unknowns();
-  const auto width = static_cast<std::int64_t>(section_.profile().size()), n = static_cast<std::int64_t>(condensed.size());
-  std::vector<std::int64_t> place;  // of the condensed unknowns among 3 * profile node + c
+  const auto width = static_cast<std::int64_t>(section_.profile().size()),
+             n = static_cast<std::int64_t>(condensed.size());
+  std::vector<std::int64_t> place;  // place of each condensed unknown among 3 * profile node + c
   for (std::int64_t i = 0; i < width; ++i)
     for (std::size_t c = 0; c < 3; ++c)
       if (stiffness_.unknown(section_.profile()[at(i)], c) >= 0) place.push_back(3 * i + static_cast<std::int64_t>(c));

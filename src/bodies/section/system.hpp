@@ -12,6 +12,14 @@
 
 namespace rollcon::section {
 
+/// Names what acts: the part of tractions that goes with profile node `node` and the shape function `function` along
+/// the way, over the stretch of faces that begins at `station` of the surface.
+struct Source {
+  std::int64_t station = 0;
+  std::int32_t node = 0, function = 0;
+  auto operator<=>(const Source&) const = default;
+};
+
 class System final : public ResponseCache {
  public:
   /// Factorises the harmonics at once. The mesh (swept) and the fans of its surface must outlive it. saved: takes
@@ -36,9 +44,11 @@ class System final : public ResponseCache {
   void solve_harmonics(int threads);
   OwnLoads solve_own_load(const BodyMesh& loaded) const;
   std::vector<std::int64_t> profile_unknowns() const;
+  void find_sources(std::span<const std::int64_t> face, std::span<const std::int32_t> node,
+                    const RowMatrix<double>& traction, std::vector<Source>& source, RowMatrix<double>& acting) const;
   /// Answers tractions by node of faces: traction(r, c) is that of column c at node[r].
-  void answer(std::span<const std::int64_t> face, std::span<const std::int32_t> node,
-              const RowMatrix<double>& traction, SurfaceRows& rows) const;
+  void answer(std::span<const std::int64_t> face, std::span<const std::int32_t> node, const RowMatrix<double>& traction,
+              SurfaceRows& rows) const;
 
   const BodyMesh& mesh_;
   const SweptSection& section_;
