@@ -1,0 +1,189 @@
+#include "calculate.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+
+#include "bodies.hpp"
+#include "contact_solver.hpp"
+#include "files.hpp"
+#include "hertz.hpp"
+#include "wheel_solver.hpp"
+
+namespace cntc {
+
+void refuse_absent(const Problem& p) {
+  const Digits& d = p.in.digits;
+  const bool hertz = p.module == 3 && p.in.hertz.ipotcn != 0;
+  if (d.mater != 0 && d.mater != 4)
+    throw Failure(CNTC_err_other, "material M = " + std::to_string(d.mater) +
+                                      " is not available: elastic half-spaces are M = 0, with a layer M = 4");
+  if (d.bound != 0 && !(d.bound == 2 && hertz))
+    throw Failure(CNTC_err_other, "traction bound B = " + std::to_string(d.bound) +
+                                      " is not available: B = 0 solves for the pressures");
+  if (p.module == 1 && d.config > 1)
+    throw Failure(CNTC_err_search, "rollers (C1 = 4, 5) are not available: wheels on rails are C1 = 0, 1");
+  if (p.module == 1 && d.discns >= 6)
+    throw Failure(CNTC_err_discr,
+                  "contact search D = " + std::to_string(d.discns) + " is not available: use D = 2 or 4");
+  if (d.inflcf == 9) throw Failure(CNTC_err_input, "influence coefficients from a file (C3 = 9) are not available");
+}
+
+namespace {
+
+double plane_gap(const Inputs& in, double x, double y) {
+  const auto& b = in.gap;
+  if (in.ibase == 1) return b[0] * x * x + b[1] * x * y + b[2] * y * y + b[3] * x + b[4] * y + b[5];
+  if (in.ibase == 2) {
+    const double at = (y - b[3]) / b[4];
+    const size_t last = b.size() - 6;  // number of the last height, from 0
+    const size_t k = at <= 0 ? 0 : std::min(size_t(at), last - 1);
+    const double t = at - double(k);
+    return (x - b[1]) * (x - b[1]) / (2 * b[2]) + (1 - t) * b[5 + k] + t * b[6 + k];
+  }
+  const auto part = [](double v, double r) { return r != 0 ? v * v / r : 0; };
+  return b[0] * std::sin(b[1] * (x - b[2])) - b[3] * std::sin(b[4] * (x - b[5])) + part(x, b[6]) + part(y, b[7]);
+}
+
+/// Places outside of the planform do not touch (IPLAN 2 and 3 of input files).
+bool outside(const Inputs& in, double x, double y) {
+  const auto& q = in.plan;
+  if (in.iplan == 2) return q[0] * x * x + q[1] * x * y + q[2] * y * y + q[3] * x + q[4] * y + q[5] >= 0;
+  if (in.iplan != 3) return false;
+  const auto inside = [&](size_t k) { return x >= q[k] && x <= q[k + 1] && y >= q[k + 2] && y <= q[k + 3]; };
+  return !inside(0) && !inside(4);
+}
+
+}  // namespace
+
+void fill_gap(Problem& p, Grid& grid, std::vector<double>& gap) {
+  const Inputs& in = p.in;
+  const bool hertz = in.hertz.ipotcn != 0;
+  if (hertz) {
+    p.hertz = hertz_contact(in);
+    grid = hertz_grid(in.hertz, p.hertz);
+  } else {
+    grid = in.grid;
+  }
+  if (grid.size() < 1)
+    throw Failure(CNTC_err_discr, "there is no grid: call cntc_setpotcontact or cntc_sethertzcontact");
+  const bool listed = in.ibase == 9 && !hertz;
+  if (listed && in.gap.size() != size_t(grid.size()))
+    throw Failure(CNTC_err_discr, "the undeformed distance has another number of values than the grid has elements");
+  gap.resize(size_t(grid.size()));
+  const double far = 1e3 * (std::abs(in.pen) + std::max(grid.dx * grid.mx, grid.dy * grid.my));
+  for (int j = 0; j < grid.my; ++j)
+    for (int i = 0; i < grid.mx; ++i) {
+      const double x = grid.x(i), y = grid.y(j);
+      const size_t k = size_t(j) * size_t(grid.mx) + size_t(i);
+      gap[k] = hertz ? p.hertz.a1 * x * x + p.hertz.b1 * y * y : listed ? in.gap[k] : plane_gap(in, x, y);
+      if (outside(in, x, y)) gap[k] += far;
+    }
+  if (hertz && grid.size() == 1) gap[0] = 0;
+}
+
+void add_damping(Problem& p, ContactResult& r) {
+  const Material& m = p.in.material;
+  const double fn = r.fn, fx = r.tx, fy = r.ty;
+  if (p.in.digits.damping == 2 && p.has_before && p.in.digits.pvtime != 2) {
+    const double dt = p.in.digits.tang >= 2 && r.veloc > 0 ? r.dq / r.veloc : p.in.dt;
+    const auto cut = [](double rate, double most) { return most > 0 ? std::clamp(rate, -most, most) : rate; };
+    r.fn += m.cdampn * cut((fn - p.fn_before) / dt, m.dfnmax);
+    r.tx += m.cdampt * cut((fx - p.fx_before) / dt, m.dftmax);
+    r.ty += m.cdampt * cut((fy - p.fy_before) / dt, m.dftmax);
+  }
+  p.fn_before = fn;
+  p.fx_before = fx;
+  p.fy_before = fy;
+  p.has_before = true;
+}
+
+int solve_gap(Problem& p, std::string& why) {
+  const Inputs& in = p.in;
+  const Digits& d = in.digits;
+  refuse_absent(p);
+  if (!p.contact) p.contact = std::make_unique<ContactSolver>();
+  p.contact->set_material(in);
+  ContactCase wanted;
+  fill_gap(p, wanted.grid, wanted.gap);
+  p.contact->set_surfaces(in, in.friction.rows[0], d.tang);
+  wanted.chi = in.chi;
+  wanted.veloc = in.veloc;
+  wanted.tang = d.tang;
+  wanted.pvtime = d.pvtime;
+  wanted.iestim = d.iestim;
+  wanted.force = std::min(d.force, 2);
+  wanted.normal_by_force = d.norm == 1;
+  wanted.pen = in.pen;
+  wanted.fn = in.fn;
+  if (wanted.normal_by_force && in.fn < 0) throw Failure(CNTC_err_norm, "the normal force is below 0");
+  if (in.digits.tang > 0) {
+    wanted.cksi = in.cksi;
+    wanted.ceta = in.ceta;
+    wanted.cphi = in.cphi;
+    if (d.exrhs == 1) {
+      wanted.wx = in.wx;
+      wanted.wy = in.wy;
+    }
+  }
+  wanted.spinxo = in.spinxo;
+  wanted.spinyo = in.spinyo;
+  wanted.fx = in.fx;
+  wanted.fy = in.fy;
+  wanted.dt = in.dt;
+  wanted.dq = d.tang == 3 ? wanted.grid.dx : in.dq;
+  wanted.sensitivities = d.sens >= 2;
+  const int code = p.contact->solve(wanted, why);
+  p.contact->read(wanted, p.patches[0]);
+  add_damping(p, p.patches[0]);
+  return code ? code : p.patches[0].rim;
+}
+
+namespace {
+
+/// Adds the time of a solve to the sums of the problem.
+class Stopwatch {
+ public:
+  explicit Stopwatch(Problem& p) : p_(p) {}
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+  ~Stopwatch() {
+    p_.wall += std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_).count();
+    p_.cpu += double(std::clock() - cpu_) / CLOCKS_PER_SEC;
+  }
+
+ private:
+  Problem& p_;
+  std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();
+  std::clock_t cpu_ = std::clock();
+};
+
+}  // namespace
+
+int calculate(Call& c) {
+  Problem& p = c.p;
+  Digits& d = p.in.digits;
+  ++d.ncase;
+  if (d.idebug >= 1) say(c, "calculating case %d", d.ncase);
+  if (d.wrtinp >= 1) write_inp(p);
+  std::string why;
+  int code = 0;
+  {
+    const Stopwatch watch(p);
+    try {
+      code = p.module == 1 ? solve_wheel(p, why) : solve_gap(p, why);
+    } catch (const Failure& failure) {
+      code = failure.code;
+      why = failure.what();
+      for (ContactResult& r : p.patches) r.solved = false;
+    }
+  }
+  if (!why.empty()) say(c, "%s", why.c_str());
+  if (code > 0) say(c, "%d elements in contact are next to the border of the potential contact", code);
+  if (code >= 0) write_results(p);
+  if (d.idebug >= 1) say(c, "done, error code %d", code);
+  return code;
+}
+
+}  // namespace cntc

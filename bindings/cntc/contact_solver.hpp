@@ -1,0 +1,93 @@
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+#include "handles.hpp"
+#include "result.hpp"
+
+namespace cntc {
+
+/// Where bodies with profiles stand: rotations and translations of rollcon's bodies, and the axes of the contact.
+struct Placement {
+  Mat3 wheel_rotation{}, rail_rotation{};
+  Vec3 wheel_origin{}, rail_origin{};
+  Vec3 origin{}, along{1, 0, 0}, normal{0, 0, 1};
+  // With by_velocity slip is that of the surfaces: velocities and rates of the bodies at a point of each.
+  bool by_velocity = false, conformal = false;
+  Vec3 wheel_velocity{}, wheel_rate{}, wheel_point{}, rail_velocity{}, rail_rate{}, rail_point{};
+};
+
+/// Friction of rest at one place.
+double rest_friction(const FrictionRow& row, int law);
+
+/// One contact: what is prescribed and how, in mm, s and N, by CONTACT's signs.
+struct ContactCase {
+  Grid grid;
+  double chi = 0, veloc = 1;
+  int tang = 3, pvtime = 2, iestim = 0, force = 0;
+  bool normal_by_force = false;
+  double pen = 0, fn = 0;
+  double cksi = 0, ceta = 0, cphi = 0, spinxo = 0, spinyo = 0;
+  double fx = 0, fy = 0;  // relative to fstat fn
+  double dt = 1, dq = 1;
+  std::vector<double> gap;  // one for each element, without profiles
+  std::vector<double> wx, wy;
+  bool sensitivities = false;
+  const Placement* placement = nullptr;
+  bool moved = true;  // the placement is another one than at the last solve
+};
+
+/// Turns one case into a contact of rollcon: CONTACT's body 1 is rollcon's body 2, so that n is CONTACT's z.
+class ContactSolver {
+ public:
+  /// Takes bodies of its own; with profiles they are made by the caller.
+  void set_material(const Inputs& in);
+  void set_bodies(rollcon_context* context, rollcon_body* first, rollcon_body* second);
+  /// Sets friction at one place, layer and heat; throws Failure where rollcon has no such thing.
+  void set_surfaces(const Inputs& in, const FrictionRow& row, int tang);
+
+  /// Solves; returns 0 or an error code, and why in words.
+  int solve(const ContactCase& wanted, std::string& why);
+  void read(const ContactCase& wanted, ContactResult& result) const;
+
+  rollcon_contact* handle() const { return contact_.get(); }
+  double fstat() const { return fstat_; }
+  /// Force of the last solve on rollcon's body 1, in the axes of its contact.
+  Vec3 force() const;
+
+ private:
+  enum class Lattice { plain, ringed, point };
+
+  void lay_frame(const ContactCase& wanted);
+  void set_gaps(const ContactCase& wanted);
+  void set_motion(const ContactCase& wanted);
+  int solve_once(const ContactCase& wanted, std::string& why);
+  int run_solver(std::string& why);
+  int solve_point(const ContactCase& wanted, std::string& why);
+  /// A single element under given forces.
+  bool pushed(const ContactCase& wanted) const {
+    return lattice_ == Lattice::point && wanted.tang > 0 && wanted.force >= 1;
+  }
+  double approach_offset(const ContactCase& wanted) const;
+  size_t node(int i, int j) const;
+  bool one_row() const { return lattice_ == Lattice::ringed && (grid_.mx == 1 || grid_.my == 1); }
+  std::vector<double> field(int which, int values) const;
+  void read_sensitivities(ContactResult& result) const;
+  void read_elements(const ContactCase& wanted, ContactResult& result) const;
+
+  ContextHandle context_;
+  BodyHandle first_, second_;
+  ContactHandle contact_;
+  Material material_;
+  int threads_ = 1;
+  double compliance_ = 1;
+  Lattice lattice_ = Lattice::plain;
+  Grid grid_;
+  double chi_ = 0;
+  bool framed_ = false, stepped_ = false, heat_ = false, several_ = false;
+  std::vector<double> gap_;
+  double fstat_ = 0;
+};
+
+}  // namespace cntc

@@ -1,0 +1,165 @@
+#pragma once
+#include <exception>
+#include <tuple>
+#include <type_traits>
+
+#include "log.hpp"
+#include "registry.hpp"
+
+namespace cntc {
+
+/// Says for which modules a function is, and which contact problems it takes there.
+enum class Category {
+  none,          // no result element, or only that
+  gap,           // module 3, icp > 0
+  wheel,         // module 1, no icp
+  patch,         // module 1, icp > 0
+  sum_or_patch,  // module 1, icp -1 or > 0
+  input,         // module 1: -1, module 3: > 0
+  result,        // both, icp > 0
+  both           // module 1: -1 or > 0, module 3: > 0
+};
+
+enum Refusal {
+  bad_ire = -101,
+  not_module1 = -102,
+  not_module3 = -103,
+  bad_icp = -104,
+  icp_wanted = -105,
+  icp_unwanted = -106,
+  in_use = 305
+};
+
+/// A call that was let in: the problem is locked.
+struct Call {
+  const char* name;
+  Problem& p;
+  int icp;  // what the caller gave; -1: the whole wheel
+
+  Inputs& in() const { return p.in; }
+  const Units& units() const { return p.in.units; }
+  /// Result of the patch, or nothing with a line in the log.
+  ContactResult* result() const;
+};
+
+/// Writes a line to the log.
+void say(const Call& c, const char* format, ...) __attribute__((format(printf, 2, 3)));
+
+/// Checks ire, icp and module, makes what is not there, and returns 0 or why the call is refused.
+int admit(Category category, int ire, int icp, bool has_icp);
+const char* refusal_text(int code);
+
+template <class T, class A>
+decltype(auto) pass(A* pointer) {
+  if constexpr (std::is_pointer_v<T>) {
+    return static_cast<A*>(pointer);
+  } else {
+    return static_cast<A&>(*pointer);
+  }
+}
+
+template <class T, class A>
+bool missing(A* pointer) {
+  return !std::is_pointer_v<T> && !pointer;
+}
+
+template <class... T, class... A>
+void apply_body(Call& c, void (*body)(Call&, T...), A*... arguments) {
+  if ((missing<T>(arguments) || ...)) return say(c, "an argument is NULL");
+  body(c, pass<T>(arguments)...);
+}
+
+template <class Body, class... A, size_t... I>
+void apply_with_error(Call& c, Body body, std::tuple<A...> arguments, std::index_sequence<I...>) {
+  *std::get<sizeof...(A) - 1>(arguments) =
+      body(c, pass<std::tuple_element_t<I, typename Body::Types>>(std::get<I>(arguments))...);
+}
+
+template <class... T>
+struct WithError {
+  using Types = std::tuple<T...>;
+  int (*function)(Call&, T...);
+  int operator()(Call& c, T... values) const { return function(c, values...); }
+};
+
+template <class... T, class... A>
+void apply_body(Call& c, int (*body)(Call&, T...), A*... arguments) {
+  static_assert(sizeof...(A) == sizeof...(T) + 1);
+  const std::tuple<A*...> all(arguments...);
+  const auto any_missing = [&]<size_t... I>(std::index_sequence<I...>) {
+    return (missing<std::tuple_element_t<I, std::tuple<T..., int&>>>(std::get<I>(all)) || ...);
+  };
+  if (any_missing(std::make_index_sequence<sizeof...(A)>())) return say(c, "an argument is NULL");
+  apply_with_error(c, WithError<T...>{body}, all, std::make_index_sequence<sizeof...(T)>());
+}
+
+template <class Result, class... T>
+constexpr bool gives_error(Result (*)(Call&, T...)) {
+  return std::is_same_v<Result, int>;
+}
+
+/// Lets a call in, or refuses it with a line in the log.
+template <Category category, class Body, class... A>
+void enter(const char* name, Body body, const int* ire, const int* icp, int* error, A*... arguments) {
+  if (!ire || !icp) return log_line(name, 0, 0, "an argument is NULL");
+  int code = admit(category, *ire, *icp, category != Category::wheel);
+  if (!code) {
+    const std::shared_ptr<Problem> problem = problem_of(*ire, *icp);
+    std::unique_lock<std::mutex> guard;
+    if (problem) guard = std::unique_lock(problem->mutex, std::try_to_lock);
+    if (!problem) {
+      code = CNTC_err_icp;
+    } else if (!guard.owns_lock()) {
+      code = in_use;
+    } else {
+      Call c{name, *problem, problem->module == 1 && *icp <= 0 ? -1 : *icp};
+      try {
+        return apply_body(c, body, arguments...);
+      } catch (const std::exception& e) {
+        say(c, "failed: %s", e.what());
+        code = CNTC_err_other;
+      }
+    }
+  }
+  if (error) *error = code;
+  log_line(name, *ire, *icp, "%s", refusal_text(code));
+}
+
+inline int* last_pointer(int* p) {
+  return p;
+}
+template <class A>
+int* last_pointer(A*) {
+  return nullptr;
+}
+template <class A, class... B>
+int* last_pointer(A*, B*... rest) {
+  return last_pointer(rest...);
+}
+
+template <Category category, class Body, class... A>
+void run(const char* name, Body body, const int* ire, const int* icp,
+         A*... arguments) requires(category != Category::none && category != Category::wheel) {
+  int* error = nullptr;
+  if constexpr (gives_error(Body{})) error = last_pointer(arguments...);
+  enter<category>(name, body, ire, icp, error, arguments...);
+}
+
+template <Category category, class Body, class... A>
+void run(const char* name, Body body, const int* ire, A*... arguments) requires(category == Category::wheel) {
+  static const int whole = -1;
+  int* error = nullptr;
+  if constexpr (gives_error(Body{})) error = last_pointer(arguments...);
+  enter<category>(name, body, ire, &whole, error, arguments...);
+}
+
+template <Category category, class Body, class... A>
+void run(const char* name, Body body, A*... arguments) requires(category == Category::none) {
+  try {
+    body(name, arguments...);
+  } catch (const std::exception& e) {
+    log_line(name, 0, 0, "failed: %s", e.what());
+  }
+}
+
+}  // namespace cntc

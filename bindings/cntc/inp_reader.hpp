@@ -1,0 +1,47 @@
+#pragma once
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace cntc {
+
+/// What is wrong in an input file, and on which line.
+struct InpError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Words of an input file of CONTACT: groups of values go over lines, what follows a group on its line is ignored.
+class InpReader {
+ public:
+  /// Reads a file as a whole; throws InpError where that cannot be done.
+  explicit InpReader(const std::string& path);
+
+  /// A control word: `width` digits, leading zeros may be missing. A digit in a word behind it goes to *extra.
+  std::vector<int> control(int width, const char* what, int* extra = nullptr);
+  std::vector<double> reals(int n, const char* what);
+  /// n values and up to `more` ones that stand on the line of the last.
+  std::vector<double> reals(int n, int more, const char* what);
+  int integer(const char* what);
+  /// A line that begins with a text in quotes; numbers that follow.
+  std::string text(std::vector<double>& numbers, const char* what);
+  bool at_end();
+
+  [[noreturn]] void fail(const std::string& text) const;
+  /// Fails unless low <= value <= high.
+  void in_range(int value, int low, int high, const char* digit) const;
+
+ private:
+  struct Word {
+    std::string text;
+    bool quoted = false;
+  };
+  bool next_line();
+  static bool number(const Word& word, double& value);
+
+  std::string path_;
+  std::vector<std::string> lines_;
+  size_t line_ = 0;
+  std::vector<Word> words_;
+};
+
+}  // namespace cntc

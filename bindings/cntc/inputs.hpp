@@ -1,0 +1,138 @@
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+#include "units.hpp"
+
+namespace cntc {
+
+/// Control digits and flags; flags.cpp has their codes and ranges.
+struct Digits {
+  int config = 1, pvtime = 2, bound = 0, tang = 3, norm = 0, force = 0, frclaw = 0, discns = 2, inflcf = 2, mater = 0;
+  int exrhs = 0, xflow = 0, heat = 0, iestim = 0, output = 0, flow = 1, ret = 1, matfil = 0, sens = 1;
+  int ifmeth = 0, ifvari = 4, sbsout = 0, sbsfil = 0, npomax = 20000;
+  int idebug = 0, licdbg = 0, wrtinp = 0, openmp = 1, timers = 0, ncase = 0, frames = 0;
+  int gausei = 0, damping = 0;
+};
+
+/// Solver settings: all are kept for getters and files; rollcon's Newton iteration uses the count and the tolerance.
+struct SolverSettings {
+  int maxgs = 999, maxin = 20, maxnr = 25, maxout = 1, extra = 0;
+  std::array<double, 8> reals{1e-5, .9, 1, .5, 0, 0, 0, 0};
+};
+
+/// Material by the digit M: what follows the elastic constants has the order of cntc_setmaterialparameters.
+struct Material {
+  std::array<double, 2> nu{.28, .28}, g{1, 1};
+  std::array<double, 4> more{};
+  double cdampn = 0, cdampt = 0, dfnmax = 0, dftmax = 0;
+};
+
+struct Heat {
+  double background = 0, capacity = 0, conductivity = 0, density = 0;
+};
+
+/// One set of friction parameters, at an inclination (V = 1), a position (V = 2), or everywhere.
+struct FrictionRow {
+  double place = 0;
+  std::array<double, 5> p{};
+};
+
+struct Friction {
+  int variation = 0, law = 0;
+  std::vector<FrictionRow> rows{FrictionRow{0, {.3, .3, 0, 0, 0}}};
+  double memdst = 0, mem_s0 = 0;
+
+  bool operator==(const Friction&) const = default;
+};
+inline bool operator==(const FrictionRow& a, const FrictionRow& b) {
+  return a.place == b.place && a.p == b.p;
+}
+
+/// Grid of elements: the first centre, and steps.
+struct Grid {
+  int mx = 0, my = 0;
+  double xc = 0, yc = 0, dx = 0, dy = 0;
+
+  long size() const { return long(mx) * my; }
+  double x(int i) const { return xc + i * dx; }
+  double y(int j) const { return yc + j * dy; }
+  bool operator==(const Grid&) const = default;
+};
+
+struct HertzInput {
+  int ipotcn = 0;  // 0: none
+  int mx = 0, my = 0;
+  double first = 0, second = 0, third = 0, scale = 1;
+};
+
+/// Numbers of cntc_gethertzcontact.
+struct HertzContact {
+  double a1 = 0, b1 = 0, aa = 0, bb = 0, scale = 1, bneg = 0, bpos = 0;
+};
+
+struct PlaneGrid {
+  int ipotcn = 0;
+  double dx = .5, ds = .5, a_sep = 3.141592653589793, d_sep = 8, d_comb = 4, d_turn = 12, g_miss = -1;
+};
+
+/// A profile as the caller gave it: a file, or points.
+struct ProfileInput {
+  bool given = false;
+  bool wheel = false;
+  std::string path;
+  std::vector<double> points;
+  int mirror_y = 0, mirror_z = 0, error_handling = 1, smoothing_kind = 0;
+  double scale = 0, smoothing = 0;
+  unsigned number = 0;  // counts changes
+};
+
+struct Track {
+  int kind = 0;  // digit Z of the last call
+  double gaught = 14, gaugsq = 0, gaugwd = 1435, raily0 = 0, railz0 = 0, cant = 0, nomrad = 0, curv = 0;
+  std::array<double, 3> deviation{}, rate{};
+  double ky = 0, fy = 0, kz = 0, fz = 0, dystep = 1;
+};
+
+struct Wheelset {
+  double fbdist = 1360, fbpos = -70, nomrad = 460, ytape = 1000;
+  std::array<double, 6> position{}, velocity{};
+  std::array<double, 12> flexibility{};
+};
+
+/// A block of points inside the bodies.
+struct BlockInput {
+  int isubs = 0;
+  std::vector<double> x, y, z;  // what the caller gave, in mm
+};
+
+/// Everything that setters keep, in mm, s, N and rad, on body 1.
+struct Inputs {
+  Digits digits;
+  Units units;
+  SolverSettings solver;
+  Material material;
+  std::array<Heat, 2> heat;
+  double betapl = 0;
+  Friction friction;
+  double dt = 1, chi = 0, dq = 1;
+  double fx = 0, fy = 0;
+  // Module 3.
+  double veloc = 1, pen = 0, fn = 0, cksi = 0, ceta = 0, cphi = 0, spinxo = 0, spinyo = 0;
+  Grid grid;
+  HertzInput hertz;
+  int ibase = 1, iplan = 1;
+  std::vector<double> gap{std::vector<double>(6)};
+  std::array<double, 8> plan{};
+  std::vector<double> wx, wy;
+  // Module 1.
+  double fz = 0;
+  PlaneGrid plane;
+  ProfileInput rail, wheel;
+  Track track;
+  Wheelset wheelset;
+  std::array<double, 9> metadata{};
+};
+
+}  // namespace cntc

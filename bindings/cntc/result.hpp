@@ -1,0 +1,37 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "inputs.hpp"
+
+namespace cntc {
+
+using Vec3 = std::array<double, 3>;
+using Mat3 = std::array<Vec3, 3>;  // rows
+
+/// What a solved contact has, in mm, s and N on body 1, in the axes of the contact.
+struct ContactResult {
+  bool solved = false;
+  Grid grid;
+  double veloc = 1, chi = 0, dq = 1, spinxo = 0, spinyo = 0, fstat = 0;
+  double pen = 0, cksi = 0, ceta = 0, cphi = 0, fn = 0, tx = 0, ty = 0, mz = 0, power = 0;
+  double mx = 0, my = 0;  // moments of the pressures about the axes x and y
+  std::vector<double> h, mu, px, py, pn, ux, uy, un, sx, sy, temp1, temp2, wx, wy;
+  std::vector<int> division;
+  std::array<double, 16> sensitivities{};
+  int rim = 0;  // elements in contact next to the border
+
+  long count(int state) const {
+    long n = 0;
+    for (int s : division) n += s == state;
+    return n;
+  }
+};
+
+/// A body's profile in the track: origin, roll and yaw.
+struct BodyPlace {
+  Vec3 origin{};
+  Mat3 rotation{};  // to the track
+};
+
+}  // namespace cntc

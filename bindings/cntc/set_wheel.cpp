@@ -1,0 +1,152 @@
+// Settings of module 1.
+#include <algorithm>
+#include <cmath>
+
+#include "bodies.hpp"
+#include "checks.hpp"
+#include "text.hpp"
+
+namespace cntc {
+
+void set_vertical_force(Call& c, double fz) {
+  if (!std::isfinite(fz)) return say(c, "the force is not finite");
+  c.in().fz = fz;
+  c.in().digits.norm = 1;
+}
+
+namespace {
+
+/// Options that a file and points have in common; the type comes first.
+bool take_options(Call& c, ProfileInput& p, int nints, const int* ints, int nreals, const double* reals) {
+  if ((nints > 0 && !ints) || (nreals > 0 && !reals)) {
+    say(c, "an array is NULL");
+    return false;
+  }
+  const auto i = [&](int k, int standard) { return nints > k ? ints[k] : standard; };
+  if (nreals > 0 && !all_finite(c, std::min(nreals, 7), reals)) return false;
+  p.mirror_y = i(2, 0);
+  p.mirror_z = i(3, 0);
+  p.error_handling = i(4, 1);
+  p.smoothing_kind = i(5, 0);
+  p.scale = nreals > 0 ? reals[0] : 0;
+  if (p.scale <= 0) p.scale = c.units().length;
+  p.smoothing = nreals > 1 ? reals[1] : 0;
+  p.given = true;
+  return true;
+}
+
+void keep(Call& c, ProfileInput p) {
+  ProfileInput& place = p.wheel ? c.in().wheel : c.in().rail;
+  p.number = place.number + 1;
+  place = std::move(p);
+}
+
+}  // namespace
+
+void set_profile_file(Call& c, const char* fname, int length, int nints, const int* ints, int nreals,
+                      const double* reals) {
+  const std::string name = text_of(fname, length);
+  if (name.empty()) return say(c, "the name of the file is missing");
+  ProfileInput p;
+  const int type = nints > 0 && ints ? ints[0] : -1;
+  p.wheel =
+      type == 1 || (type == -1 && (ends_with(name, ".prw") || ends_with(name, ".whl") || ends_with(name, ".slcw")));
+  p.path = in_folder(session().wrkdir, name);
+  if (take_options(c, p, nints, ints, nreals, reals)) keep(c, std::move(p));
+}
+
+void set_profile_values(Call& c, int npoint, const double* values, int nints, const int* ints, int nreals,
+                        const double* reals) {
+  if (npoint < 2 || npoint > 10000000) return say(c, "the profile has %d points; allowed: 2 to 10000000", npoint);
+  if (!all_finite(c, 2 * npoint, values)) return;
+  ProfileInput p;
+  const int type = nints > 0 && ints ? ints[0] : 1;
+  p.wheel = type == 1;
+  p.points.assign(values, values + 2 * size_t(npoint));
+  if (take_options(c, p, nints, ints, nreals, reals)) keep(c, std::move(p));
+}
+
+void set_track(Call& c, int kind, int n, const double* q) {
+  const double length = c.units().length;
+  Track t = c.in().track;
+  if (kind == 0) {
+    if (lacks(c, kind, n, 0, 1, q)) return;
+    return;
+  }
+  if (kind != 1 && kind != 2 && kind != 3 && kind != 32 && kind != 33) return void(no_method(c, kind));
+  if (kind == 1 && lacks(c, kind, n, 5, 6, q)) return;
+  if (kind == 2 && lacks(c, kind, n, 6, q)) return;
+  if (kind == 3 && lacks(c, kind, n, 11, 12, q)) return;
+  if (kind >= 32 && lacks(c, kind, n, 4, 5, q)) return;
+  if (kind == 1 || kind == 3) {
+    t.gaught = q[0] * length;
+    if (q[0] > 0) {
+      t.gaugsq = q[1];
+      t.gaugwd = q[2] * length;
+    } else {
+      t.raily0 = q[1] * length;
+      t.railz0 = q[2] * length;
+    }
+    t.cant = q[3];
+    t.nomrad = q[4] * length;
+    t.curv = (kind == 1 ? n > 5 : n > 11) ? q[5] / length : 0;
+  }
+  if (kind == 2 || kind == 3) {
+    const double* d = kind == 2 ? q : q + (n - 6);
+    t.deviation = {d[0] * length, d[1] * length, d[2]};
+    t.rate = {d[3] * length, d[4] * length, d[5]};
+  }
+  if (kind >= 32) {
+    t.ky = q[0] / length;
+    t.fy = q[1];
+    t.kz = q[2] / length;
+    t.fz = q[3];
+    t.dystep = n > 4 ? q[4] * length : 1;
+  }
+  t.kind = kind;
+  c.in().track = t;
+}
+
+void set_wheelset_dimensions(Call& c, int kind, int n, const double* q) {
+  if (kind < 0 || kind > 5) return void(no_method(c, kind));
+  if (kind != 3 && kind != 5) return;
+  if (lacks(c, kind, n, 3, 4, q)) return;
+  const double length = c.units().length;
+  Wheelset& w = c.in().wheelset;
+  w.fbdist = q[0] * length;
+  w.fbpos = q[1] * length;
+  w.nomrad = q[2] * length;
+  w.ytape = n > 3 ? q[3] * length : 1000;
+}
+
+namespace {
+
+void take_six(std::array<double, 6>& to, const double* q, double length) {
+  for (size_t k = 0; k < 6; ++k) to[k] = q[k] * (k < 3 ? length : 1);
+}
+
+}  // namespace
+
+void set_wheelset_position(Call& c, int kind, int n, const double* q) {
+  if (kind < 1 || kind > 5) return void(no_method(c, kind));
+  if (!lacks(c, kind, n, 6, q)) take_six(c.in().wheelset.position, q, c.units().length);
+}
+
+void set_wheelset_velocity(Call& c, int kind, int n, const double* q) {
+  if (kind == 1 && n == 6) kind = 2;
+  if (kind < 1 || kind > 5) return void(no_method(c, kind));
+  if (kind == 1) return;
+  if (!lacks(c, kind, n, 6, q)) take_six(c.in().wheelset.velocity, q, c.units().length);
+}
+
+void set_wheelset_flexibility(Call& c, int kind, int n, const double* q) {
+  if (kind < 0 || kind > 5) return void(no_method(c, kind));
+  if (kind <= 3) {
+    c.in().wheelset.flexibility = {};
+    return;
+  }
+  if (lacks(c, kind, n, 12, q)) return;
+  for (size_t k = 0; k < 12; ++k) c.in().wheelset.flexibility[k] = q[k] * (k % 6 < 3 ? c.units().length : 1);
+}
+
+}  // namespace cntc

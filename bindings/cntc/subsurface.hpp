@@ -1,0 +1,20 @@
+#pragma once
+#include <rollcon.h>
+
+#include <string>
+
+#include "problem.hpp"
+
+namespace cntc {
+
+/// Places of the points of a block, ascending.
+void lay_points(const BlockInput& input, const Grid& grid, std::vector<double>& x, std::vector<double>& y,
+                std::vector<double>& z);
+
+/// Fills a block with displacements and stresses of a solved contact; throws Failure.
+void fill_block(rollcon_contact* contact, const ContactResult& result, SubsurfaceBlock& block);
+
+/// Calculates the blocks of a patch, or of all with icp -1; returns an error code.
+int calculate_blocks(Problem& p, int icp, std::string& why);
+
+}  // namespace cntc

@@ -1,0 +1,301 @@
+// Solves the patches of a wheel on CONTACT's grids, and finds height and pitch rate.
+#include <algorithm>
+#include <cmath>
+
+#include "calculate.hpp"
+#include "vectors.hpp"
+#include "wheel_solver.hpp"
+
+namespace cntc {
+namespace {
+
+constexpr double pi = 3.141592653589793;
+const FrictionRow no_row{};
+
+/// Friction at a place: linear between rows, constant beyond.
+FrictionRow friction_at(const Friction& f, double place) {
+  const auto& rows = f.rows;
+  if (f.variation == 0 || place <= rows.front().place) return rows.front();
+  for (size_t k = 1; k < rows.size(); ++k) {
+    if (place > rows[k].place) continue;
+    const double t = (place - rows[k - 1].place) / (rows[k].place - rows[k - 1].place);
+    FrictionRow row = no_row;
+    for (size_t i = 0; i < row.p.size(); ++i) row.p[i] = (1 - t) * rows[k - 1].p[i] + t * rows[k].p[i];
+    return row;
+  }
+  return rows.back();
+}
+
+}  // namespace
+
+/// Lays elements on multiples of DX and DS from the reference, from one beyond the overlap on each side.
+void WheelSolver::lay_grid(const Inputs& in, WheelPatch& patch) const {
+  double dx = in.plane.dx, ds = in.plane.ds;
+  const double beyond = patch.tight ? 0 : overlap_beyond, more = patch.tight ? 0 : 1;
+  const double x = beyond * (patch.x_high - patch.x_low), s = beyond * (patch.s_high - patch.s_low);
+  for (;;) {
+    const double i0 = std::floor((patch.x_low - x) / dx) - more, i1 = std::ceil((patch.x_high + x) / dx) + more;
+    const double j0 = std::floor((patch.s_low - s) / ds) - more, j1 = std::ceil((patch.s_high + s) / ds) + more;
+    if ((i1 - i0 + 1) * (j1 - j0 + 1) < in.digits.npomax) {
+      patch.wanted.grid = {int(i1 - i0) + 1, int(j1 - j0) + 1, i0 * dx, j0 * ds, dx, ds};
+      return;
+    }
+    dx *= 2;
+    ds *= 2;
+  }
+}
+
+/// Velocities of wheel and rail in the track that moves along with the wheelset; a curve turns the wheel against the
+/// rail about the track's origin.
+void WheelSolver::set_velocities(const Inputs& in, WheelPatch& patch) const {
+  const auto &q = set_.position, &v = set_.velocity;
+  const auto& f = set_.flexibility;
+  const Vec3 axle = wheel.rotation * Vec3{0, 1, 0};
+  Placement& at = patch.placement;
+  const Vec3 rate = Vec3{v[3], 0, 0} + v[4] * (about_x(q[3]) * Vec3{0, 0, 1});
+  at.wheel_point = wheel.origin - radius_ * (wheel.rotation * Vec3{0, 0, 1});
+  at.wheel_velocity = Vec3{v[0], v[1], v[2]} + cross(rate, at.wheel_point - wheelset.origin) +
+                      wheelset.rotation * Vec3{f[6], f[7], f[8]};
+  at.wheel_rate = rate + pitch_rate * axle + wheelset.rotation * Vec3{f[9], f[11], f[10]};
+  const Vec3 turn = {0, 0, v[0] * track_.curv};
+  at.wheel_velocity = at.wheel_velocity + cross(turn, at.wheel_point);
+  at.wheel_rate = at.wheel_rate + turn;
+  at.rail_velocity = {0, track_.rate[0], track_.rate[1]};
+  at.rail_rate = {track_.rate[2], 0, 0};
+  at.rail_point = rail.origin;
+  at.by_velocity = in.digits.discns >= 3 && in.digits.discns <= 4;
+  at.conformal = in.digits.discns == 4;
+  patch.radius = norm(cross(patch.reference - at.wheel_point, axle));
+}
+
+/// Creepages at the reference; the wheel's point lies deeper by the overlap.
+void WheelSolver::set_creepages(WheelPatch& patch) const {
+  const Placement& at = patch.placement;
+  ContactCase& w = patch.wanted;
+  w.veloc = (std::abs(set_.velocity[0]) + std::abs(pitch_rate) * patch.radius) / 2;
+  const Vec3 on_wheel = patch.reference + (patch.overlap + patch.approach) * patch.normal();
+  const Vec3 wheel_speed = at.wheel_velocity + cross(at.wheel_rate, on_wheel - at.wheel_point);
+  const Vec3 rail_speed = at.rail_velocity + cross(at.rail_rate, patch.reference - at.rail_point);
+  const Vec3 off = rail_speed - wheel_speed;
+  w.cksi = off[0] / w.veloc;
+  w.ceta = dot(off, patch.across()) / w.veloc;
+  w.cphi = dot(at.rail_rate - at.wheel_rate, patch.normal()) / w.veloc;
+}
+
+void WheelSolver::set_friction(const Inputs& in, WheelPatch& patch) {
+  const double place = in.friction.variation == 2 ? set_.position[0] : patch.delta;
+  patch.solver->set_surfaces(in, friction_at(in.friction, place), in.digits.tang);
+}
+
+/// Solves a patch. Where the grid reaches beyond the end of a profile it is laid on the contact alone.
+int WheelSolver::solve_patch(const Inputs& in, WheelPatch& patch, std::string& why) const {
+  try {
+    return patch.solver->solve(patch.wanted, why);
+  } catch (const Failure&) {
+    if (patch.tight || !patch.wanted.moved) throw;
+  }
+  patch.tight = true;
+  lay_grid(in, patch);
+  return patch.solver->solve(patch.wanted, why);
+}
+
+/// Solves all patches with the wheel sunk by `sink` and returns the force on the rail in the track.
+Vec3 WheelSolver::solve_patches(Problem& p, double sink, int& code, std::string& why) {
+  Vec3 total{};
+  code = 0;
+  for (WheelPatch& patch : patches) {
+    patch.approach = patch.wanted.pen = sink * std::cos(patch.delta);
+    set_velocities(p.in, patch);
+    set_creepages(patch);
+    patch.wanted.placement = &patch.placement;
+    const int result = solve_patch(p.in, patch, why);
+    if (result) code = result;
+    patch.wanted.moved = false;
+    patch.wanted.pvtime = p.in.digits.tang == 2 ? 3 : 0;
+    patch.wanted.iestim = 1;
+    const Vec3 f = patch.solver->force();  // on the wheel, along t1, t2 and n
+    const double back = patch.wanted.chi != 0 ? -1 : 1;
+    total = total - back * f[0] * patch.along() - back * f[1] * patch.across() - f[2] * patch.normal();
+  }
+  return total;
+}
+
+/// Meets the vertical force by the secant method for its power 2/3, which is nearly linear in the height.
+void WheelSolver::find_height(Problem& p, int& code, std::string& why) {
+  const double wanted = std::pow(std::max(p.in.fz, 0.), 2. / 3);
+  double before = sink_ - 1e-3, at = sink_, slope = 0, off_before = 0;
+  for (int n = 0; n < 25; ++n) {
+    const double force = solve_patches(p, at, code, why)[2];
+    const double off = std::pow(std::max(force, 0.), 2. / 3) - wanted;
+    sink_ = at;
+    if (std::abs(force - p.in.fz) <= 1e-6 * p.in.fz) return;
+    if (n > 0 && at != before) slope = (off - off_before) / (at - before);
+    if (!(slope > 0)) {
+      double depth = 0;
+      for (const WheelPatch& patch : patches) depth = std::max(depth, patch.overlap);
+      slope = wanted / std::max(depth, 1e-9);
+    }
+    before = at;
+    off_before = off;
+    at -= off / slope;
+    if (std::abs(at - before) < 1e-13) return;
+  }
+  code = CNTC_err_ftot;
+  why = "the vertical force was not found";
+}
+
+/// Meets the longitudinal force on the rail along the wheelset's x by the pitch rate (F = 1).
+void WheelSolver::find_pitch_rate(Problem& p, int& code, std::string& why) {
+  const Vec3 x = wheelset.rotation * Vec3{1, 0, 0};
+  const auto off = [&](double rate) {
+    pitch_rate = rate;
+    if (p.in.digits.norm == 1) find_height(p, code, why);
+    return dot(solve_patches(p, sink_, code, why), x) - p.in.fx;
+  };
+  double scale = 0;
+  for (const WheelPatch& patch : patches) scale += patch.solver->fstat();
+  scale *= std::max(1., std::abs(p.in.fz));
+  double low = pitch_rate != 0 ? pitch_rate : -set_.velocity[0] / radius_;
+  double f_low = off(low), step = 1e-5 * low, high = low, f_high = f_low;
+  for (int n = 0; n < 40 && f_low * f_high > 0; ++n) {  // towards the sign change, in growing steps
+    const double next = high + step, f_next = off(next);
+    if (std::abs(f_next) > std::abs(f_high) && n == 0) {
+      step = -step;
+    } else {
+      low = high;
+      f_low = f_high;
+      high = next;
+      f_high = f_next;
+      step *= 2.5;
+    }
+  }
+  if (f_low * f_high > 0) {
+    code = CNTC_err_ftot;
+    why = "no pitch rate gives the longitudinal force FX: it is above the limit of friction";
+    return;
+  }
+  for (int n = 0; n < 60 && std::abs(f_high) > 1e-7 * scale; ++n) {  // regula falsi, Illinois
+    const double next = high - f_high * (high - low) / (f_high - f_low);
+    const double f_next = off(next);
+    if (f_next * f_high < 0) {
+      low = high;
+      f_low = f_high;
+    } else {
+      f_low /= 2;
+    }
+    high = next;
+    f_high = f_next;
+    if (std::abs(high - low) < 1e-14 * std::abs(high)) break;
+  }
+  off(high);
+}
+
+namespace {
+
+void flip_rows(const Grid& g, std::vector<double>& v, double factor) {
+  if (v.empty()) return;
+  for (int j = 0; j < g.my / 2; ++j)
+    std::swap_ranges(v.begin() + long(j) * g.mx, v.begin() + long(j + 1) * g.mx, v.begin() + long(g.my - 1 - j) * g.mx);
+  for (double& x : v) x *= factor;
+}
+
+/// Turns a mirror image back.
+void mirror(ContactResult& r) {
+  for (auto* v : {&r.h, &r.mu, &r.pn, &r.px, &r.un, &r.ux, &r.sx, &r.wx, &r.temp1, &r.temp2}) flip_rows(r.grid, *v, 1);
+  for (auto* v : {&r.py, &r.uy, &r.sy, &r.wy}) flip_rows(r.grid, *v, -1);
+  std::vector<double> states(r.division.begin(), r.division.end());
+  flip_rows(r.grid, states, 1);
+  r.division.assign(states.begin(), states.end());
+  r.grid.yc = -r.grid.y(r.grid.my - 1);
+  for (double* v : {&r.ty, &r.mz, &r.ceta, &r.cphi, &r.mx}) *v = -*v;
+  for (size_t i = 0; i < 4; ++i)
+    for (size_t j = 0; j < 4; ++j)
+      if ((i >= 2) != (j >= 2)) r.sensitivities[i + 4 * j] *= -1;
+}
+
+}  // namespace
+
+void WheelSolver::read_results(Problem& p) {
+  p.patches.assign(patches.size(), ContactResult{});
+  for (size_t k = 0; k < patches.size(); ++k) {
+    WheelPatch& patch = patches[k];
+    ContactResult& r = p.patches[k];
+    patch.wanted.sensitivities = p.in.digits.sens >= 2;
+    patch.solver->read(patch.wanted, r);
+    double least = 0;
+    for (const double h : r.h) least = std::min(least, h);
+    for (double& h : r.h) h -= least;
+    r.pen = -least;
+    if (!patch.placement.by_velocity) {
+      r.cksi = patch.wanted.cksi;
+      r.ceta = patch.wanted.ceta;
+      r.cphi = patch.wanted.cphi;
+    }
+    if (sign < 0) mirror(r);
+  }
+}
+
+int WheelSolver::solve(Problem& p, std::string& why) {
+  const Inputs& in = p.in;
+  solved = false;
+  p.patches.clear();
+  if (in.digits.tang == 1) throw Failure(CNTC_err_other, "shifts (T = 1) are not available in module 1: use T = 3");
+  if (in.digits.tang == 2 && in.digits.pvtime != 2)
+    throw Failure(CNTC_err_other, "sequences of steps (T = 2, P < 2) are not available in module 1: use T = 3");
+  if (in.digits.force > 1)
+    throw Failure(CNTC_err_other, "a massless rail (F = 3) is not available: give the rail's deviation (Z = 2)");
+  prepare(p);
+  mirror_inputs(in);
+  pitch_rate = set_.velocity[5];
+  sink_ = 0;
+  search(p);
+  join_patches(in.plane, found_patches());
+  int code = 0;
+  for (WheelPatch& patch : patches) {
+    if (!patch.solver) {
+      patch.solver = std::make_shared<ContactSolver>();
+      patch.solver->set_bodies(context_.get(), wheel_profile.body(), rail_profile.body());
+    }
+    lay_grid(in, patch);
+    const Vec3 axle_point = wheel.origin - radius_ * (wheel.rotation * Vec3{0, 0, 1});
+    Placement& at = patch.placement;
+    at.wheel_rotation = wheel.rotation;
+    at.wheel_origin = axle_point;
+    at.rail_rotation = rail.rotation;
+    at.rail_origin = rail.origin;
+    at.origin = patch.reference;
+    at.along = patch.along();
+    at.normal = patch.normal();
+    ContactCase& w = patch.wanted;
+    w.tang = in.digits.tang;
+    w.pvtime = in.digits.pvtime;
+    w.iestim = in.digits.iestim;
+    w.chi = set_.velocity[0] < 0 ? pi : 0;
+    w.dq = (in.digits.tang == 3 ? 1 : in.dq) * w.grid.dx;
+    w.dt = in.dt;
+    set_friction(in, patch);
+  }
+  if (!patches.empty()) {
+    if (in.digits.force == 1) {
+      find_pitch_rate(p, code, why);
+    } else if (in.digits.norm == 1) {
+      find_height(p, code, why);
+    } else {
+      solve_patches(p, 0, code, why);
+    }
+  } else if (in.digits.norm == 1 && in.fz > 0) {
+    throw Failure(CNTC_err_ftot, "no height carries the vertical force");
+  }
+  place_wheel(z + sink_);
+  read_results(p);
+  solved = true;
+  return code;
+}
+
+int solve_wheel(Problem& p, std::string& why) {
+  refuse_absent(p);
+  if (!p.wheel) p.wheel = std::make_unique<WheelSolver>();
+  return p.wheel->solve(p, why);
+}
+
+}  // namespace cntc

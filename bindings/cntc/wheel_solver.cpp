@@ -1,0 +1,251 @@
+#include "wheel_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "calculate.hpp"
+#include "vectors.hpp"
+
+namespace cntc {
+
+Vec3 WheelPatch::across() const {
+  return {0, std::cos(delta), std::sin(delta)};
+}
+Vec3 WheelPatch::normal() const {
+  return {0, -std::sin(delta), std::cos(delta)};
+}
+
+/// Makes profiles and the wheel on its rail anew where something of them has changed.
+void WheelSolver::prepare(const Problem& p) {
+  const Inputs& in = p.in;
+  const int threads = in.digits.openmp < 0 ? 0 : std::max(1, in.digits.openmp);
+  if (search_ && rail_number_ == in.rail.number && wheel_number_ == in.wheel.number && threads == threads_ &&
+      material_.g == in.material.g && material_.nu == in.material.nu)
+    return;
+  search_.reset();
+  patches.clear();
+  rollcon_context* context = nullptr;
+  check(rollcon_context_create(ROLLCON_ABI, &context));
+  context_.reset(context);
+  check(rollcon_context_set_threads(context, threads));
+  rail_profile.make(context, in.rail, in.material);
+  wheel_profile.make(context, in.wheel, in.material);
+  rollcon_wheelrail* search = nullptr;
+  check(rollcon_wheelrail_create(context, wheel_profile.body(), rail_profile.body(), ROLLCON_RIGHT, &search));
+  search_.reset(search);
+  const double zero[3] = {0, 0, 0}, x[3] = {1, 0, 0}, y[3] = {0, 1, 0}, z[3] = {0, 0, 1};
+  check(rollcon_wheelrail_set_real(search, "accuracy", .02));
+  check(rollcon_wheelrail_set_int(search, "roll_outside", 1));
+  check(rollcon_body_extrude_profile(rail_profile.body(), zero, x, z));
+  radius_ = in.wheelset.nomrad - (in.wheelset.ytape < 999 ? wheel_profile.z_at(in.wheelset.ytape) : 0);
+  check(rollcon_body_revolve_profile(wheel_profile.body(), zero, y, radius_));
+  rail_number_ = in.rail.number;
+  wheel_number_ = in.wheel.number;
+  threads_ = threads;
+  material_ = in.material;
+}
+
+void WheelSolver::mirror_inputs(const Inputs& in) {
+  sign = in.digits.config == 0 || in.digits.config == 4 ? -1 : 1;
+  track_ = in.track;
+  set_ = in.wheelset;
+  for (double* v : {&track_.deviation[0], &track_.deviation[2], &track_.rate[0], &track_.rate[2], &track_.curv})
+    *v *= sign;
+  for (const size_t k : {1u, 3u, 4u}) {
+    set_.position[k] *= sign;
+    set_.velocity[k] *= sign;
+    set_.flexibility[k] *= sign;
+    set_.flexibility[6 + k] *= sign;
+  }
+}
+
+/// Places wheelset and wheel: roll about x, then yaw about the new z; the bent wheel stands in the wheelset's axes.
+void WheelSolver::place_wheel(double height) {
+  z = height;
+  const auto& q = set_.position;
+  const auto& f = set_.flexibility;
+  wheelset.origin = {0, q[1], height - set_.nomrad};
+  wheelset.rotation = about_x(q[3]) * about_z(q[4]);
+  const Vec3 in_set = {f[0], set_.fbdist / 2 - set_.fbpos + f[1], radius_ + f[2]};
+  wheel.origin = wheelset.origin + wheelset.rotation * in_set;
+  wheel.rotation = wheelset.rotation * (about_x(f[3]) * about_z(f[4]));
+}
+
+/// Finds height and patches: rollcon's wheel is a rigid one that stands where the bent one does.
+void WheelSolver::search(const Problem& p) {
+  const Inputs& in = p.in;
+  rollcon_wheelrail* search = search_.get();
+  place_wheel(set_.position[2]);
+  const Vec3 axle = wheel.rotation * Vec3{0, 1, 0};
+  const double roll = std::atan2(axle[2], axle[1]), yaw = -std::asin(std::clamp(axle[0], -1., 1.));
+  const double arm = set_.fbdist / 2 - set_.fbpos;
+  const Vec3 centre = wheel.origin - radius_ * (wheel.rotation * Vec3{0, 0, 1}) - arm * axle;
+  const double position[6] = {centre[0], centre[1], centre[2] + radius_, roll, yaw, 0};
+  if (!(std::abs(set_.velocity[0]) > 0)) throw Failure(CNTC_err_search, "the forward speed VS is 0: a wheel must roll");
+  const bool gauge = track_.gaught > 0;
+  check(rollcon_wheelrail_set_track(search, gauge ? track_.gaugwd : 2 * track_.raily0, gauge ? track_.gaught : 0,
+                                    track_.cant));
+  check(rollcon_wheelrail_set_wheelset(search, set_.fbdist, set_.fbpos, radius_));
+  check(rollcon_wheelrail_set_position(search, position));
+  check(rollcon_wheelrail_set_velocity(search, set_.velocity.data()));
+  const double mu = std::clamp(in.digits.tang == 0 ? 0 : rest_friction(in.friction.rows[0], in.friction.law), 0., 10.);
+  check(rollcon_wheelrail_set_friction(search, "coulomb", 1, &mu));
+  const bool force = in.digits.norm == 1;
+  check(rollcon_wheelrail_prescribe_vertical(search, force ? ROLLCON_BY_FORCE : ROLLCON_BY_MOTION, force ? in.fz : 0));
+  // The deviation is about the profile's origin; rollcon turns about the point where the gauge is measured.
+  const Vec3 pivot = {0, gauge ? track_.gaugwd / 2 : track_.raily0, 0};
+  Vec3 shift = {0, track_.deviation[0], track_.deviation[1] + (gauge ? 0 : track_.railz0)};
+  const Mat3 turn = about_x(track_.deviation[2]);
+  double deviation[3] = {shift[1], shift[2], track_.deviation[2]};
+  int status = ROLLCON_OK;
+  for (int n = 0; n < (track_.deviation[2] != 0 ? 2 : 1); ++n) {
+    check(rollcon_wheelrail_set_rail_deviation(search, deviation, track_.rate.data()));
+    status = rollcon_wheelrail_solve(search);
+    if (status == ROLLCON_ERR_LOAD) throw Failure(CNTC_err_ftot, rollcon_last_error());
+    if (status == ROLLCON_ERR_ARGUMENT) throw Failure(CNTC_err_search, rollcon_last_error());
+    check(status);
+    place_rail();
+    const Vec3 now = {0, deviation[0], deviation[1]};
+    const Vec3 origin = pivot + transposed(turn) * (rail.origin - now - pivot);
+    const Vec3 next = shift + turn * (pivot - origin) - (pivot - origin);
+    deviation[0] = next[1];
+    deviation[1] = next[2];
+  }
+  if (status == ROLLCON_DERAILED) throw Failure(CNTC_err_search, "the wheel is beside its rail");
+  double height = 0;
+  check(rollcon_wheelrail_get_stat(search, "z", &height));
+  place_wheel(set_.position[2] + height - position[2]);
+}
+
+/// Takes the rail's pose from two points of its profile.
+void WheelSolver::place_rail() {
+  double p[2][2], q[2][2], slope = 0;
+  const double shares[2] = {.25, .75};
+  for (int k = 0; k < 2; ++k) {
+    rail_profile.at(shares[k] * rail_profile.length(), p[k][0], p[k][1], slope);
+    check(rollcon_wheelrail_get_profile_point(search_.get(), ROLLCON_RAIL, shares[k], q[k]));
+  }
+  const double angle =
+      std::atan2(q[1][1] - q[0][1], q[1][0] - q[0][0]) - std::atan2(p[1][1] - p[0][1], p[1][0] - p[0][0]);
+  rail.rotation = about_x(angle);
+  rail.origin = Vec3{0, q[0][0], q[0][1]} - rail.rotation * Vec3{0, p[0][0], p[0][1]};
+}
+
+std::vector<WheelPatch> WheelSolver::found_patches() const {
+  rollcon_wheelrail* search = search_.get();
+  int64_t n = 0;
+  check(rollcon_wheelrail_get_patch_count(search, &n));
+  std::vector<WheelPatch> found;
+  for (int32_t k = 0; k < n; ++k) {
+    const auto stat = [&](const char* name) {
+      double v = 0;
+      check(rollcon_wheelrail_get_patch_stat(search, k, name, &v));
+      return v;
+    };
+    if (stat("share") < .5 || !(stat("normal_force") != 0)) continue;
+    WheelPatch patch;
+    patch.reference = {stat("x"), stat("y"), stat("z")};
+    patch.delta = stat("angle");
+    patch.overlap = stat("overlap");
+    double origin[3], axes[9];
+    check(rollcon_wheelrail_get_patch_axes(search, k, origin, axes));
+    rollcon_contact* contact = nullptr;
+    check(rollcon_wheelrail_get_contact(search, k, &contact));
+    const ContactHandle holder(contact);
+    int64_t nodes = 0;
+    check(rollcon_contact_get_size(contact, &nodes, nullptr));
+    std::vector<double> points(3 * size_t(nodes));
+    std::vector<int32_t> states(static_cast<size_t>(nodes));
+    check(rollcon_contact_get_field(contact, ROLLCON_FIELD_POINT, ROLLCON_GLOBAL, 3 * nodes, points.data(), nullptr));
+    check(rollcon_contact_get_node_states(contact, nodes, states.data()));
+    patch.x_low = patch.s_low = 1e300;
+    patch.x_high = patch.s_high = -1e300;
+    for (size_t i = 0; i < size_t(nodes); ++i) {
+      if (states[i] == ROLLCON_OPEN) continue;
+      Vec3 at{};
+      for (size_t d = 0; d < 3; ++d)
+        at[d] = origin[d] + points[3 * i] * axes[d] + points[3 * i + 1] * axes[3 + d] + points[3 * i + 2] * axes[6 + d];
+      const Vec3 from = at - patch.reference;
+      const double x = from[0], s = dot(from, patch.across());
+      patch.x_low = std::min(patch.x_low, x);
+      patch.x_high = std::max(patch.x_high, x);
+      patch.s_low = std::min(patch.s_low, s);
+      patch.s_high = std::max(patch.s_high, s);
+    }
+    if (patch.x_low < patch.x_high) found.push_back(patch);
+  }
+  return found;
+}
+
+namespace {
+
+/// Joins two patches: the reference is the mean, weighted with the depth of the overlaps.
+WheelPatch joined(const WheelPatch& a, const WheelPatch& b) {
+  const auto weight = [](const WheelPatch& p) {
+    return std::pow(std::max(p.overlap, 1e-12), 2.5) * (p.s_high - p.s_low);
+  };
+  const double wa = weight(a) / (weight(a) + weight(b));
+  WheelPatch c;
+  c.reference = wa * a.reference + (1 - wa) * b.reference;
+  c.delta = wa * a.delta + (1 - wa) * b.delta;
+  c.overlap = std::max(a.overlap, b.overlap);
+  c.x_low = c.s_low = 1e300;
+  c.x_high = c.s_high = -1e300;
+  for (const WheelPatch* p : {&a, &b}) {
+    c.x_low = std::min(c.x_low, p->x_low + p->reference[0] - c.reference[0]);
+    c.x_high = std::max(c.x_high, p->x_high + p->reference[0] - c.reference[0]);
+    for (const double s : {p->s_low, p->s_high}) {
+      const double at = dot(p->reference + s * p->across() - c.reference, c.across());
+      c.s_low = std::min(c.s_low, at);
+      c.s_high = std::max(c.s_high, at);
+    }
+  }
+  return c;
+}
+
+/// Distance between the ends of the overlaps of two patches along the surface.
+double distance(const WheelPatch& a, const WheelPatch& b) {
+  const Vec3 end = a.reference + (a.s_high + overlap_beyond * (a.s_high - a.s_low)) * a.across(),
+             begin = b.reference + (b.s_low - overlap_beyond * (b.s_high - b.s_low)) * b.across();
+  return b.reference[1] > a.reference[1] ? norm(begin - end) : 0;
+}
+
+}  // namespace
+
+/// Makes one patch of those that are nearer than D_SEP and not turned by more than A_SEP against each other. Contacts
+/// of the last solve are used again.
+void WheelSolver::join_patches(const PlaneGrid& grid, std::vector<WheelPatch> found) {
+  std::sort(found.begin(), found.end(),
+            [](const WheelPatch& a, const WheelPatch& b) { return a.reference[1] < b.reference[1]; });
+  for (size_t k = 0; k + 1 < found.size();) {
+    const WheelPatch &a = found[k], &b = found[k + 1];
+    const bool join = distance(a, b) < grid.d_sep && std::abs(a.delta - b.delta) < grid.a_sep;
+    if (!join) {
+      ++k;
+      continue;
+    }
+    WheelPatch c = joined(a, b);
+    double best = 1e300, y = 0, height = 0, slope = 0;  // the reference lies on the rail
+    const int n = 4000;
+    for (int i = 0; i <= n; ++i) {
+      rail_profile.at(rail_profile.length() * i / n, y, height, slope);
+      const Vec3 at = rail.origin + rail.rotation * Vec3{0, y, height};
+      const double off = std::abs(at[1] - c.reference[1]);
+      if (off < best) {
+        best = off;
+        c.reference[2] = at[2];
+      }
+    }
+    found[k] = c;
+    found.erase(found.begin() + long(k) + 1);
+  }
+  for (size_t k = 0; k < std::min(found.size(), patches.size()); ++k) found[k].solver = patches[k].solver;
+  patches = std::move(found);
+}
+
+rollcon_contact* wheel_contact(Problem& p, int patch) {
+  if (!p.wheel || patch < 1 || size_t(patch) > p.wheel->patches.size()) return nullptr;
+  return p.wheel->patches[size_t(patch - 1)].solver->handle();
+}
+
+}  // namespace cntc

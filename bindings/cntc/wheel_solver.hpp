@@ -1,0 +1,78 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "contact_solver.hpp"
+#include "problem.hpp"
+#include "profile.hpp"
+
+namespace cntc {
+
+/// How far an overlap goes beyond each end of the contact, in lengths of the contact: ellipses differ by the root of
+/// two.
+constexpr double overlap_beyond = .2071;
+
+/// A patch of the wheel: where it lies, and its contact. Everything is in the track of the right side.
+struct WheelPatch {
+  Placement placement;
+  Vec3 reference{};
+  double delta = 0, overlap = 0, radius = 0;
+  double x_low = 0, x_high = 0, s_low = 0, s_high = 0;  // ends of the contact along its axes, from the reference
+  double approach = 0;
+  bool tight = false;  // the grid covers the contact alone, because a profile ends beside it
+  std::shared_ptr<ContactSolver> solver;
+  ContactCase wanted;
+
+  Vec3 along() const { return {1, 0, 0}; }
+  Vec3 across() const;
+  Vec3 normal() const;
+};
+
+/// A wheel on its rail. rollcon's wheel on rail finds patches and height; each patch is then solved on the caller's
+/// grid.
+class WheelSolver {
+ public:
+  int solve(Problem& p, std::string& why);
+
+  double sign = 1;  // -1: a left wheel, which is solved as its mirror image
+  double z = 0, pitch_rate = 0;
+  bool solved = false;
+  BodyPlace rail, wheel, wheelset;
+  Profile rail_profile, wheel_profile;
+  std::vector<WheelPatch> patches;
+
+ private:
+  void prepare(const Problem& p);
+  void mirror_inputs(const Inputs& in);
+  void search(const Problem& p);
+  void place_wheel(double height);
+  void place_rail();
+  std::vector<WheelPatch> found_patches() const;
+  void join_patches(const PlaneGrid& grid, std::vector<WheelPatch> found);
+  void lay_grid(const Inputs& in, WheelPatch& patch) const;
+  void set_creepages(WheelPatch& patch) const;
+  void set_velocities(const Inputs& in, WheelPatch& patch) const;
+  void set_friction(const Inputs& in, WheelPatch& patch);
+  int solve_patch(const Inputs& in, WheelPatch& patch, std::string& why) const;
+  Vec3 solve_patches(Problem& p, double sink, int& code, std::string& why);
+  void find_height(Problem& p, int& code, std::string& why);
+  void find_pitch_rate(Problem& p, int& code, std::string& why);
+  void read_results(Problem& p);
+
+  ContextHandle context_;
+  WheelHandle search_;
+  unsigned rail_number_ = 0, wheel_number_ = 0;
+  Material material_;
+  int threads_ = 0;
+  // Inputs of the right side.
+  Track track_;
+  Wheelset set_;
+  double radius_ = 0;  // radius of the wheel at its profile's z = 0
+  double sink_ = 0;    // below the height of the search
+};
+
+/// Contact of a patch, from 1; nothing where there is none.
+rollcon_contact* wheel_contact(Problem& p, int patch);
+
+}  // namespace cntc

@@ -1,0 +1,235 @@
+// Module 1 against CONTACT's results for the Manchester benchmark.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "interface.hpp"
+
+namespace {
+
+using cntc_test::Element;
+using cntc_test::Found;
+using cntc_test::near;
+
+/// S1002 on 60E1, canted 1:40, gauge 1435 mm; 10 kN.
+void set_track(Element& e, bool right, double step) {
+  static const std::vector<double> wheel = cntc_test::profile_points("s1002"), rail = cntc_test::profile_points("60e1");
+  e.flags({{CNTC_if_units, CNTC_un_cntc}, {CNTC_ic_config, right}});
+  e.set(cntc_setmaterialparameters, 0, {.28, .28, 82000, 82000});
+  e.set(cntc_setfrictionmethod, 0, {.3, .3});
+  e.set(cntc_setpotcontact, -1, {step, step, 1.57, 8, 4});
+  e.profile(true, wheel);
+  e.profile(false, rail);
+  e.set(cntc_settrackdimensions, 1, {14, 0, 1435, std::atan(1. / 40), 0});
+  e.set(cntc_setwheelsetdimensions, 3, {1360, -70, 460});
+  e.vertical_force(10000);
+}
+
+void place(Element& e, double y, double roll, double rate) {
+  e.set(cntc_setwheelsetposition, 1, {0, y, 0, roll, 2.4e-3 * y, 0});
+  e.set(cntc_setwheelsetvelocity, 2, {2000, 0, 0, 0, 0, rate});
+}
+
+struct Row {
+  bool right;
+  double y, roll, rate;
+  double z, reference[4];
+  double fn, fx, fs, pen, pmax;
+};
+const Row manchester[] = {
+    {true, 0, 0, -4.3481181, .1981, {0, 751.8726, .1252, -.0290}, 9997, .3, -253.6, 1.596e-2, 338.3},
+    {true, .5, -2.304e-5, -4.3474134, .1938, {-.861, 744.5026, .4289, -.0568}, 9870, -880.0, -2579, 1.948e-2, 632.5},
+    {true, 2, -1.128e-4, -4.3459197, .1529, {-3.368, 740.9147, .6548, -.0806}, 9799, -517.3, -2893, 2.480e-2, 744.8},
+    {true,
+     6.5,
+     -4.376e-3,
+     -4.2748834,
+     -3.0468,
+     {5.801, 718.4931, 10.365, -1.1591},
+     15440,
+     -1987,
+     -4170,
+     3.623e-2,
+     2603},
+    {false, 1, -5.049e-5, -4.3465752, .1840, {1.796, -755.2440, .0467, .0176}, 10050, 829.2, -2893, 1.946e-2, 423.9},
+};
+
+class wheel_rows : public testing::TestWithParam<int> {};
+
+TEST_P(wheel_rows, manchester) {
+  const Row& row = manchester[GetParam()];
+  Element e(1, 1, -1);
+  set_track(e, row.right, .2);
+  place(e, row.y, row.roll, row.rate);
+  EXPECT_EQ(e.calculate(), 0);
+  ASSERT_EQ(e.patches(), 1);
+  const Found f = e.found(1);
+  const auto at = e.location(1);
+  EXPECT_TRUE(near("z of the wheelset", e.position()[2], row.z, 1e-3));
+  for (size_t k = 0; k < 3; ++k) EXPECT_TRUE(near("reference", at[k], row.reference[k], .013));
+  EXPECT_TRUE(near("angle", at[3], row.reference[3], 3e-4));
+  const double limit = .3 * row.fn;
+  EXPECT_TRUE(near("Fn", f.fn, row.fn, .002 * row.fn));
+  EXPECT_TRUE(near("Fx", f.tx, row.fx, .01 * limit));
+  EXPECT_TRUE(near("Fs", f.ty, row.fs, .01 * limit));
+  EXPECT_TRUE(near("penetration", f.pen, row.pen, .003 * row.pen));
+  EXPECT_TRUE(near("largest pressure", f.pmax, row.pmax, .02 * row.pmax));
+  const auto g = e.global_forces(-1);
+  EXPECT_TRUE(near("Fz", g[2], 10000, .1));
+  // Axes do not change the size of the force.
+  for (size_t k = 0; k < 24; k += 6)
+    EXPECT_NEAR(std::hypot(g[k], g[k + 1], g[k + 2]), std::hypot(g[0], g[1], g[2]), 1e-6);
+  for (int patch : {2, 99}) {
+    EXPECT_EQ(e.location(patch)[1], 0);
+    EXPECT_EQ(e.global_forces(patch)[2], 0);
+  }
+}
+INSTANTIATE_TEST_SUITE_P(all, wheel_rows, testing::Range(0, 5));
+
+TEST(wheel, sums_of_the_benchmark) {
+  // Forces on the rail of left and right wheels at y = 2 and 6.5 mm.
+  const double sums[][5] = {{2, -1.128e-4, -4.3459197, 546.3, -3095.8}, {6.5, -4.376e-3, -4.2748834, 2260.0, -2042.5}};
+  const double right[][2] = {{-517.3, -2095.1}, {-1986.7, 12481.4}};
+  for (size_t k = 0; k < 2; ++k) {
+    for (const bool side : {false, true}) {
+      Element e(1, 1, -1);
+      set_track(e, side, .2);
+      place(e, sums[k][0], sums[k][1], sums[k][2]);
+      EXPECT_EQ(e.calculate(), 0);
+      const auto f = e.global_forces(-1);
+      EXPECT_TRUE(near("Fx on the rail", f[0], side ? right[k][0] : sums[k][3], 30));
+      EXPECT_TRUE(near("Fy on the rail", f[1], side ? right[k][1] : sums[k][4], 30));
+    }
+  }
+}
+
+TEST(wheel, left_is_the_mirror_image) {
+  Element right(1, 1, -1), left(2, 1, -1);
+  set_track(right, true, .4);
+  set_track(left, false, .4);
+  right.set(cntc_setwheelsetposition, 1, {0, 2, 0, -1e-4, 4.8e-3, 0});
+  right.set(cntc_setwheelsetvelocity, 2, {2000, 3, 0, 0, 1e-3, -4.346});
+  left.set(cntc_setwheelsetposition, 1, {0, -2, 0, 1e-4, -4.8e-3, 0});
+  left.set(cntc_setwheelsetvelocity, 2, {2000, -3, 0, 0, -1e-3, -4.346});
+  EXPECT_EQ(right.calculate(), 0);
+  EXPECT_EQ(left.calculate(), 0);
+  const auto f = right.global_forces(-1), g = left.global_forces(-1);
+  for (size_t k = 0; k < 24; ++k) {
+    const bool flips = k % 6 == 1 || k % 6 == 3 || k % 6 == 5;
+    EXPECT_NEAR(g[k], flips ? -f[k] : f[k], 1e-6 * (1 + std::abs(f[k]))) << k;
+  }
+  EXPECT_NEAR(left.location(1)[1], -right.location(1)[1], 1e-9);
+  EXPECT_NEAR(left.found(1).eta, -right.found(1).eta, 1e-12);
+}
+
+TEST(wheel, absolute_placement_and_deviation) {
+  Element e(1, 1, -1);
+  set_track(e, true, .4);
+  place(e, 2, -1.128e-4, -4.3459197);
+  EXPECT_EQ(e.calculate(), 0);
+  const auto at = e.location(1);
+  const double z = e.position()[2];
+  // The rail's origin where the gauge had put it, then moved and turned by its deviation.
+  e.set(cntc_settrackdimensions, 1, {0, at[25], at[26], std::atan(1. / 40), 0});
+  EXPECT_EQ(e.calculate(), 0);
+  EXPECT_NEAR(e.location(1)[1], at[1], 1e-6);
+  EXPECT_NEAR(e.position()[2], z, 1e-7);
+  e.set(cntc_settrackdimensions, 2, {.3, .2, .001, 0, 0, 0});
+  EXPECT_EQ(e.calculate(), 0);
+  EXPECT_NEAR(e.location(1)[25], at[25] + .3, 1e-9);
+  EXPECT_NEAR(e.location(1)[26], at[26] + .2, 1e-9);
+  EXPECT_NEAR(e.location(1)[27], at[27] + .001, 1e-9);
+  const double moved = e.position()[2];
+  e.set(cntc_settrackdimensions, 1, {14, 0, 1435, std::atan(1. / 40), 0});
+  EXPECT_EQ(e.calculate(), 0);
+  EXPECT_NEAR(e.position()[2], moved, 1e-5);
+}
+
+TEST(wheel, a_bent_wheel_is_a_moved_one) {
+  Element e(1, 1, -1);
+  set_track(e, true, .4);
+  place(e, 2, 0, -4.346);
+  EXPECT_EQ(e.calculate(), 0);
+  const auto f = e.global_forces(-1);
+  place(e, 1.5, 0, -4.346);
+  e.set(cntc_setwheelsetposition, 1, {0, 1.5, 0, 0, 4.8e-3, 0});
+  e.set(cntc_setwheelsetflexibility, 4, {0, .5, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
+  EXPECT_EQ(e.calculate(), 0);
+  const auto g = e.global_forces(-1);
+  for (const size_t k : {0u, 1u, 2u}) EXPECT_NEAR(g[k], f[k], 3);  // the yaw acts on 0.5 mm
+  e.set(cntc_setwheelsetflexibility, 1, {});
+  place(e, 2, 0, -4.346);
+  EXPECT_EQ(e.calculate(), 0);
+  EXPECT_NEAR(e.global_forces(-1)[0], f[0], 1e-3);
+}
+
+TEST(wheel, given_longitudinal_force) {
+  Element e(1, 1, -1);
+  set_track(e, true, .4);
+  place(e, 2, -1.128e-4, -4.3459197);
+  e.flags({{CNTC_ic_force, 1}});
+  e.forces(-1000, 0);
+  EXPECT_EQ(e.calculate(), 0);
+  EXPECT_TRUE(near("FX on the rail", e.global_forces(-1)[6], -1000, 1));
+  EXPECT_TRUE(near("Fz", e.global_forces(-1)[2], 10000, .1));
+  e.forces(-1e5, 0);
+  EXPECT_EQ(e.calculate(), CNTC_err_ftot);
+}
+
+TEST(wheel, prescribed_height) {
+  Element e(1, 1, -1);
+  set_track(e, true, .4);
+  place(e, 2, -1.128e-4, -4.3459197);
+  EXPECT_EQ(e.calculate(), 0);
+  const double z = e.position()[2];
+  e.flags({{CNTC_ic_norm, 0}});
+  e.set(cntc_setwheelsetposition, 1, {0, 2, z, -1.128e-4, 4.8e-3, 0});
+  EXPECT_EQ(e.calculate(), 0);
+  EXPECT_TRUE(near("Fz", e.global_forces(-1)[2], 10000, 20));
+  e.set(cntc_setwheelsetposition, 1, {0, 2, z - 1, -1.128e-4, 4.8e-3, 0});
+  EXPECT_EQ(e.calculate(), 0);  // lifted
+  EXPECT_EQ(e.patches(), 0);
+  EXPECT_EQ(e.global_forces(-1)[2], 0);
+}
+
+TEST(wheel, friction_by_inclination_takes_the_reference) {
+  Element e(1, 1, -1);
+  set_track(e, true, .4);
+  place(e, 2, -1.128e-4, -4.3459197);
+  e.set(cntc_setfrictionmethod, 10, {2, -.5, .1, .1, .5, .6, .6});
+  EXPECT_EQ(e.calculate(), 0);
+  const double delta = e.location(1)[3], mu = .1 + (delta + .5) * .5;
+  e.set(cntc_setfrictionmethod, 0, {mu, mu});
+  const Found by_angle = e.found(1);
+  EXPECT_EQ(e.calculate(), 0);
+  EXPECT_TRUE(near("Fx", by_angle.tx, e.found(1).tx, 1));
+}
+
+TEST(wheel, what_is_absent_is_refused) {
+  Element e(1, 1, -1);
+  EXPECT_EQ(e.calculate(), CNTC_err_profil);
+  set_track(e, true, .5);
+  place(e, 2, 0, -4.346);
+  e.flags({{CNTC_ic_config, 5}});
+  EXPECT_EQ(e.calculate(), CNTC_err_search);
+  e.flags({{CNTC_ic_config, 1}, {CNTC_ic_discns, 8}});
+  EXPECT_EQ(e.calculate(), CNTC_err_discr);
+  e.flags({{CNTC_ic_discns, 2}});
+  e.set(cntc_setwheelsetvelocity, 2, {0, 0, 0, 0, 0, -4.3});
+  EXPECT_EQ(e.calculate(), CNTC_err_search);
+  place(e, -200, 0, -4.346);
+  EXPECT_LT(e.calculate(), 0);  // beside the rail
+  const char name[] = "no_such_profile.prr";
+  const int length = int(sizeof name) - 1, zero = 0, none = 0;
+  const double no = 0;
+  place(e, 2, 0, -4.346);
+  EXPECT_EQ(e.calculate(), 0);
+  cntc_setprofileinputfname(e.ire(), name, &length, &zero, &none, &zero, &no);
+  EXPECT_EQ(e.calculate(), CNTC_err_profil);
+  const char variable[] = "switch.slcs";
+  const int longer = int(sizeof variable) - 1;
+  cntc_setprofileinputfname(e.ire(), variable, &longer, &zero, &none, &zero, &no);
+  EXPECT_EQ(e.calculate(), CNTC_err_profil);
+}
+
+}  // namespace
