@@ -1,0 +1,232 @@
+// Calls in any order with any numbers, threads, and memory.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <random>
+#include <thread>
+
+#include "interface.hpp"
+
+namespace {
+
+using cntc_test::Element;
+using cntc_test::Found;
+
+/// Draws arguments: small numbers, codes, numbers that are none; arrays are as long as any length that is drawn.
+class Draw {
+ public:
+  explicit Draw(unsigned seed) : engine_(seed), reals_(8192), outputs_(4200000), integers_(4200000) {}
+
+  int number(int low, int high) { return std::uniform_int_distribution<int>(low, high)(engine_); }
+
+  const int* argument(const int*) {
+    static const int codes[] = {CNTC_ic_config, CNTC_ic_pvtime, CNTC_ic_bound,  CNTC_ic_tang,   CNTC_ic_norm,
+                                CNTC_ic_force,  CNTC_ic_frclaw, CNTC_ic_discns, CNTC_ic_inflcf, CNTC_ic_mater,
+                                CNTC_ic_exrhs,  CNTC_ic_heat,   CNTC_ic_iestim, CNTC_ic_output, CNTC_ic_return,
+                                CNTC_ic_sens,   CNTC_if_units,  CNTC_if_idebug, CNTC_if_ncase,  CNTC_ic_npomax};
+    const size_t n = 2100;
+    if (ints_.size() < 40) ints_.emplace_back(n);
+    std::vector<int>& v = ints_[used_++ % ints_.size()];
+    for (size_t k = 0; k < 30; ++k) {
+      const int kind = number(0, 9);
+      v[k] = kind < 7 ? number(-2, 9) : kind < 9 ? codes[number(0, 19)] : number(-40, 40);
+    }
+    v[0] = number(0, 9) < 8 ? number(0, 12) : v[0];
+    return v.data();
+  }
+  const double* argument(const double*) {
+    static const double some[] = {0, 1, -1, .28, .3, .5, 2, 10, 15, 20, 1e-3, 1e-2, 460, -70, 1360, 1e4, 82000, 1e7};
+    for (size_t k = 0; k < 40; ++k) reals_[k] = some[number(0, 17)];
+    if (number(0, 30) == 0) reals_[size_t(number(0, 9))] = std::nan("");
+    if (number(0, 30) == 0) reals_[size_t(number(0, 9))] = -std::numeric_limits<double>::infinity();
+    if (number(0, 30) == 0) reals_[size_t(number(0, 9))] = 1e300;
+    return reals_.data();
+  }
+  const char* argument(const char*) { return "no such file"; }
+  int* argument(int*) { return integers_.data(); }
+  double* argument(double*) { return outputs_.data(); }
+
+  template <class... T>
+  void call(void (*function)(T...)) {
+    std::tuple<T...> arguments{argument(T{})...};
+    place(arguments);
+    std::apply(function, arguments);
+  }
+
+ private:
+  /// Elements 1 and 2 are contacts, 3 is a wheel; others are made now and then.
+  template <class... T>
+  void place(std::tuple<const int*, T...>& arguments) {
+    static const int elements[] = {1, 2, 3, 3, 1, 1, 0, 1000, 4}, contacts[] = {1, 1, 1, -1, -1, 2, 0, 10};
+    std::get<0>(arguments) = &elements[number(0, 8)];
+    if constexpr (sizeof...(T) > 0) {
+      if constexpr (std::is_same_v<std::tuple_element_t<1, std::tuple<const int*, T...>>, const int*>)
+        if (number(0, 3)) std::get<1>(arguments) = &contacts[number(0, 7)];
+    }
+  }
+  template <class... T>
+  void place(std::tuple<T...>&) {}
+
+  std::mt19937 engine_;
+  std::vector<std::vector<int>> ints_;
+  size_t used_ = 0;
+  std::vector<double> reals_, outputs_;
+  std::vector<int> integers_;
+};
+
+/// Something that can be solved, so that random calls meet solutions.
+void set_scene(Draw& draw) {
+  const int which = draw.number(0, 2), ire = which + 1, icp = which == 2 ? -1 : 1, zero = 0, four = 4, two = 2,
+            five = 5;
+  const double material[] = {.28, .28, 82000, 82000}, friction[] = {.3, .3};
+  const int units = CNTC_if_units, value = CNTC_un_cntc, one = 1;
+  cntc_setflags(&ire, &icp, &one, &units, &value);
+  cntc_setmaterialparameters(&ire, &icp, &zero, &four, material);
+  cntc_setfrictionmethod(&ire, &icp, &zero, &two, friction);
+  if (which == 2) {
+    const double grid[] = {1, 1}, track[] = {14, 0, 1435, .025, 0}, wheelset[] = {1360, -70, 460},
+                 position[] = {0, 2, 0, 0, 0, 0}, velocity[] = {2000, 0, 0, 0, 0, -4.34}, force = 1e4;
+    static const auto wheel = cntc_test::profile_points("s1002"), rail = cntc_test::profile_points("60e1");
+    const int three = 3, six = 6, is_wheel = 1, n = int(wheel.size() / 2), m = int(rail.size() / 2);
+    const double none = 0;
+    cntc_setpotcontact(&ire, &icp, &zero, &two, grid);
+    cntc_settrackdimensions(&ire, &one, &five, track);
+    cntc_setwheelsetdimensions(&ire, &three, &three, wheelset);
+    cntc_setwheelsetposition(&ire, &one, &six, position);
+    cntc_setwheelsetvelocity(&ire, &two, &six, velocity);
+    cntc_setverticalforce(&ire, &force);
+    cntc_setprofileinputvalues(&ire, &n, wheel.data(), &one, &is_wheel, &zero, &none);
+    cntc_setprofileinputvalues(&ire, &m, rail.data(), &one, &zero, &zero, &none);
+  } else {
+    const double hertz[] = {8, 9, 1e-3, 2e-3, 1.2}, force = 1e4, ksi = 1e-3;
+    const int curvatures = -1;
+    cntc_sethertzcontact(&ire, &icp, &curvatures, &five, hertz);
+    cntc_setnormalforce(&ire, &icp, &force);
+    cntc_setcreepages(&ire, &icp, &ksi, &ksi, &friction[0]);
+  }
+}
+
+void call_at_random(unsigned seed, int calls) {
+  Draw draw(seed);
+  const std::vector<void (*)(Draw&)> functions = {
+#define CNTC_ROW(name, category, body, parameters, ...) [](Draw& d) { d.call(&name); },
+#include "../../bindings/cntc/functions.inc"
+#undef CNTC_ROW
+      [](Draw&) { cntc_finalizelast(); }};
+  for (int k = 0; k < calls; ++k) {
+    if (k % 50 == 0) set_scene(draw);
+    size_t which = size_t(draw.number(0, int(functions.size()) - 1));
+    if (which + 1 == functions.size() && draw.number(0, 20)) which = 0;
+    functions[which](draw);
+  }
+  cntc_finalizelast();
+}
+
+TEST(calls, in_any_order) {
+  call_at_random(1, 10000);
+}
+TEST(calls_nightly, in_any_order) {
+  for (unsigned seed = 2; seed < 40; ++seed) call_at_random(seed, 20000);
+}
+
+/// A small contact of its own element.
+void set_small(Element& e, double ksi) {
+  e.set(cntc_setmaterialparameters, 0, {.28, .28, 82000, 82000});
+  e.set(cntc_setfrictionmethod, 0, {.3, .3});
+  e.set(cntc_sethertzcontact, -1, {6, 6, 1e-3, 2e-3, 1.2});
+  e.velocity(1000);
+  e.normal_force(1e4);
+  e.creepages(ksi, 0, 0);
+}
+
+TEST(calls, eight_threads) {
+  std::vector<double> alone(8), together(8);
+  const auto solve = [](int ire) {
+    Element e(ire, 3, 1);
+    double sum = 0;
+    for (int k = 0; k < 20; ++k) {
+      set_small(e, 1e-4 * (ire + k));
+      EXPECT_GE(e.calculate(), 0);
+      sum += e.found().tx;
+    }
+    return sum;
+  };
+  const Element keeper(99, 3, 1);  // so that the session does not end with the last of the others
+  for (int k = 0; k < 8; ++k) alone[size_t(k)] = solve(k + 1);
+  std::vector<std::thread> threads;
+  for (int k = 0; k < 8; ++k) threads.emplace_back([&, k] { together[size_t(k)] = solve(k + 1); });
+  for (auto& thread : threads) thread.join();
+  for (size_t k = 0; k < 8; ++k) EXPECT_EQ(alone[k], together[k]);
+}
+
+TEST(calls, one_contact_is_not_solved_by_two) {
+  Element e(1, 3, 1);
+  set_small(e, 1e-3);
+  e.set(cntc_sethertzcontact, -1, {40, 40, 1e-3, 2e-3, 1.2});
+  std::atomic<int> solved{0}, refused{0}, others{0};
+  std::vector<std::thread> threads;
+  for (int k = 0; k < 8; ++k)
+    threads.emplace_back([&] {
+      for (int n = 0; n < 5; ++n) {
+        const int error = e.calculate();
+        ++(error == 305 ? refused : error >= 0 ? solved : others);
+      }
+    });
+  for (auto& thread : threads) thread.join();
+  std::printf("  solved %d, refused %d\n", solved.load(), refused.load());
+  EXPECT_GT(solved, 0);
+  EXPECT_EQ(others, 0);
+  EXPECT_EQ(solved + refused, 40);
+}
+
+long resident_pages() {
+  long size = 0, resident = 0;
+  std::ifstream("/proc/self/statm") >> size >> resident;
+  return resident;
+}
+
+void solve_often(int solves, int wheels) {
+  Element e(1, 3, 1), w(3, 1, -1);
+  Draw draw(5);
+  for (int k = 0; k < 40; ++k) set_scene(draw);  // the wheel, too
+  long before = 0;
+  for (int k = 0; k < solves; ++k) {
+    set_small(e, 1e-6 * (k % 997));
+    ASSERT_GE(e.calculate(), 0);
+    if (k % (solves / wheels) == 0) {
+      w.set(cntc_setwheelsetposition, 1, {0, .01 * (k % 89), 0, 0, 0, 0});
+      ASSERT_EQ(w.calculate(), 0);
+    }
+    if (k == solves / 4) before = resident_pages();
+  }
+  const double grown = double(resident_pages() - before) * double(sysconf(_SC_PAGESIZE)) / 1e6;
+  std::printf("  %d solves, %d of wheels: %.2f MB more\n", solves, wheels, grown);
+  EXPECT_LT(grown, 8);
+}
+
+TEST(calls, ten_thousand_solves_do_not_grow) {
+  solve_often(10000, 40);
+}
+TEST(calls_nightly, a_million_solves_do_not_grow) {
+  solve_often(1000000, 4000);
+}
+
+TEST(calls, a_million_getters_and_setters) {
+  Element e(1, 3, 1);
+  set_small(e, 1e-3);
+  EXPECT_GE(e.calculate(), 0);
+  const long before = resident_pages();
+  for (int k = 0; k < 500000; ++k) {
+    e.creepages(1e-3, 1e-9 * k, 0);
+    double pen = 0;
+    cntc_getpenetration(e.ire(), e.icp(), &pen);
+    ASSERT_GT(pen, 0);
+  }
+  EXPECT_LT(double(resident_pages() - before) * double(sysconf(_SC_PAGESIZE)), 1e6);
+}
+
+}  // namespace
