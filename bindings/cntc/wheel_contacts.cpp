@@ -1,6 +1,7 @@
 // Solves the patches of a wheel on CONTACT's grids, and finds height and pitch rate.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "calculate.hpp"
 #include "vectors.hpp"
@@ -121,62 +122,45 @@ Vec3 WheelSolver::solve_patches(Problem& p, double sink, int& code, std::string&
 }
 
 /// Meets the vertical force by the secant method for its power 2/3, which is nearly linear in the height.
-void WheelSolver::find_height(Problem& p, int& code, std::string& why) {
+Vec3 WheelSolver::find_height(Problem& p, int& code, std::string& why) {
   const double wanted = std::pow(std::max(p.in.fz, 0.), 2. / 3);
-  double before = sink_ - 1e-3, at = sink_, slope = 0, off_before = 0;
+  const double accuracy = p.in.fz * std::clamp(p.in.solver.reals[0], 1e-9, 1e-4) / 2;
+  double before = sink_ - 1e-3, at = sink_, slope = slope_, off_before = 0;
   for (int n = 0; n < 25; ++n) {
-    const double force = solve_patches(p, at, code, why)[2];
-    const double off = std::pow(std::max(force, 0.), 2. / 3) - wanted;
+    const Vec3 force = solve_patches(p, at, code, why);
+    const double off = std::pow(std::max(force[2], 0.), 2. / 3) - wanted;
     sink_ = at;
-    if (std::abs(force - p.in.fz) <= 1e-6 * p.in.fz) return;
-    if (n > 0 && at != before) slope = (off - off_before) / (at - before);
+    if (std::abs(force[2] - p.in.fz) <= accuracy || std::abs(at - before) < 1e-13) return force;
+    if (n > 0 && off != off_before) slope = (off - off_before) / (at - before);
     if (!(slope > 0)) {
       double depth = 0;
       for (const WheelPatch& patch : patches) depth = std::max(depth, patch.overlap);
       slope = wanted / std::max(depth, 1e-9);
     }
+    slope_ = slope;
     before = at;
     off_before = off;
     at -= off / slope;
-    if (std::abs(at - before) < 1e-13) return;
   }
   code = CNTC_err_ftot;
   why = "the vertical force was not found";
+  return {};
 }
 
-/// Meets the longitudinal force on the rail along the wheelset's x by the pitch rate (F = 1).
-void WheelSolver::find_pitch_rate(Problem& p, int& code, std::string& why) {
-  const Vec3 x = wheelset.rotation * Vec3{1, 0, 0};
-  const auto off = [&](double rate) {
-    pitch_rate = rate;
-    if (p.in.digits.norm == 1) find_height(p, code, why);
-    return dot(solve_patches(p, sink_, code, why), x) - p.in.fx;
-  };
-  double scale = 0;
-  for (const WheelPatch& patch : patches) scale += patch.solver->fstat();
-  scale *= std::max(1., std::abs(p.in.fz));
-  double low = pitch_rate != 0 ? pitch_rate : -set_.velocity[0] / radius_;
-  double f_low = off(low), step = 1e-5 * low, high = low, f_high = f_low;
-  for (int n = 0; n < 40 && f_low * f_high > 0; ++n) {  // towards the sign change, in growing steps
-    const double next = high + step, f_next = off(next);
-    if (std::abs(f_next) > std::abs(f_high) && n == 0) {
-      step = -step;
-    } else {
-      low = high;
-      f_low = f_high;
-      high = next;
-      f_high = f_next;
-      step *= 2.5;
-    }
+double find_rate(const std::function<double(double)>& off, double start, double accuracy) {
+  double low = start, f_low = off(low), high = low, f_high = f_low;
+  double step = (f_low > 0 ? -1e-4 : 1e-4) * std::abs(low);
+  while (f_low * f_high > 0 && std::abs(f_high) > accuracy) {
+    if (std::abs(high - start) > .5 * std::abs(start))
+      throw Failure(CNTC_err_ftot, "no pitch rate gives the longitudinal force FX: it is above the limit of friction");
+    low = high;
+    f_low = f_high;
+    high += step;
+    f_high = off(high);
+    step *= 2.5;
   }
-  if (f_low * f_high > 0) {
-    code = CNTC_err_ftot;
-    why = "no pitch rate gives the longitudinal force FX: it is above the limit of friction";
-    return;
-  }
-  for (int n = 0; n < 60 && std::abs(f_high) > 1e-7 * scale; ++n) {  // regula falsi, Illinois
-    const double next = high - f_high * (high - low) / (f_high - f_low);
-    const double f_next = off(next);
+  for (int n = 0; n < 60 && std::abs(f_high) > accuracy && std::abs(high - low) > 1e-14 * std::abs(high); ++n) {
+    const double next = high - f_high * (high - low) / (f_high - f_low), f_next = off(next);
     if (f_next * f_high < 0) {
       low = high;
       f_low = f_high;
@@ -185,9 +169,22 @@ void WheelSolver::find_pitch_rate(Problem& p, int& code, std::string& why) {
     }
     high = next;
     f_high = f_next;
-    if (std::abs(high - low) < 1e-14 * std::abs(high)) break;
   }
-  off(high);
+  return high;
+}
+
+/// Meets the longitudinal force on the rail along the wheelset's x by the pitch rate (F = 1), from the search's rate.
+void WheelSolver::find_pitch_rate(Problem& p, int& code, std::string& why) {
+  const Vec3 x = wheelset.rotation * Vec3{1, 0, 0};
+  double limit = 0;
+  for (const WheelPatch& patch : patches) limit = std::max(limit, patch.solver->fstat());
+  limit *= std::max(1., std::abs(p.in.fz));
+  const auto off = [&](double rate) {
+    pitch_rate = rate;
+    const Vec3 force = p.in.digits.norm == 1 ? find_height(p, code, why) : solve_patches(p, 0, code, why);
+    return dot(force, x) - p.in.fx;
+  };
+  find_rate(off, pitch_rate, limit * std::clamp(p.in.solver.reals[0], 1e-9, 1e-4));
 }
 
 namespace {
@@ -247,7 +244,7 @@ int WheelSolver::solve(Problem& p, std::string& why) {
   prepare(p);
   mirror_inputs(in);
   pitch_rate = set_.velocity[5];
-  sink_ = 0;
+  sink_ = slope_ = 0;
   search(p);
   join_patches(in.plane, found_patches());
   int code = 0;

@@ -71,6 +71,13 @@ void WheelSolver::place_wheel(double height) {
   wheel.rotation = wheelset.rotation * (about_x(f[3]) * about_z(f[4]));
 }
 
+int WheelSolver::solve_search() {
+  const int status = rollcon_wheelrail_solve(search_.get());
+  if (status == ROLLCON_ERR_LOAD) throw Failure(CNTC_err_ftot, rollcon_last_error());
+  if (status == ROLLCON_ERR_ARGUMENT) throw Failure(CNTC_err_search, rollcon_last_error());
+  return check(status);
+}
+
 /// Finds height and patches: rollcon's wheel is a rigid one that stands where the bent one does.
 void WheelSolver::search(const Problem& p) {
   const Inputs& in = p.in;
@@ -100,16 +107,24 @@ void WheelSolver::search(const Problem& p) {
   int status = ROLLCON_OK;
   for (int n = 0; n < (track_.deviation[2] != 0 ? 2 : 1); ++n) {
     check(rollcon_wheelrail_set_rail_deviation(search, deviation, track_.rate.data()));
-    status = rollcon_wheelrail_solve(search);
-    if (status == ROLLCON_ERR_LOAD) throw Failure(CNTC_err_ftot, rollcon_last_error());
-    if (status == ROLLCON_ERR_ARGUMENT) throw Failure(CNTC_err_search, rollcon_last_error());
-    check(status);
+    status = solve_search();
     place_rail();
     const Vec3 now = {0, deviation[0], deviation[1]};
     const Vec3 origin = pivot + transposed(turn) * (rail.origin - now - pivot);
     const Vec3 next = shift + turn * (pivot - origin) - (pivot - origin);
     deviation[0] = next[1];
     deviation[1] = next[2];
+  }
+  if (in.digits.force == 1 && status != ROLLCON_NO_CONTACT && status != ROLLCON_DERAILED) {
+    const auto off = [&](double rate) {
+      pitch_rate = set_.velocity[5] = rate;
+      check(rollcon_wheelrail_set_velocity(search, set_.velocity.data()));
+      solve_search();
+      double f[3];
+      check(rollcon_wheelrail_get_resultant(search, ROLLCON_IN_WHEELSET, f, nullptr));
+      return -f[0] - in.fx;
+    };
+    find_rate(off, pitch_rate != 0 ? pitch_rate : -set_.velocity[0] / radius_, 1e-3 * mu * std::abs(in.fz) + 1e-9);
   }
   if (status == ROLLCON_DERAILED) throw Failure(CNTC_err_search, "the wheel is beside its rail");
   double height = 0;

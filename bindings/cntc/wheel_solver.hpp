@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -46,6 +47,7 @@ class WheelSolver {
   void prepare(const Problem& p);
   void mirror_inputs(const Inputs& in);
   void search(const Problem& p);
+  int solve_search();
   void place_wheel(double height);
   void place_rail();
   std::vector<WheelPatch> found_patches() const;
@@ -56,7 +58,7 @@ class WheelSolver {
   void set_friction(const Inputs& in, WheelPatch& patch);
   int solve_patch(const Inputs& in, WheelPatch& patch, std::string& why) const;
   Vec3 solve_patches(Problem& p, double sink, int& code, std::string& why);
-  void find_height(Problem& p, int& code, std::string& why);
+  Vec3 find_height(Problem& p, int& code, std::string& why);
   void find_pitch_rate(Problem& p, int& code, std::string& why);
   void read_results(Problem& p);
 
@@ -69,8 +71,12 @@ class WheelSolver {
   Track track_;
   Wheelset set_;
   double radius_ = 0;  // radius of the wheel at its profile's z = 0
+  double slope_ = 0;   // change of the force to the power 2/3 with the height
   double sink_ = 0;    // below the height of the search
 };
+
+/// Finds where a force that grows with the pitch rate is 0; throws Failure where it is not.
+double find_rate(const std::function<double(double)>& off, double start, double accuracy);
 
 /// Contact of a patch, from 1; nothing where there is none.
 rollcon_contact* wheel_contact(Problem& p, int patch);
