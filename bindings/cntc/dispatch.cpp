@@ -3,6 +3,8 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "wheel_solver.hpp"
+
 namespace cntc {
 
 int admit(Category category, int ire, int icp, bool has_icp) {
@@ -56,6 +58,12 @@ void say(const Call& c, const char* format, ...) {
   std::vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
   log_line(c.name, c.p.ire, c.icp, "%s", text);
+}
+
+ContactResult* Call::elements() const {
+  ContactResult* r = result();
+  if (r && r->deferred) p.wheel->fill_elements(p, size_t(icp - 1));
+  return r;
 }
 
 ContactResult* Call::result() const {

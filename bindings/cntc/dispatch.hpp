@@ -40,6 +40,8 @@ struct Call {
   const Units& units() const { return p.in.units; }
   /// Result of the patch, or nothing with a line in the log.
   ContactResult* result() const;
+  /// Result with its elements, which may only be filled now.
+  ContactResult* elements() const;
 };
 
 /// Writes a line to the log.

@@ -39,7 +39,7 @@ void get_grid_steps(Call& c, double& dx, double& dy) {
   if (c.icp < 0) {
     dx = c.in().plane.dx / length;
     dy = c.in().plane.ds / length;
-  } else if (const ContactResult* r = c.result()) {
+  } else if (const ContactResult* r = c.elements()) {
     const Grid g = grid_of(c, *r);
     dx = g.dx / length;
     dy = g.dy / length;
@@ -111,7 +111,7 @@ void get_reference_velocity(Call& c, double& veloc) {
 }
 
 void get_element_numbers(Call& c, int& mx, int& my) {
-  if (const ContactResult* r = c.result()) {
+  if (const ContactResult* r = c.elements()) {
     const Grid g = grid_of(c, *r);
     mx = g.mx;
     my = g.my;
@@ -119,7 +119,7 @@ void get_element_numbers(Call& c, int& mx, int& my) {
 }
 
 void get_potential_contact(Call& c, int n, double* values) {
-  const ContactResult* r = c.result();
+  const ContactResult* r = c.elements();
   if (!r) return;
   const Grid g = grid_of(c, *r);
   const double length = c.units().length;
@@ -152,7 +152,7 @@ void get_contact_forces(Call& c, double& fn, double& tx, double& ty, double& mz)
 }
 
 void get_areas(Call& c, double& contact, double& stick, double& slip) {
-  const ContactResult* r = c.result();
+  const ContactResult* r = c.elements();
   if (!r) return;
   const double cell = r->grid.dx * r->grid.dy / c.units().area();
   stick = cell * double(r->count(1));
@@ -161,7 +161,7 @@ void get_areas(Call& c, double& contact, double& stick, double& slip) {
 }
 
 void get_element_division(Call& c, int n, int* division) {
-  const ContactResult* r = c.result();
+  const ContactResult* r = c.elements();
   if (!r || !division) return;
   for (size_t k = 0; k < std::min(size_t(std::max(n, 0)), r->division.size()); ++k) division[k] = r->division[k];
 }
@@ -177,11 +177,11 @@ double largest(const std::vector<double>& v) {
 }  // namespace
 
 void get_max_pressure(Call& c, double& value) {
-  if (const ContactResult* r = c.result()) value = largest(r->pn) / c.units().stress();
+  if (const ContactResult* r = c.result()) value = (r->pmax > 0 ? r->pmax : largest(r->pn)) / c.units().stress();
 }
 
 void get_max_traction(Call& c, double& value) {
-  const ContactResult* r = c.result();
+  const ContactResult* r = c.elements();
   if (!r) return;
   value = 0;
   for (size_t k = 0; k < r->px.size(); ++k) value = std::max(value, std::hypot(r->px[k], r->py[k]));
@@ -189,14 +189,14 @@ void get_max_traction(Call& c, double& value) {
 }
 
 void get_max_temperature(Call& c, double& t1, double& t2) {
-  const ContactResult* r = c.result();
+  const ContactResult* r = c.elements();
   if (!r) return;
   t1 = largest(r->temp1);
   t2 = largest(r->temp2);
 }
 
 void get_field(Call& c, int field, int n, double* values) {
-  const ContactResult* r = c.result();
+  const ContactResult* r = c.elements();
   if (!r) return;
   if (n > 0 && !values) return say(c, "an array is NULL");
   const double length = 1 / c.units().length, stress = 1 / c.units().stress(), sign = c.units().sign;
@@ -219,7 +219,7 @@ void get_field(Call& c, int field, int n, double* values) {
 }
 
 void get_tractions(Call& c, int n, double* pn, double* px, double* py) {
-  const ContactResult* r = c.result();
+  const ContactResult* r = c.elements();
   if (!r) return;
   const double stress = 1 / c.units().stress(), sign = c.units().sign;
   put_field(c, n, pn, r->pn, stress);
@@ -228,14 +228,14 @@ void get_tractions(Call& c, int n, double* pn, double* px, double* py) {
 }
 
 void get_slip(Call& c, int n, double* sx, double* sy) {
-  const ContactResult* r = c.result();
+  const ContactResult* r = c.elements();
   if (!r) return;
   put_field(c, n, sx, r->sx, c.units().sign);
   put_field(c, n, sy, r->sy, c.units().sign);
 }
 
 void get_displacements(Call& c, int n, double* un, double* ux, double* uy) {
-  const ContactResult* r = c.result();
+  const ContactResult* r = c.elements();
   if (!r) return;
   const double length = 1 / c.units().length;
   put_field(c, n, un, r->un, length);

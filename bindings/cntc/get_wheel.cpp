@@ -77,7 +77,7 @@ void get_location(Call& c, int n, double* values) {
   if (w && w->solved && c.icp >= 1 && size_t(c.icp) <= w->patches.size()) {
     const auto [s, length] = side_of(c);
     const WheelPatch& patch = w->patches[size_t(c.icp - 1)];
-    const ContactResult& r = c.p.patches[size_t(c.icp - 1)];
+    const ContactResult& r = *c.elements();
     const auto place = [&](int from, const Vec3& x) {
       v[from] = x[0] / length;
       v[from + 1] = s * x[1] / length;

@@ -52,7 +52,8 @@ void lay_points(const BlockInput& input, const Grid& grid, std::vector<double>& 
   for (auto* v : {&x, &y, &z}) std::sort(v->begin(), v->end());
 }
 
-void fill_block(rollcon_contact* contact, const ContactResult& result, SubsurfaceBlock& block) {
+/// With mirror -1 the contact is the mirror image of the one that the block lies in.
+void fill_block(rollcon_contact* contact, const ContactResult& result, double mirror, SubsurfaceBlock& block) {
   std::vector<double> x, y, z;
   lay_points(block.input, result.grid, x, y, z);
   block.nx = int(x.size());
@@ -69,7 +70,7 @@ void fill_block(rollcon_contact* contact, const ContactResult& result, Subsurfac
     for (size_t k = 0; k < n; ++k) {
       const double px = x[k % x.size()], py = y[k / x.size() % y.size()], pz = z[k / (x.size() * y.size())];
       if ((pz >= 0 ? 2 : 1) != body) continue;
-      points.insert(points.end(), {c * px + s * py, c * py - s * px, pz});
+      points.insert(points.end(), {c * px + s * mirror * py, c * mirror * py - s * px, pz});
       which.push_back(k);
       std::copy_n(std::initializer_list<double>{px, py, pz}.begin(), 3, &block.columns[21 * k]);
     }
@@ -83,7 +84,7 @@ void fill_block(rollcon_contact* contact, const ContactResult& result, Subsurfac
       double* to = &block.columns[21 * which[i]];
       const double *v = &u[3 * i], *q = &t[6 * i], *p = &principal[3 * i];
       to[3] = c * v[0] - s * v[1];
-      to[4] = s * v[0] + c * v[1];
+      to[4] = mirror * (s * v[0] + c * v[1]);
       to[5] = v[2];
       to[6] = (q[0] + q[1] + q[2]) / 3;
       to[7] = mises[i];
@@ -91,8 +92,8 @@ void fill_block(rollcon_contact* contact, const ContactResult& result, Subsurfac
       std::copy_n(p, 3, to + 9);
       const double xx = c * c * q[0] - 2 * c * s * q[3] + s * s * q[1],
                    yy = s * s * q[0] + 2 * c * s * q[3] + c * c * q[1],
-                   xy = c * s * (q[0] - q[1]) + (c * c - s * s) * q[3], xz = c * q[4] - s * q[5],
-                   yz = s * q[4] + c * q[5];
+                   xy = mirror * (c * s * (q[0] - q[1]) + (c * c - s * s) * q[3]), xz = c * q[4] - s * q[5],
+                   yz = mirror * (s * q[4] + c * q[5]);
       const double tensor[9] = {xx, xy, xz, xy, yy, yz, xz, yz, q[2]};
       std::copy_n(tensor, 9, to + 12);
     }
@@ -139,9 +140,13 @@ int calculate_blocks(Problem& p, int icp, std::string& why) {
     const int key = p.module == 3 ? p.icp : k;
     if (p.module == 1 && !p.blocks.count(k) && p.blocks.count(-1)) p.blocks[k] = p.blocks[-1];
     rollcon_contact* contact = p.module == 3 ? p.contact->handle() : wheel_contact(p, k);
-    if (!contact) return CNTC_err_icp;
+    if (!contact) {
+      why = "stresses need patches that are solved on the caller's grid: set flag 2901 to 0";
+      return CNTC_err_other;
+    }
+    const double mirror = p.module == 1 ? p.wheel->sign : 1;
     try {
-      for (SubsurfaceBlock& block : p.blocks[key]) fill_block(contact, p.patches[size_t(k - 1)], block);
+      for (SubsurfaceBlock& block : p.blocks[key]) fill_block(contact, p.patches[size_t(k - 1)], mirror, block);
     } catch (const Failure& failure) {
       why = failure.what();
       return failure.code;

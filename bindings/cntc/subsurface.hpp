@@ -12,7 +12,7 @@ void lay_points(const BlockInput& input, const Grid& grid, std::vector<double>& 
                 std::vector<double>& z);
 
 /// Fills a block with displacements and stresses of a solved contact; throws Failure.
-void fill_block(rollcon_contact* contact, const ContactResult& result, SubsurfaceBlock& block);
+void fill_block(rollcon_contact* contact, const ContactResult& result, double mirror, SubsurfaceBlock& block);
 
 /// Calculates the blocks of a patch, or of all with icp -1; returns an error code.
 int calculate_blocks(Problem& p, int icp, std::string& why);

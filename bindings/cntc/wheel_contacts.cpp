@@ -196,14 +196,22 @@ void flip_rows(const Grid& g, std::vector<double>& v, double factor) {
   for (double& x : v) x *= factor;
 }
 
-/// Turns a mirror image back.
-void mirror(ContactResult& r) {
+}  // namespace
+
+void mirror_elements(ContactResult& r) {
   for (auto* v : {&r.h, &r.mu, &r.pn, &r.px, &r.un, &r.ux, &r.sx, &r.wx, &r.temp1, &r.temp2}) flip_rows(r.grid, *v, 1);
   for (auto* v : {&r.py, &r.uy, &r.sy, &r.wy}) flip_rows(r.grid, *v, -1);
   std::vector<double> states(r.division.begin(), r.division.end());
   flip_rows(r.grid, states, 1);
   r.division.assign(states.begin(), states.end());
   r.grid.yc = -r.grid.y(r.grid.my - 1);
+}
+
+namespace {
+
+/// Turns a mirror image back.
+void mirror(ContactResult& r) {
+  mirror_elements(r);
   for (double* v : {&r.ty, &r.mz, &r.ceta, &r.cphi, &r.mx}) *v = -*v;
   for (size_t i = 0; i < 4; ++i)
     for (size_t j = 0; j < 4; ++j)
@@ -245,6 +253,9 @@ int WheelSolver::solve(Problem& p, std::string& why) {
   mirror_inputs(in);
   pitch_rate = set_.velocity[5];
   sink_ = slope_ = 0;
+  if (in.digits.frames) return solve_on_frames(p, why);
+  check(rollcon_wheelrail_set_real(search_.get(), "accuracy", .02));
+  check(rollcon_wheelrail_set_int(search_.get(), "conformal", 0));
   search(p);
   join_patches(in.plane, found_patches());
   int code = 0;

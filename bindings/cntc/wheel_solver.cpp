@@ -34,7 +34,6 @@ void WheelSolver::prepare(const Problem& p) {
   check(rollcon_wheelrail_create(context, wheel_profile.body(), rail_profile.body(), ROLLCON_RIGHT, &search));
   search_.reset(search);
   const double zero[3] = {0, 0, 0}, x[3] = {1, 0, 0}, y[3] = {0, 1, 0}, z[3] = {0, 0, 1};
-  check(rollcon_wheelrail_set_real(search, "accuracy", .02));
   check(rollcon_wheelrail_set_int(search, "roll_outside", 1));
   check(rollcon_body_extrude_profile(rail_profile.body(), zero, x, z));
   radius_ = in.wheelset.nomrad - (in.wheelset.ytape < 999 ? wheel_profile.z_at(in.wheelset.ytape) : 0);
@@ -79,7 +78,7 @@ int WheelSolver::solve_search() {
 }
 
 /// Finds height and patches: rollcon's wheel is a rigid one that stands where the bent one does.
-void WheelSolver::search(const Problem& p) {
+int WheelSolver::search(const Problem& p) {
   const Inputs& in = p.in;
   rollcon_wheelrail* search = search_.get();
   place_wheel(set_.position[2]);
@@ -95,8 +94,17 @@ void WheelSolver::search(const Problem& p) {
   check(rollcon_wheelrail_set_wheelset(search, set_.fbdist, set_.fbpos, radius_));
   check(rollcon_wheelrail_set_position(search, position));
   check(rollcon_wheelrail_set_velocity(search, set_.velocity.data()));
-  const double mu = std::clamp(in.digits.tang == 0 ? 0 : rest_friction(in.friction.rows[0], in.friction.law), 0., 10.);
-  check(rollcon_wheelrail_set_friction(search, "coulomb", 1, &mu));
+  const auto rest = [&](const FrictionRow& row) {
+    return std::clamp(in.digits.tang == 0 ? 0 : rest_friction(row, in.friction.law), 0., 10.);
+  };
+  const double mu = rest(in.friction.rows[0]);
+  if (in.friction.variation == 1) {
+    std::vector<double> table;
+    for (const FrictionRow& row : in.friction.rows) table.insert(table.end(), {row.place, rest(row)});
+    check(rollcon_wheelrail_set_friction(search, "by_angle", int32_t(table.size()), table.data()));
+  } else {
+    check(rollcon_wheelrail_set_friction(search, "coulomb", 1, &mu));
+  }
   const bool force = in.digits.norm == 1;
   check(rollcon_wheelrail_prescribe_vertical(search, force ? ROLLCON_BY_FORCE : ROLLCON_BY_MOTION, force ? in.fz : 0));
   // The deviation is about the profile's origin; rollcon turns about the point where the gauge is measured.
@@ -119,7 +127,7 @@ void WheelSolver::search(const Problem& p) {
     const auto off = [&](double rate) {
       pitch_rate = set_.velocity[5] = rate;
       check(rollcon_wheelrail_set_velocity(search, set_.velocity.data()));
-      solve_search();
+      status = solve_search();
       double f[3];
       check(rollcon_wheelrail_get_resultant(search, ROLLCON_IN_WHEELSET, f, nullptr));
       return -f[0] - in.fx;
@@ -130,6 +138,7 @@ void WheelSolver::search(const Problem& p) {
   double height = 0;
   check(rollcon_wheelrail_get_stat(search, "z", &height));
   place_wheel(set_.position[2] + height - position[2]);
+  return status;
 }
 
 /// Takes the rail's pose from two points of its profile.
@@ -144,6 +153,30 @@ void WheelSolver::place_rail() {
       std::atan2(q[1][1] - q[0][1], q[1][0] - q[0][0]) - std::atan2(p[1][1] - p[0][1], p[1][0] - p[0][0]);
   rail.rotation = about_x(angle);
   rail.origin = Vec3{0, q[0][0], q[0][1]} - rail.rotation * Vec3{0, p[0][0], p[0][1]};
+}
+
+/// Finds the ends of a contact from its nodes, along the axes of the patch.
+void WheelSolver::read_extents(rollcon_contact* contact, const double* origin, const double* axes, WheelPatch& patch) {
+  int64_t nodes = 0;
+  check(rollcon_contact_get_size(contact, &nodes, nullptr));
+  std::vector<double> points(3 * size_t(nodes));
+  std::vector<int32_t> states(static_cast<size_t>(nodes));
+  check(rollcon_contact_get_field(contact, ROLLCON_FIELD_POINT, ROLLCON_GLOBAL, 3 * nodes, points.data(), nullptr));
+  check(rollcon_contact_get_node_states(contact, nodes, states.data()));
+  patch.x_low = patch.s_low = 1e300;
+  patch.x_high = patch.s_high = -1e300;
+  for (size_t i = 0; i < size_t(nodes); ++i) {
+    if (states[i] == ROLLCON_OPEN) continue;
+    Vec3 at{};
+    for (size_t d = 0; d < 3; ++d)
+      at[d] = origin[d] + points[3 * i] * axes[d] + points[3 * i + 1] * axes[3 + d] + points[3 * i + 2] * axes[6 + d];
+    const Vec3 from = at - patch.reference;
+    const double x = from[0], s = dot(from, patch.across());
+    patch.x_low = std::min(patch.x_low, x);
+    patch.x_high = std::max(patch.x_high, x);
+    patch.s_low = std::min(patch.s_low, s);
+    patch.s_high = std::max(patch.s_high, s);
+  }
 }
 
 std::vector<WheelPatch> WheelSolver::found_patches() const {
@@ -167,26 +200,7 @@ std::vector<WheelPatch> WheelSolver::found_patches() const {
     rollcon_contact* contact = nullptr;
     check(rollcon_wheelrail_get_contact(search, k, &contact));
     const ContactHandle holder(contact);
-    int64_t nodes = 0;
-    check(rollcon_contact_get_size(contact, &nodes, nullptr));
-    std::vector<double> points(3 * size_t(nodes));
-    std::vector<int32_t> states(static_cast<size_t>(nodes));
-    check(rollcon_contact_get_field(contact, ROLLCON_FIELD_POINT, ROLLCON_GLOBAL, 3 * nodes, points.data(), nullptr));
-    check(rollcon_contact_get_node_states(contact, nodes, states.data()));
-    patch.x_low = patch.s_low = 1e300;
-    patch.x_high = patch.s_high = -1e300;
-    for (size_t i = 0; i < size_t(nodes); ++i) {
-      if (states[i] == ROLLCON_OPEN) continue;
-      Vec3 at{};
-      for (size_t d = 0; d < 3; ++d)
-        at[d] = origin[d] + points[3 * i] * axes[d] + points[3 * i + 1] * axes[3 + d] + points[3 * i + 2] * axes[6 + d];
-      const Vec3 from = at - patch.reference;
-      const double x = from[0], s = dot(from, patch.across());
-      patch.x_low = std::min(patch.x_low, x);
-      patch.x_high = std::max(patch.x_high, x);
-      patch.s_low = std::min(patch.s_low, s);
-      patch.s_high = std::max(patch.s_high, s);
-    }
+    read_extents(contact, origin, axes, patch);
     if (patch.x_low < patch.x_high) found.push_back(patch);
   }
   return found;
@@ -260,7 +274,8 @@ void WheelSolver::join_patches(const PlaneGrid& grid, std::vector<WheelPatch> fo
 
 rollcon_contact* wheel_contact(Problem& p, int patch) {
   if (!p.wheel || patch < 1 || size_t(patch) > p.wheel->patches.size()) return nullptr;
-  return p.wheel->patches[size_t(patch - 1)].solver->handle();
+  const auto& solver = p.wheel->patches[size_t(patch - 1)].solver;
+  return solver ? solver->handle() : nullptr;
 }
 
 }  // namespace cntc

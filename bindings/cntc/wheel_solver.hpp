@@ -21,6 +21,7 @@ struct WheelPatch {
   double delta = 0, overlap = 0, radius = 0;
   double x_low = 0, x_high = 0, s_low = 0, s_high = 0;  // ends of the contact along its axes, from the reference
   double approach = 0;
+  int number = 0;      // counts rollcon's patches
   bool tight = false;  // the grid covers the contact alone, because a profile ends beside it
   std::shared_ptr<ContactSolver> solver;
   ContactCase wanted;
@@ -35,6 +36,8 @@ struct WheelPatch {
 class WheelSolver {
  public:
   int solve(Problem& p, std::string& why);
+  /// Fills elements of a patch that was solved on rollcon's frames.
+  void fill_elements(Problem& p, size_t patch);
 
   double sign = 1;  // -1: a left wheel, which is solved as its mirror image
   double z = 0, pitch_rate = 0;
@@ -46,7 +49,9 @@ class WheelSolver {
  private:
   void prepare(const Problem& p);
   void mirror_inputs(const Inputs& in);
-  void search(const Problem& p);
+  int search(const Problem& p);
+  int solve_on_frames(Problem& p, std::string& why);
+  static void read_extents(rollcon_contact* contact, const double* origin, const double* axes, WheelPatch& patch);
   int solve_search();
   void place_wheel(double height);
   void place_rail();
@@ -74,6 +79,9 @@ class WheelSolver {
   double slope_ = 0;   // change of the force to the power 2/3 with the height
   double sink_ = 0;    // below the height of the search
 };
+
+/// Turns the elements of a mirror image back.
+void mirror_elements(ContactResult& r);
 
 /// Finds where a force that grows with the pitch rate is 0; throws Failure where it is not.
 double find_rate(const std::function<double(double)>& off, double start, double accuracy);

@@ -192,6 +192,116 @@ TEST(wheel, prescribed_height) {
   EXPECT_EQ(e.global_forces(-1)[2], 0);
 }
 
+TEST(wheel, frames_of_rollcon) {
+  for (const bool right : {true, false}) {
+    Element e(1, 1, -1);
+    set_track(e, right, .2);
+    place(e, 2, -1.128e-4, -4.3459197);
+    EXPECT_EQ(e.calculate(), 0);
+    const Found grid = e.found(1);
+    const auto sums = e.global_forces(-1);
+    e.flags({{CNTC_if_frames, 1}});
+    EXPECT_EQ(e.calculate(), 0);
+    const Found frames = e.found(1);
+    const double limit = .3 * grid.fn;
+    EXPECT_TRUE(near("Fn", frames.fn, grid.fn, .001 * grid.fn));
+    EXPECT_TRUE(near("Fx", frames.tx, grid.tx, .01 * limit));
+    EXPECT_TRUE(near("Fs", frames.ty, grid.ty, .01 * limit));
+    EXPECT_TRUE(near("largest pressure", frames.pmax, grid.pmax, .01 * grid.pmax));
+    for (const size_t k : {0u, 1u, 2u}) EXPECT_NEAR(e.global_forces(-1)[k], sums[k], 30);
+    EXPECT_TRUE(near("area", frames.area, grid.area, .06 * grid.area));
+    // Tractions on the caller's grid carry the forces.
+    const size_t n = size_t(frames.mx) * size_t(frames.my);
+    const int length = int(n), one = 1;
+    std::vector<double> pn(n), px(n), py(n);
+    cntc_gettractions(e.ire(), &one, &length, pn.data(), px.data(), py.data());
+    double fn = 0, fy = 0;
+    for (size_t k = 0; k < n; ++k) {
+      fn += .04 * pn[k];
+      fy += .04 * py[k];
+    }
+    EXPECT_TRUE(near("Fn of the elements", fn, grid.fn, .02 * grid.fn));
+    EXPECT_TRUE(near("Fs of the elements", fy, grid.ty, .02 * limit));
+    e.set(cntc_setfrictionmethod, 4, {.14, .19, 1250, 0, 1, 0, 0});
+    EXPECT_EQ(e.calculate(), CNTC_err_other);
+  }
+}
+
+TEST(wheel, simpack_units) {
+  Element mm(1, 1, -1), si(2, 1, -1);
+  set_track(mm, true, .4);
+  place(mm, 2, -1.128e-4, -4.3459197);
+  EXPECT_EQ(mm.calculate(), 0);
+  set_track(si, true, .4);
+  si.flags({{CNTC_if_units, CNTC_un_spck}});
+  si.set(cntc_setpotcontact, -1, {.4e-3, .4e-3, 1.57, 8e-3, 4e-3});
+  si.set(cntc_settrackdimensions, 1, {14e-3, 0, 1.435, std::atan(1. / 40), 0});
+  si.set(cntc_setwheelsetdimensions, 3, {1.36, -.07, .46});
+  si.set(cntc_setwheelsetposition, 1, {0, 2e-3, 0, -1.128e-4, 4.8e-3, 0});
+  si.set(cntc_setwheelsetvelocity, 2, {2, 0, 0, 0, 0, -4.3459197});
+  EXPECT_EQ(si.calculate(), 0);
+  const auto f = mm.global_forces(-1), g = si.global_forces(-1);
+  for (size_t k = 0; k < 24; ++k) EXPECT_NEAR(g[k], -f[k] / (k % 6 < 3 ? 1 : 1000), 1e-4 * (1 + std::abs(f[k]))) << k;
+  EXPECT_NEAR(si.position()[2], mm.position()[2] / 1000, 1e-9);
+  EXPECT_NEAR(si.location(1)[1], mm.location(1)[1] / 1000, 1e-9);
+  EXPECT_NEAR(si.found(1).ksi, -mm.found(1).ksi, 1e-9);
+}
+
+TEST(wheel, subsurface_of_left_and_right) {
+  double mises[2][2], sxy[2][2];
+  for (const int right : {1, 0}) {
+    Element e(1, 1, -1);
+    set_track(e, right, .4);
+    e.set(cntc_setwheelsetposition, 1, {0, right ? 2. : -2., 0, 0, right ? 4.8e-3 : -4.8e-3, 0});
+    e.set(cntc_setwheelsetvelocity, 2, {2000, 0, 0, 0, 0, -4.346});
+    const int one = 1, two = 2, nine = 9, all = -1, columns[2] = {8, 14};
+    const double x = .3, y = right ? .2 : -.2, z[2] = {-.5, .5};
+    subs_addblock(e.ire(), &all, &one, &nine, &one, &one, &two, &x, &y, z);
+    EXPECT_EQ(e.calculate(), 0);
+    int error = -1;
+    subs_calculate(e.ire(), &all, &error);
+    EXPECT_EQ(error, 0);
+    double v[4];
+    subs_getresults(e.ire(), &one, &one, &two, &two, columns, v);
+    for (int k = 0; k < 2; ++k) {
+      mises[right][k] = v[k];
+      sxy[right][k] = v[2 + k];
+    }
+  }
+  for (int k = 0; k < 2; ++k) {
+    EXPECT_GT(mises[1][k], 100);
+    EXPECT_NEAR(mises[0][k], mises[1][k], 1e-6 * mises[1][k]);
+    EXPECT_NEAR(sxy[0][k], -sxy[1][k], 1e-6 * mises[1][k]);
+  }
+}
+
+TEST(wheel, profile_values) {
+  Element e(1, 1, -1);
+  set_track(e, true, .4);
+  place(e, 2, 0, -4.346);
+  EXPECT_EQ(e.calculate(), 0);
+  const auto values = [&](int task, std::vector<int> ints, size_t n) {
+    std::vector<double> v(n, -777);
+    const int count = int(ints.size()), one = 1, length = int(n);
+    const double step = 1;
+    cntc_getprofilevalues(e.ire(), &task, &count, ints.data(), &one, &step, &length, v.data());
+    return v;
+  };
+  EXPECT_EQ(values(-1, {0}, 2)[0], 0);
+  const auto n = size_t(values(0, {0, 1}, 1)[0]);
+  ASSERT_GT(n, 50u);
+  const auto yz = values(1, {0, 1}, 2 * n), track = values(2, {0, 1}, 2 * n), gauge = values(3, {0, 1}, 6);
+  double top = 1e9;
+  for (size_t k = 0; k < n; ++k) top = std::min(top, track[n + k]);
+  EXPECT_TRUE(near("top of the rail", top, 0, .01));
+  EXPECT_TRUE(near("gauge point", gauge[0], 717.5, .05));
+  EXPECT_NEAR(gauge[2], e.location(1)[25], 1e-9);
+  EXPECT_LT(yz[0], yz[n - 1]);
+  const auto arc = values(4, {1, 1}, 3);
+  EXPECT_EQ(arc[0], 0);
+  EXPECT_NEAR(arc[1], 1, .02);
+}
+
 TEST(wheel, friction_by_inclination_takes_the_reference) {
   Element e(1, 1, -1);
   set_track(e, true, .4);
