@@ -24,7 +24,7 @@ GROUPS = [
         "bodies/bem/unknowns.cpp", "quadrature/*.cpp"]),
     ("finite elements", 16, [
         "bodies/fem/assembly.cpp", "bodies/fem/element_stiffness*.cpp", "bodies/fem/equations.cpp",
-        "bodies/fem/felt_tractions.cpp"]),
+        "bodies/model/felt_tractions.cpp"]),
     ("bodies", 12, [
         "bodies/meshed_*.cpp", "bodies/remainder_compliance.cpp", "bodies/sum_compliance.cpp",
         "bodies/model/supports.cpp", "bodies/frame_on_body.cpp", "bodies/contact_surface.cpp",

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "contact/newton/report.hpp"
 #include "contact/prepared.hpp"
@@ -21,14 +22,15 @@ struct Solution {
   Procedure procedure;
 
   bool solved = false;
-  bool warm_usable = false;   ///< the next solve may start from it
-  std::int64_t number = 0;    ///< number that no other solution in this process has
-  Revisions revision;         ///< revisions of the scene that the solve read
-  std::int64_t options = -1;  ///< revision of the scene's options
-  Iterate iterate;            ///< tractions and motions
-  bool images_known = false;  ///< images of the iterate are known at all nodes, slip included
-  NewtonReport report;        ///< how it was found
-  SettledFriction settled;    ///< friction that follows the whole solution
+  bool warm_usable = false;                 ///< the next solve may start from it
+  std::int64_t number = 0;                  ///< number that no other solution in this process has
+  Revisions revision;                       ///< revisions of the scene that the solve read
+  std::int64_t options = -1;                ///< revision of the scene's options
+  Iterate iterate;                          ///< tractions and motions
+  bool images_known = false;                ///< images of the iterate are known at all nodes, slip included
+  NewtonReport report;                      ///< how it was found
+  SettledFriction settled;                  ///< friction that follows the whole solution
+  mutable std::vector<std::uint8_t> marks;  ///< storage of nodes_inside()
 };
 
 /// Throws err_load if a frictionless problem prescribes what only friction can carry.

@@ -68,8 +68,7 @@ std::int64_t nodes_inside(const SurfaceMesh& mesh, const std::vector<double>& no
 std::int64_t nodes_inside(const Solution& s) {
   // The edge beyond the last nodes that may touch is known.
   const Frame& frame = s.prepared->frame;
-  thread_local std::vector<std::uint8_t> node;  // solves allocate nothing
-  return nodes_inside(frame.mesh, s.iterate.lambda[2], node, s.prepared->ends_at_edge ? frame.used.data() : nullptr);
+  return nodes_inside(frame.mesh, s.iterate.lambda[2], s.marks, s.prepared->ends_at_edge ? frame.used.data() : nullptr);
 }
 
 bool too_few_nodes(const Solution& s) {
