@@ -61,15 +61,22 @@ class Draw {
   /// Elements 1 and 2 are contacts, 3 is a wheel; others are made now and then.
   template <class... T>
   void place(std::tuple<const int*, T...>& arguments) {
-    static const int elements[] = {1, 2, 3, 3, 1, 1, 0, 1000, 4}, contacts[] = {1, 1, 1, -1, -1, 2, 0, 10};
+    static const int elements[] = {1, 2, 3, 3, 1, 1, 0, 1000, 4};
     std::get<0>(arguments) = &elements[number(0, 8)];
     if constexpr (sizeof...(T) > 0) {
       if constexpr (std::is_same_v<std::tuple_element_t<1, std::tuple<const int*, T...>>, const int*>)
-        if (number(0, 3)) std::get<1>(arguments) = &contacts[number(0, 7)];
+        if (number(0, 3)) std::get<1>(arguments) = contact();
     }
   }
   template <class... T>
   void place(std::tuple<T...>&) {}
+  /// A contact problem; where the argument is an array, it is one of the usual length.
+  const int* contact() {
+    static const int contacts[] = {1, 1, 1, -1, -1, 2, 0, 10};
+    int* v = const_cast<int*>(argument(static_cast<const int*>(nullptr)));
+    v[0] = contacts[number(0, 7)];
+    return v;
+  }
 
   std::mt19937 engine_;
   std::vector<std::vector<int>> ints_;
