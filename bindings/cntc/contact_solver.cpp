@@ -123,37 +123,41 @@ size_t ContactSolver::node(int i, int j) const {
 /// width to each side. A single element has four nodes at its corners.
 void ContactSolver::lay_frame(const ContactCase& wanted) {
   const Grid& g = wanted.grid;
-  const Placement* at = wanted.placement;
-  if (framed_ && g == grid_ && wanted.chi == chi_ && !(at && wanted.moved)) return;
+  if (wanted.placement && (wanted.moved || !framed_)) set_poses(*wanted.placement);
+  if (framed_ && g == grid_ && wanted.chi == chi_) return;
   const double zero[3] = {0, 0, 0}, e1[3] = {1, 0, 0}, e3[3] = {0, 0, 1};
   rollcon_contact* contact = contact_.get();
-  if (at) {
-    double wheel[9], rail[9];
-    for (size_t k = 0; k < 9; ++k) {
-      wheel[k] = at->wheel_rotation[k / 3][k % 3];
-      rail[k] = at->rail_rotation[k / 3][k % 3];
-    }
-    check(rollcon_contact_set_pose(contact, ROLLCON_BODY1, wheel, at->wheel_origin.data()));
-    check(rollcon_contact_set_pose(contact, ROLLCON_BODY2, rail, at->rail_origin.data()));
-    check(rollcon_contact_set_int(contact, "conformal", at->conformal));
-  }
-  check(rollcon_contact_set_axes(contact, at ? at->origin.data() : zero, at ? at->along.data() : e1,
-                                 at ? at->normal.data() : e3));
-  lattice_ = g.size() == 1 ? Lattice::point : at ? Lattice::plain : Lattice::ringed;
+  check(rollcon_contact_set_axes(contact, zero, e1, e3));
+  lattice_ = g.size() == 1 ? Lattice::point : wanted.placement ? Lattice::plain : Lattice::ringed;
   const int more = lattice_ == Lattice::point ? 0 : lattice_ == Lattice::plain ? -1 : 1;
   const double x0 = g.xc - (1 + more) * g.dx / 2, y0 = g.yc - (1 + more) * g.dy / 2;
   check(rollcon_contact_frame_rectangle(contact, ROLLCON_QUAD4, g.mx + more, g.my + more, x0, x0 + (g.mx + more) * g.dx,
                                         y0, y0 + (g.my + more) * g.dy));
   if (wanted.chi != 0) {
-    const Vec3 first = at ? at->along : Vec3{1, 0, 0}, normal = at ? at->normal : Vec3{0, 0, 1};
-    const Vec3 along = std::cos(wanted.chi) * first + std::sin(wanted.chi) * cross(normal, first);
-    check(rollcon_contact_set_axes(contact, at ? at->origin.data() : zero, along.data(), normal.data()));
+    const double along[3] = {std::cos(wanted.chi), std::sin(wanted.chi), 0};
+    check(rollcon_contact_set_axes(contact, zero, along, e3));
   }
   grid_ = g;
   chi_ = wanted.chi;
   framed_ = true;
   stepped_ = false;
   gap_.clear();
+}
+
+/// Places bodies with profiles in the axes of the contact, so that its frame stays where it is while the contact moves
+/// over the rail.
+void ContactSolver::set_poses(const Placement& at) {
+  const Mat3 to_contact = {at.along, cross(at.normal, at.along), at.normal};
+  const auto pose = [&](int body, const Mat3& rotation, const Vec3& origin) {
+    const Mat3 turned = to_contact * rotation;
+    const Vec3 moved = to_contact * (origin - at.origin);
+    double rows[9];
+    for (size_t k = 0; k < 9; ++k) rows[k] = turned[k / 3][k % 3];
+    check(rollcon_contact_set_pose(contact_.get(), body, rows, moved.data()));
+  };
+  pose(ROLLCON_BODY1, at.wheel_rotation, at.wheel_origin);
+  pose(ROLLCON_BODY2, at.rail_rotation, at.rail_origin);
+  check(rollcon_contact_set_int(contact_.get(), "conformal", at.conformal));
 }
 
 void ContactSolver::set_gaps(const ContactCase& wanted) {
@@ -180,10 +184,13 @@ void ContactSolver::set_motion(const ContactCase& wanted) {
   check(rollcon_contact_set_rolling(contact, veloc));
   const Placement* at = wanted.placement;
   if (at && at->by_velocity) {
-    check(rollcon_contact_set_velocity(contact, ROLLCON_BODY1, at->wheel_velocity.data(), at->wheel_rate.data(),
-                                       at->wheel_point.data()));
-    check(rollcon_contact_set_velocity(contact, ROLLCON_BODY2, at->rail_velocity.data(), at->rail_rate.data(),
-                                       at->rail_point.data()));
+    const Mat3 to_contact = {at->along, cross(at->normal, at->along), at->normal};
+    const auto move = [&](int body, const Vec3& velocity, const Vec3& rate, const Vec3& point) {
+      const Vec3 v = to_contact * velocity, w = to_contact * rate, x = to_contact * (point - at->origin);
+      check(rollcon_contact_set_velocity(contact, body, v.data(), w.data(), x.data()));
+    };
+    move(ROLLCON_BODY1, at->wheel_velocity, at->wheel_rate, at->wheel_point);
+    move(ROLLCON_BODY2, at->rail_velocity, at->rail_rate, at->rail_point);
   } else {
     check(rollcon_contact_set_creep(contact, -(c * x + s * y), -(c * y - s * x), -wanted.cphi));
   }

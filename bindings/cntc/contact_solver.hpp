@@ -60,6 +60,7 @@ class ContactSolver {
   enum class Lattice { plain, ringed, point };
 
   void lay_frame(const ContactCase& wanted);
+  void set_poses(const Placement& at);
   void set_gaps(const ContactCase& wanted);
   void set_motion(const ContactCase& wanted);
   int solve_once(const ContactCase& wanted, std::string& why);

@@ -38,6 +38,12 @@ void WheelSolver::lay_grid(const Inputs& in, WheelPatch& patch) const {
     const double i0 = std::floor((patch.x_low - x) / dx) - more, i1 = std::ceil((patch.x_high + x) / dx) + more;
     const double j0 = std::floor((patch.s_low - s) / ds) - more, j1 = std::ceil((patch.s_high + s) / ds) + more;
     if ((i1 - i0 + 1) * (j1 - j0 + 1) < in.digits.npomax) {
+      // A sequence of steps keeps the grid as long as it covers the contact.
+      const Grid& g = patch.wanted.grid;
+      const bool steps = (in.digits.tang == 1 || in.digits.tang == 2) && in.digits.pvtime != 2;
+      if (steps && g.dx == dx && g.dy == ds && g.xc <= (i0 + 1) * dx && g.x(g.mx - 1) >= (i1 - 1) * dx &&
+          g.yc <= (j0 + 1) * ds && g.y(g.my - 1) >= (j1 - 1) * ds)
+        return;
       patch.wanted.grid = {int(i1 - i0) + 1, int(j1 - j0) + 1, i0 * dx, j0 * ds, dx, ds};
       return;
     }
@@ -64,7 +70,7 @@ void WheelSolver::set_velocities(const Inputs& in, WheelPatch& patch) const {
   at.rail_velocity = {0, track_.rate[0], track_.rate[1]};
   at.rail_rate = {track_.rate[2], 0, 0};
   at.rail_point = rail.origin;
-  at.by_velocity = in.digits.discns >= 3 && in.digits.discns <= 4;
+  at.by_velocity = in.digits.discns >= 3 && in.digits.discns <= 4 && in.digits.tang != 1;
   at.conformal = in.digits.discns == 4;
   patch.radius = norm(cross(patch.reference - at.wheel_point, axle));
 }
@@ -73,7 +79,7 @@ void WheelSolver::set_velocities(const Inputs& in, WheelPatch& patch) const {
 void WheelSolver::set_creepages(WheelPatch& patch) const {
   const Placement& at = patch.placement;
   ContactCase& w = patch.wanted;
-  w.veloc = (std::abs(set_.velocity[0]) + std::abs(pitch_rate) * patch.radius) / 2;
+  w.veloc = w.tang == 1 ? 1 : (std::abs(set_.velocity[0]) + std::abs(pitch_rate) * patch.radius) / 2;
   const Vec3 on_wheel = patch.reference + (patch.overlap + patch.approach) * patch.normal();
   const Vec3 wheel_speed = at.wheel_velocity + cross(at.wheel_rate, on_wheel - at.wheel_point);
   const Vec3 rail_speed = at.rail_velocity + cross(at.rail_rate, patch.reference - at.rail_point);
@@ -112,7 +118,7 @@ Vec3 WheelSolver::solve_patches(Problem& p, double sink, int& code, std::string&
     const int result = solve_patch(p.in, patch, why);
     if (result) code = result;
     patch.wanted.moved = false;
-    patch.wanted.pvtime = p.in.digits.tang == 2 ? 3 : 0;
+    patch.wanted.pvtime = p.in.digits.tang == 1 || p.in.digits.tang == 2 ? 3 : 0;
     patch.wanted.iestim = 1;
     const Vec3 f = patch.solver->force();  // on the wheel, along t1, t2 and n
     const double back = patch.wanted.chi != 0 ? -1 : 1;
@@ -244,9 +250,8 @@ int WheelSolver::solve(Problem& p, std::string& why) {
   const Inputs& in = p.in;
   solved = false;
   p.patches.clear();
-  if (in.digits.tang == 1) throw Failure(CNTC_err_other, "shifts (T = 1) are not available in module 1: use T = 3");
-  if (in.digits.tang == 2 && in.digits.pvtime != 2)
-    throw Failure(CNTC_err_other, "sequences of steps (T = 2, P < 2) are not available in module 1: use T = 3");
+  if (in.digits.tang == 1 && in.digits.force == 1)
+    throw Failure(CNTC_err_other, "a given longitudinal force (F = 1) needs rolling: T = 2 or 3");
   if (in.digits.force > 1)
     throw Failure(CNTC_err_other, "a massless rail (F = 3) is not available: give the rail's deviation (Z = 2)");
   prepare(p);

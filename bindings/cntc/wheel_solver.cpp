@@ -87,13 +87,15 @@ int WheelSolver::search(const Problem& p) {
   const double arm = set_.fbdist / 2 - set_.fbpos;
   const Vec3 centre = wheel.origin - radius_ * (wheel.rotation * Vec3{0, 0, 1}) - arm * axle;
   const double position[6] = {centre[0], centre[1], centre[2] + radius_, roll, yaw, 0};
-  if (!(std::abs(set_.velocity[0]) > 0)) throw Failure(CNTC_err_search, "the forward speed VS is 0: a wheel must roll");
+  auto velocity = set_.velocity;
+  if (in.digits.tang == 1) velocity = {1000, 0, 0, 0, 0, -1000 / radius_};  // shifts are no velocities
+  if (!(std::abs(velocity[0]) > 0)) throw Failure(CNTC_err_search, "the forward speed VS is 0: a wheel must roll");
   const bool gauge = track_.gaught > 0;
   check(rollcon_wheelrail_set_track(search, gauge ? track_.gaugwd : 2 * track_.raily0, gauge ? track_.gaught : 0,
                                     track_.cant));
   check(rollcon_wheelrail_set_wheelset(search, set_.fbdist, set_.fbpos, radius_));
   check(rollcon_wheelrail_set_position(search, position));
-  check(rollcon_wheelrail_set_velocity(search, set_.velocity.data()));
+  check(rollcon_wheelrail_set_velocity(search, velocity.data()));
   const auto rest = [&](const FrictionRow& row) {
     return std::clamp(in.digits.tang == 0 ? 0 : rest_friction(row, in.friction.law), 0., 10.);
   };
@@ -268,7 +270,10 @@ void WheelSolver::join_patches(const PlaneGrid& grid, std::vector<WheelPatch> fo
     found[k] = c;
     found.erase(found.begin() + long(k) + 1);
   }
-  for (size_t k = 0; k < std::min(found.size(), patches.size()); ++k) found[k].solver = patches[k].solver;
+  for (size_t k = 0; k < std::min(found.size(), patches.size()); ++k) {
+    found[k].solver = patches[k].solver;
+    found[k].wanted.grid = patches[k].wanted.grid;
+  }
   patches = std::move(found);
 }
 

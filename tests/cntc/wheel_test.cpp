@@ -302,6 +302,46 @@ TEST(wheel, profile_values) {
   EXPECT_NEAR(arc[1], 1, .02);
 }
 
+TEST(wheel, steps_of_rolling_come_to_the_steady_state) {
+  Element e(1, 1, -1);
+  set_track(e, true, .4);
+  place(e, 2, -1.128e-4, -4.3459197);
+  EXPECT_EQ(e.calculate(), 0);
+  const Found steady = e.found(1);
+  e.flags({{CNTC_ic_tang, 2}});
+  e.rolling(0, 1);  // steps as long as an element
+  EXPECT_EQ(e.calculate(), 0);
+  const Found first = e.found(1);
+  e.flags({{CNTC_ic_pvtime, 0}});
+  for (int k = 0; k < 40; ++k) EXPECT_EQ(e.calculate(), 0);
+  const double limit = .3 * steady.fn;
+  EXPECT_GT(std::abs(first.ty - steady.ty), .02 * limit);
+  EXPECT_TRUE(near("Fx after 40 steps", e.found(1).tx, steady.tx, .005 * limit));
+  EXPECT_TRUE(near("Fs after 40 steps", e.found(1).ty, steady.ty, .005 * limit));
+  EXPECT_TRUE(near("Fz", e.global_forces(-1)[2], 10000, .1));
+}
+
+TEST(wheel, shifts_of_a_standing_wheel) {
+  Element e(1, 1, -1);
+  set_track(e, true, .4);
+  e.flags({{CNTC_ic_tang, 1}});
+  e.set(cntc_setwheelsetposition, 1, {0, 2, 0, 0, 0, 0});
+  const auto shift = [&](double along, double across) {
+    e.set(cntc_setwheelsetvelocity, 2, {along, across, 0, 0, 0, 0});
+    EXPECT_EQ(e.calculate(), 0);
+    return e.global_forces(-1);
+  };
+  const auto pressed = shift(0, 0);
+  EXPECT_NEAR(pressed[0], 0, 1);
+  const auto moved = shift(1e-3, 0);  // the wheel pushes the rail forward
+  EXPECT_GT(moved[0], 100);
+  EXPECT_LT(moved[0], 3000);
+  e.flags({{CNTC_ic_pvtime, 0}});
+  const auto twice = shift(1e-3, 0), back = shift(-2e-3, 0);
+  EXPECT_GT(twice[0], moved[0]);
+  EXPECT_LT(back[0], moved[0]);
+}
+
 TEST(wheel, friction_by_inclination_takes_the_reference) {
   Element e(1, 1, -1);
   set_track(e, true, .4);
