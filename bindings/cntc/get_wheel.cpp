@@ -10,13 +10,9 @@
 namespace cntc {
 namespace {
 
-/// A caller's sign of what changes sign in a mirror, and units.
-struct Side {
-  double s, length;
-};
-
-Side side_of(const Call& c) {
-  return {c.p.wheel ? c.p.wheel->sign : 1, c.units().length};
+/// Sign of what changes sign in a mirror.
+double side_of(const Call& c) {
+  return c.p.wheel ? c.p.wheel->sign : 1;
 }
 
 double roll_of(const Mat3& m) {
@@ -75,7 +71,7 @@ void get_location(Call& c, int n, double* values) {
   double v[38] = {};
   const WheelSolver* w = c.p.wheel.get();
   if (w && w->solved && c.icp >= 1 && size_t(c.icp) <= w->patches.size()) {
-    const auto [s, length] = side_of(c);
+    const double s = side_of(c), length = c.units().length;
     const WheelPatch& patch = w->patches[size_t(c.icp - 1)];
     const ContactResult& r = *c.elements();
     const auto place = [&](int from, const Vec3& x) {
@@ -123,7 +119,7 @@ void get_global_forces(Call& c, int n, double* values) {
   double v[24] = {};
   const WheelSolver* w = c.p.wheel.get();
   if (w && w->solved) {
-    const auto [s, length] = side_of(c);
+    const double s = side_of(c), length = c.units().length;
     const double sign = c.units().sign;
     for (size_t k = 0; k < w->patches.size(); ++k) {
       if (c.icp > 0 && size_t(c.icp) != k + 1) continue;

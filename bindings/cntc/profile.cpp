@@ -37,14 +37,13 @@ void Profile::read(rollcon_context* context, const ProfileInput& input, double u
 }
 
 bool Profile::upside_down(bool wheel) const {
-  double y = 0, z = 0, slope = 0, low = 1e300, high = -1e300, sum = 0;
+  double y = 0, z = 0, slope = 0, low = 1e300, high = -1e300;
   const int n = 200;
   std::vector<double> heights;
   for (int k = 0; k <= n; ++k) {
     at(length_ * k / n, y, z, slope);
     low = std::min(low, z);
     high = std::max(high, z);
-    sum += z;
     heights.push_back(z);
   }
   if (!wheel) return heights[n / 2] > (heights.front() + heights.back()) / 2;
