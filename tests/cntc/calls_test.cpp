@@ -1,10 +1,8 @@
 // Calls in any order with any numbers, threads, and memory.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <atomic>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <random>
 #include <thread>
@@ -140,23 +138,13 @@ TEST(calls_nightly, in_any_order) {
   for (unsigned seed = 2; seed < 40; ++seed) call_at_random(seed, 20000);
 }
 
-/// A small contact of its own element.
-void set_small(Element& e, double ksi) {
-  e.set(cntc_setmaterialparameters, 0, {.28, .28, 82000, 82000});
-  e.set(cntc_setfrictionmethod, 0, {.3, .3});
-  e.set(cntc_sethertzcontact, -1, {6, 6, 1e-3, 2e-3, 1.2});
-  e.velocity(1000);
-  e.normal_force(1e4);
-  e.creepages(ksi, 0, 0);
-}
-
 TEST(calls, eight_threads) {
   std::vector<double> alone(8), together(8);
   const auto solve = [](int ire) {
     Element e(ire, 3, 1);
     double sum = 0;
     for (int k = 0; k < 20; ++k) {
-      set_small(e, 1e-4 * (ire + k));
+      cntc_test::set_small(e, 1e-4 * (ire + k));
       EXPECT_GE(e.calculate(), 0);
       sum += e.found().tx;
     }
@@ -172,7 +160,7 @@ TEST(calls, eight_threads) {
 
 TEST(calls, one_contact_is_not_solved_by_two) {
   Element e(1, 3, 1);
-  set_small(e, 1e-3);
+  cntc_test::set_small(e, 1e-3);
   e.set(cntc_sethertzcontact, -1, {40, 40, 1e-3, 2e-3, 1.2});
   std::atomic<int> solved{0}, refused{0}, others{0};
   std::vector<std::thread> threads;
@@ -188,52 +176,6 @@ TEST(calls, one_contact_is_not_solved_by_two) {
   EXPECT_GT(solved, 0);
   EXPECT_EQ(others, 0);
   EXPECT_EQ(solved + refused, 40);
-}
-
-long resident_pages() {
-  long size = 0, resident = 0;
-  std::ifstream("/proc/self/statm") >> size >> resident;
-  return resident;
-}
-
-void solve_often(int solves, int wheels) {
-  Element e(1, 3, 1), w(3, 1, -1);
-  Draw draw(5);
-  for (int k = 0; k < 40; ++k) set_scene(draw);  // the wheel, too
-  long before = 0;
-  for (int k = 0; k < solves; ++k) {
-    set_small(e, 1e-6 * (k % 997));
-    ASSERT_GE(e.calculate(), 0);
-    if (k % (solves / wheels) == 0) {
-      w.set(cntc_setwheelsetposition, 1, {0, .01 * (k % 89), 0, 0, 0, 0});
-      ASSERT_EQ(w.calculate(), 0);
-    }
-    if (k == solves / 4) before = resident_pages();
-  }
-  const double grown = double(resident_pages() - before) * double(sysconf(_SC_PAGESIZE)) / 1e6;
-  std::printf("  %d solves, %d of wheels: %.2f MB more\n", solves, wheels, grown);
-  EXPECT_LT(grown, 8);
-}
-
-TEST(calls, ten_thousand_solves_do_not_grow) {
-  solve_often(10000, 40);
-}
-TEST(calls_nightly, a_million_solves_do_not_grow) {
-  solve_often(1000000, 4000);
-}
-
-TEST(calls, a_million_getters_and_setters) {
-  Element e(1, 3, 1);
-  set_small(e, 1e-3);
-  EXPECT_GE(e.calculate(), 0);
-  const long before = resident_pages();
-  for (int k = 0; k < 500000; ++k) {
-    e.creepages(1e-3, 1e-9 * k, 0);
-    double pen = 0;
-    cntc_getpenetration(e.ire(), e.icp(), &pen);
-    ASSERT_GT(pen, 0);
-  }
-  EXPECT_LT(double(resident_pages() - before) * double(sysconf(_SC_PAGESIZE)), 1e6);
 }
 
 }  // namespace

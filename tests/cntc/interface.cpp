@@ -4,6 +4,28 @@
 
 namespace cntc_test {
 
+void set_small(Element& e, double ksi) {
+  e.set(cntc_setmaterialparameters, 0, {.28, .28, 82000, 82000});
+  e.set(cntc_setfrictionmethod, 0, {.3, .3});
+  e.set(cntc_sethertzcontact, -1, {6, 6, 1e-3, 2e-3, 1.2});
+  e.velocity(1000);
+  e.normal_force(1e4);
+  e.creepages(ksi, 0, 0);
+}
+
+void set_wheel(Element& e) {
+  e.set(cntc_setmaterialparameters, 0, {.28, .28, 82000, 82000});
+  e.set(cntc_setfrictionmethod, 0, {.3, .3});
+  e.set(cntc_setpotcontact, 0, {1, 1});
+  e.profile(true, profile_points("s1002"));
+  e.profile(false, profile_points("60e1"));
+  e.set(cntc_settrackdimensions, 1, {14, 0, 1435, .025, 0});
+  e.set(cntc_setwheelsetdimensions, 3, {1360, -70, 460});
+  e.set(cntc_setwheelsetposition, 1, {0, 2, 0, 0, 0, 0});
+  e.set(cntc_setwheelsetvelocity, 2, {2000, 0, 0, 0, 0, -4.34});
+  e.vertical_force(10000);
+}
+
 std::vector<double> profile_points(const char* shape) {
   rollcon_context* context = nullptr;
   rollcon_body* body = nullptr;

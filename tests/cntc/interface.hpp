@@ -130,6 +130,10 @@ inline bool near(const char* what, double ours, double reference, double bound) 
   return off <= bound;
 }
 
+/// A small contact, and a wheel of S1002 on 60E1 on a coarse grid.
+void set_small(Element& e, double ksi);
+void set_wheel(Element& e);
+
 /// Points of rollcon's closed profiles, as a file would have them.
 std::vector<double> profile_points(const char* shape);
 
