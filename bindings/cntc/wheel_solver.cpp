@@ -20,7 +20,8 @@ void WheelSolver::prepare(const Problem& p) {
   const Inputs& in = p.in;
   const int threads = in.digits.openmp < 0 ? 0 : std::max(1, in.digits.openmp);
   if (search_ && rail_number_ == in.rail.number && wheel_number_ == in.wheel.number && threads == threads_ &&
-      material_.g == in.material.g && material_.nu == in.material.nu)
+      material_.g == in.material.g && material_.nu == in.material.nu && nomrad_ == in.wheelset.nomrad &&
+      ytape_ == in.wheelset.ytape)
     return;
   search_.reset();
   patches.clear();
@@ -38,6 +39,8 @@ void WheelSolver::prepare(const Problem& p) {
   check(rollcon_body_extrude_profile(rail_profile.body(), zero, x, z));
   radius_ = in.wheelset.nomrad - (in.wheelset.ytape < 999 ? wheel_profile.z_at(in.wheelset.ytape) : 0);
   check(rollcon_body_revolve_profile(wheel_profile.body(), zero, y, radius_));
+  nomrad_ = in.wheelset.nomrad;
+  ytape_ = in.wheelset.ytape;
   rail_number_ = in.rail.number;
   wheel_number_ = in.wheel.number;
   threads_ = threads;

@@ -72,6 +72,7 @@ class WheelSolver {
   unsigned rail_number_ = 0, wheel_number_ = 0;
   Material material_;
   int threads_ = 0;
+  double nomrad_ = 0, ytape_ = 0;
   // Inputs of the right side.
   Track track_;
   Wheelset set_;

@@ -306,6 +306,29 @@ TEST(gap, sliding_heats) {
   EXPECT_TRUE(near("Fx/(mu Fn)", e.found().tx / (.3 * e.found().fn), 1, .01));
 }
 
+TEST(gap, damping_adds_to_forces) {
+  Element e(1, 3, 1);
+  set_curve(e, 12, 12, 1.2);
+  e.flags({{CNTC_ic_tang, 2}, {CNTC_ic_pvtime, 0}});
+  e.rolling(0, 1);
+  e.penetration(.07);
+  EXPECT_GE(e.calculate(), 0);
+  const double first = e.found().fn;
+  e.penetration(.072);
+  EXPECT_GE(e.calculate(), 0);
+  const double second = e.found().fn, dt = 1e-4;
+  for (const double bound : {1e12, 1e6}) {
+    e.set(cntc_setmaterialparameters, 10, {});
+    e.penetration(.07);
+    EXPECT_GE(e.calculate(), 0);
+    EXPECT_NEAR(e.found().fn, first, 1e-6 * first);
+    e.set(cntc_setmaterialparameters, 12, {2e-5, 0, bound, bound});
+    e.penetration(.072);
+    EXPECT_GE(e.calculate(), 0);
+    EXPECT_TRUE(near("damped Fn", e.found().fn, second + 2e-5 * std::min(bound, (second - first) / dt), 1e-4 * second));
+  }
+}
+
 TEST(gap, contact_at_the_border_is_counted) {
   Element e(1, 3, 1);
   set_curve(e, 20, 24, .8);

@@ -227,6 +227,27 @@ TEST(wheel, frames_of_rollcon) {
   }
 }
 
+TEST(wheel, slip_of_the_surfaces_and_another_radius) {
+  Element e(1, 1, -1);
+  set_track(e, true, .2);
+  place(e, 2, -1.128e-4, -4.3459197);
+  EXPECT_EQ(e.calculate(), 0);
+  const double z = e.position()[2];
+  e.flags({{CNTC_ic_discns, 3}});
+  EXPECT_EQ(e.calculate(), 0);
+  EXPECT_TRUE(near("Fx of the surfaces' slip", e.found(1).tx, -514.2, 3));  // docs/profiles.md
+  EXPECT_TRUE(near("ksi", e.found(1).ksi, 8.752e-4, 4e-6));
+  // A greater wheel rolls with less creepage; it hangs as high.
+  e.set(cntc_setwheelsetdimensions, 3, {1360, -70, 460.2});
+  EXPECT_EQ(e.calculate(), 0);
+  EXPECT_NEAR(e.position()[2], z, 1e-4);
+  EXPECT_TRUE(near("ksi of the greater wheel", e.found(1).ksi, 8.752e-4 + .2 / 460, 5e-6));
+  e.set(cntc_setwheelsetdimensions, 3, {1360, -70, 460, 0});  // the radius at the datum
+  e.flags({{CNTC_ic_discns, 2}});
+  EXPECT_EQ(e.calculate(), 0);
+  EXPECT_NEAR(e.position()[2], z, 1e-4);
+}
+
 TEST(wheel, simpack_units) {
   Element mm(1, 1, -1), si(2, 1, -1);
   set_track(mm, true, .4);
