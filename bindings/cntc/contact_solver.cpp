@@ -127,6 +127,10 @@ void ContactSolver::lay_frame(const ContactCase& wanted) {
   if (framed_ && g == grid_ && wanted.chi == chi_) return;
   const double zero[3] = {0, 0, 0}, e1[3] = {1, 0, 0}, e3[3] = {0, 0, 1};
   rollcon_contact* contact = contact_.get();
+  // Convolutions are faster than rollcon's own choice of dense matrices from 8 x 8 elements on.
+  const bool convolution =
+      g.size() >= 64 && rollcon_has_feature("fftw") && !(wanted.placement && wanted.placement->conformal);
+  check(rollcon_contact_set_str(contact, "operators", convolution ? "fft" : "auto"));
   check(rollcon_contact_set_axes(contact, zero, e1, e3));
   lattice_ = g.size() == 1 ? Lattice::point : wanted.placement ? Lattice::plain : Lattice::ringed;
   const int more = lattice_ == Lattice::point ? 0 : lattice_ == Lattice::plain ? -1 : 1;
