@@ -260,7 +260,7 @@ void fuzz(unsigned seed, int files) {
   }
 }
 TEST(inp, faults_are_read_or_refused) {
-  fuzz(1, 150);
+  fuzz(1, 60);
 }
 TEST(inp_nightly, faults_are_read_or_refused) {
   fuzz(2, 5000);
