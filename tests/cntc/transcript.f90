@@ -35,5 +35,6 @@ program transcript
    eldiv = count(division == 1)/dble(count(division > 0))
    write (*, '(a, f8.4)') ' stick over contact: ', eldiv
    if (abs(eldiv - 596d0/1384) > 0.03d0) stop 5
+   deallocate (division)
    call cntc_finalize(ire)
 end program
