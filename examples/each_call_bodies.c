@@ -144,14 +144,15 @@ static void pressed(rollcon_context* context) {
 static void section(rollcon_context* context) {
   /* A roller of steel, whose section is one quadrilateral, and a strip that is drawn along x. */
   const double corner[4][3] = {{0, 0, 1}, {0, 4, 1}, {0, 4, 9}, {0, 0, 9}}, origin[3] = {0, 0, 0}, axis[3] = {0, 1, 0},
-               along[3] = {1, 0, 0};
-  const int32_t quad[4] = {0, 1, 2, 3}, bore[2] = {0, 1}, tread[2] = {2, 3}, tag = 1;
+               along[3] = {1, 0, 0}, rubber[3] = {10, 10, 100};
+  const int32_t quad[4] = {0, 1, 2, 3}, bore[2] = {0, 1}, tread[2] = {2, 3}, tag = 1, seat = 2;
   rollcon_body *roller, *strip;
   must(rollcon_body_create(context, ROLLCON_BODY_SECTION, &roller));
   must(rollcon_body_set_nodes(roller, 4, &corner[0][0], 3, 1));
   must(rollcon_body_add_elements(roller, ROLLCON_QUAD4, 1, quad, 0, 0));
   must(rollcon_body_set_elastic(roller, 0, 210000, 0.3));
-  must(rollcon_body_set_support(roller, 2, bore, 0, 7, NULL));
+  must(rollcon_body_tag_faces_of_nodes(roller, 2, bore, 0, seat));
+  must(rollcon_body_set_springs(roller, seat, rubber));
   must(rollcon_body_tag_faces_of_nodes(roller, 2, tread, 0, tag));
   must(rollcon_body_set_contact_faces(roller, 1, &tag));
   must(rollcon_body_copy(roller, &strip));

@@ -29,6 +29,7 @@ module rollcon_body_plain
     procedure :: set_body_force => body_set_body_force
     procedure :: set_rotation => body_set_rotation
     procedure :: set_pressure => body_set_pressure
+    procedure :: set_springs => body_set_springs
     procedure :: set_contact_faces => body_set_contact_faces
     procedure :: revolve => body_revolve
     procedure :: extrude => body_extrude
@@ -336,6 +337,20 @@ contains
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
     call finish(rollcon_body_set_pressure(self%p, int(tag, rc_int), pressure), self%p, 'rc_body%set_pressure', stat, &
+      errmsg)
+  end subroutine
+
+  !> Puts the faces with a tag on springs: a rail on its pad, a wheel on the rubber of its tyre. Their traction is minus
+  !> the stiffness times the displacement. Springs hold a body as supports do; faces on springs are no contact faces
+  !> unless rollcon_body_set_contact_faces names them. rollcon_body_get_reaction has what held nodes take, without
+  !> springs.
+  subroutine body_set_springs(self, tag, stiffness, stat, errmsg)
+    class(rc_body_plain), intent(inout) :: self
+    integer, intent(in) :: tag
+    real(rc_real), intent(in) :: stiffness(3)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_body_set_springs(self%p, int(tag, rc_int), stiffness), self%p, 'rc_body%set_springs', stat, &
       errmsg)
   end subroutine
 

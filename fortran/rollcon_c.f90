@@ -472,6 +472,16 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_body_set_pressure
 
+    function rollcon_body_set_springs(body, tag, stiffness) &
+        result(rc) bind(C, name="rollcon_body_set_springs")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int32_t), value :: tag
+      real(c_double), intent(in) :: stiffness(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_body_set_springs
+
     function rollcon_body_set_node_tractions(body, tag, n, nodes, index_base, along, tractions) &
         result(rc) bind(C, name="rollcon_body_set_node_tractions")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr

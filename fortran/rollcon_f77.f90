@@ -350,6 +350,15 @@ subroutine rcbprs(ibody, itag, pressure, ierr)
   ierr = rollcon_body_set_pressure(body_of(ibody), narrow(itag), pressure)
 end subroutine
 
+!> Puts the faces with a tag on springs.
+subroutine rcbspr(ibody, itag, stiffness, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, itag, ierr
+  double precision :: stiffness(3)
+  ierr = rollcon_body_set_springs(body_of(ibody), narrow(itag), stiffness)
+end subroutine
+
 !> Prescribes tractions at nodes of the faces with a tag, interpolated by the faces' shape functions, zero at nod.
 subroutine rcbtrn(ibody, itag, n, nodes, along, tractions, ierr)
   use rollcon_f77_support

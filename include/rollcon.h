@@ -687,6 +687,21 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_pressure(rollcon_body *
     int32_t tag, double pressure);
 
 /*
+ * Puts the faces with a tag on springs: a rail on its pad, a wheel on the rubber of its tyre.
+ * Their traction is minus the stiffness times the displacement. Springs hold a body as supports
+ * do; faces on springs are no contact faces unless rollcon_body_set_contact_faces names them.
+ * rollcon_body_get_reaction has what held nodes take, without springs.
+ *   body       of finite elements, or a section (else ROLLCON_ERR_UNSUPPORTED)
+ *   tag        of some face (else ROLLCON_ERR_ARGUMENT)
+ *   stiffness  [3]; along x, y and z, force/length^3, 0 to 1e100
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_UNSUPPORTED,
+ *   ROLLCON_ERR_MEMORY.
+ * Source: docs/sections.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_springs(rollcon_body *body, int32_t tag,
+    const double *stiffness);
+
+/*
  * Prescribes tractions at nodes of the faces with a tag, interpolated by the faces' shape
  * functions, zero at nodes not named; replaces what an earlier call gave for the tag, and adds to
  * its traction and pressure. With a direction, `along`, the three components act along its part

@@ -438,6 +438,18 @@ static void call_body_set_pressure(call *self) {
   finish(self, rc);
 }
 
+static void call_body_set_springs(call *self) {
+  int32_t rc = 0;
+  rollcon_body *body = rollcon_body_from_id(take_handle(self, "body"));
+  const int32_t tag = take_enumerator(self, "tag", no_names, 0);
+  int64_t stiffness_rows = 3;
+  const double *stiffness = take_reals(self, "stiffness", &stiffness_rows, 0, 0);
+  no_more(self);
+  rc = rollcon_body_set_springs(body, tag, stiffness);
+  if (rc < 0) finish(self, rc);
+  finish(self, rc);
+}
+
 static void call_body_set_node_tractions(call *self) {
   int32_t rc = 0;
   int64_t n = -1;
@@ -2374,6 +2386,7 @@ const entry calls[] = {
   {"body_set_body_force", call_body_set_body_force, 1},
   {"body_set_rotation", call_body_set_rotation, 1},
   {"body_set_pressure", call_body_set_pressure, 1},
+  {"body_set_springs", call_body_set_springs, 1},
   {"body_set_node_tractions", call_body_set_node_tractions, 1},
   {"body_set_contact_faces", call_body_set_contact_faces, 1},
   {"body_revolve", call_body_revolve, 1},

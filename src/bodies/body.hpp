@@ -62,6 +62,9 @@ class Body {
   /// Takes tractions by node, in the body's axes; along not null: see FaceLoad.
   void set_node_tractions(std::int32_t tag, std::int64_t n, const std::int32_t* node, std::int32_t index_base,
                           const double* along, const double* traction);
+  /// Puts faces with a tag on springs: stiffness per area along the body's axes, 0 lets go. Finite elements and
+  /// sections.
+  void set_springs(std::int32_t tag, const double* stiffness);
   // Finite elements with a tag take a force per volume, and the force of a rotation with vector `rate` about an axis
   // through `origin`.
   void set_body_force(std::int32_t tag, const double* force);

@@ -16,7 +16,7 @@ namespace {
 
 /// Bytes that an entry of a list takes at least.
 constexpr std::size_t least_material = 20, least_option = 28, least_naming = 40, least_load = 76, least_face = 12,
-                      least_body_force = 84;
+                      least_body_force = 84, least_spring = 28;
 
 void require(bool good, const char* what) {
   if (!good) fail(Status::err_mesh, "%s", what);
@@ -112,6 +112,11 @@ void mesh_content(Archive& ar, Mesh& mesh, const BodyTraits& traits) {
     a(load.rate);
   });
   ar(mesh.contact_tag);
+  if (!traits.filled()) return;
+  ar.list(mesh.spring, least_spring, [](auto& a, auto& spring) {
+    a(spring.tag);
+    a(spring.stiffness);
+  });
   if (!traits.section) return;
   ar(mesh.path.sweep);
   ar(mesh.path.origin);
@@ -258,6 +263,9 @@ void check_mesh(BodyModel& model) {
     require_all_finite(load.of_node);
     require_all_finite({load.along});
   }
+  for (const Spring& spring : mesh.spring)
+    for (const double k : spring.stiffness)
+      require(k >= 0 && std::isfinite(k), "the stiffness of a spring is out of range");
   for (const BodyForce& load : mesh.body_force) {
     require_all_finite({load.force, load.origin, load.rate});
     require(std::isfinite(load.density), "a number is not finite");

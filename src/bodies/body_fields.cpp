@@ -20,7 +20,7 @@ bool on_surface_alone(const Body& body) {
 }
 
 void require_fields(const Body& body) {
-  if (!body.traits().make_response || body.traits().section)
+  if (!body.traits().make_response)
     fail(Status::err_unsupported, "the body is a %s body: fields inside are those of finite and boundary elements",
          body.traits().name);
   if (!body.prepared()) fail(Status::err_state, "the body is not prepared: call rollcon_body_prepare first");

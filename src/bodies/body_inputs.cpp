@@ -270,6 +270,21 @@ void Body::set_pressure(std::int32_t tag, double pressure) {
   load_of(given().load, tag).pressure = pressure;
 }
 
+void Body::set_springs(std::int32_t tag, const double* stiffness) {
+  require_elastic_mesh_kind(traits_, "springs");
+  if (!traits_.filled())
+    fail(Status::err_unsupported, "springs are for finite elements and sections, not for a %s body", traits_.name);
+  require_moderate(stiffness, "stiffness");
+  for (int c = 0; c < 3; ++c)
+    if (stiffness[c] < 0)
+      fail(Status::err_argument, "component %c of stiffness is %g; allowed: 0 to %g", "xyz"[c], stiffness[c],
+           most_given);
+  const std::lock_guard lock(mutex_);
+  require_unprepared("springs are");
+  require_tag(tag, "tag");
+  load_of(given().spring, tag).stiffness = {stiffness[0], stiffness[1], stiffness[2]};
+}
+
 void Body::set_node_tractions(std::int32_t tag, std::int64_t n, const std::int32_t* node, std::int32_t index_base,
                               const double* along, const double* traction) {
   require_elastic_mesh_kind(traits_, "tractions");

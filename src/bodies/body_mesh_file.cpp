@@ -129,7 +129,7 @@ void Body::tag_group(const char* name, std::int32_t tag) {
   if (g.element.empty() && naming.empty()) naming.push_back({.nodes = g.node});  // the faces between its nodes
   for (FaceNaming& n : naming) {
     n.tag = tag;
-    if (traits_.volume)
+    if (traits_.filled())
       mesh.naming.push_back(std::move(n));
     else
       tag_by_nodes(n, mesh.surface);

@@ -26,6 +26,7 @@ void require_tagged_faces(const BodyMesh& mesh) {
            tag, what);
   };
   for (const FaceLoad& load : mesh.load) require(load.tag, "rollcon_body_set_traction or rollcon_body_set_pressure");
+  for (const Spring& spring : mesh.spring) require(spring.tag, "rollcon_body_set_springs");
   for (const BodyForce& load : mesh.body_force)
     if (std::find(mesh.volume.tag.begin(), mesh.volume.tag.end(), load.tag) == mesh.volume.tag.end())
       fail(Status::err_state, "no element has the tag %d that rollcon_body_set_body_force or _set_rotation was given",

@@ -93,9 +93,10 @@ void ByShapeFunctions::add_tractions(const std::vector<Vec3>& on_body, SurfaceSt
 
 bool ByShapeFunctions::expand(Points points, ExpandedCompliance& out) const {
   if (!require_loads()) return false;
-  const std::vector<Group> all = groups(points);
   ExpandedBody expanded;
   expanded.equations = zone_.body.response()->as_equations()->equations(threads_);
+  if (!expanded.equations) return false;
+  const std::vector<Group> all = groups(points);
   expanded.load = local_loads();
   expanded.displacement = local_displacements(all, points.size());
   out.body.push_back(std::move(expanded));

@@ -102,6 +102,12 @@ rollcon_status rollcon_body_set_pressure(rollcon_body *body, int32_t tag, double
   });
 }
 
+rollcon_status rollcon_body_set_springs(rollcon_body *body, int32_t tag, const double *stiffness) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.set_springs(tag, stiffness);
+  });
+}
+
 rollcon_status rollcon_body_set_node_tractions(rollcon_body *body, int32_t tag, int64_t n,
     const int32_t *nodes, int32_t index_base, const double *along, const double *tractions) {
   return with_body(__func__, body, [&](Body& self) {

@@ -238,6 +238,7 @@ FUNCTIONS = {
         c_void_p, c_int32, c_double,
         POINTER(c_double), POINTER(c_double)]),
     "rollcon_body_set_pressure": (c_int32, [c_void_p, c_int32, c_double]),
+    "rollcon_body_set_springs": (c_int32, [c_void_p, c_int32, POINTER(c_double)]),
     "rollcon_body_set_node_tractions": (c_int32, [
         c_void_p, c_int32, c_int64, POINTER(c_int32),
         c_int32, POINTER(c_double), POINTER(c_double)]),
@@ -603,6 +604,7 @@ ARGUMENTS = {
         ("body", ""), ("tag", ""), ("density", ""), ("origin", ""), ("rate", "")
     ],
     "rollcon_body_set_pressure": [("body", ""), ("tag", ""), ("pressure", "")],
+    "rollcon_body_set_springs": [("body", ""), ("tag", ""), ("stiffness", "")],
     "rollcon_body_set_node_tractions": [
         ("body", ""), ("tag", ""), ("n", ""), ("nodes", ""), ("index_base", ""), ("along", ""),
         ("tractions", "")

@@ -157,6 +157,18 @@ class BodyPlain:
         """
         self._call("set_pressure", tag, pressure)
 
+    def set_springs(self, tag: int, stiffness: ArrayLike) -> None:
+        """Puts the faces with a tag on springs: a rail on its pad, a wheel on the rubber of its
+        tyre. Their traction is minus the stiffness times the displacement. Springs hold a body as
+        supports do; faces on springs are no contact faces unless set_contact_faces() names them.
+        reaction() has what held nodes take, without springs.
+
+        tag: of some face (else ERR_ARGUMENT).
+        stiffness: along x, y and z, force/length^3, 0 to 1e100.
+        """
+        stiffness, stiffness_at = vector(stiffness)
+        self._call("set_springs", tag, stiffness_at)
+
     def set_contact_faces(self, tags: ArrayLike) -> None:
         """Says which faces may come into contact: gaps are computed and frames laid on them. The
         standard is all faces that are neither held nor loaded.

@@ -170,7 +170,7 @@ class Body(Settings, BodyPlain, Handle):
         self._call("write", c_path(path), nodes, given)
 
     def _about(self):
-        kind = {1: "finite elements", 2: "boundary elements", 3: "half-space", 4: "rigid"}.get(self.kind, "body")
+        kind = {1: "finite elements", 2: "boundary elements", 3: "half-space", 4: "rigid", 5: "section"}.get(self.kind, "body")
         nodes, elements = self.size
         return f"{kind}, {nodes} nodes, {elements} elements" if nodes else kind
 

@@ -125,8 +125,36 @@ Unknowns number_unknowns(const BodyMesh& mesh) {
   return unknowns;
 }
 
-Assembly::Assembly(const BodyMesh& mesh, std::vector<Material> material, Hex8 hex8)
-    : mesh_(mesh), material_(std::move(material)), hex8_(hex8) {}
+Assembly::Assembly(const BodyMesh& mesh, std::vector<Material> material, Hex8 hex8, double reference)
+    : mesh_(mesh), material_(std::move(material)), hex8_(hex8), reference_(reference) {
+  for (const Spring& spring : mesh.spring)
+    for (std::int64_t face = 0; face < mesh.surface.elements(); ++face)
+      if (mesh.surface.tag[at(face)] == spring.tag)
+        spring_[mesh.origin[at(face)].element].emplace_back(face, spring.stiffness);
+}
+
+void Assembly::add_springs(std::int64_t e, std::vector<double>& k) const {
+  const auto found = spring_.find(e);
+  if (found == spring_.end()) return;
+  constexpr int degree = 7;
+  const SurfaceMesh& surface = mesh_.surface;
+  const auto nodes = mesh_.volume.element(e);
+  const std::size_t width = 3 * nodes.size();
+  for (const auto& [face, stiffness] : found->second) {
+    std::vector<std::size_t> place;
+    for (const std::int32_t n : surface.element(face))
+      place.push_back(at(std::find(nodes.begin(), nodes.end(), n) - nodes.begin()));
+    for (const auto& [weight, shape] : tabulated<degree>(surface.type[at(face)])) {
+      const double area = weight *
+                          length(combine(surface, face, shape, surface.node[at(surface.element(face)[0])]).normal) /
+                          reference_;
+      for (std::size_t a = 0; a < place.size(); ++a)
+        for (std::size_t b = 0; b < place.size(); ++b)
+          for (std::size_t c = 0; c < 3; ++c)
+            k[(3 * place[a] + c) * width + 3 * place[b] + c] += area * stiffness[c] * shape.value[a] * shape.value[b];
+    }
+  }
+}
 
 void Assembly::element_matrix(std::int64_t e, std::vector<double>& k) const {
   const auto nodes = mesh_.volume.element(e);
@@ -136,6 +164,7 @@ void Assembly::element_matrix(std::int64_t e, std::vector<double>& k) const {
   const Material& material = material_[at(e)];
   element_stiffness(mesh_.volume.type[at(e)], {x, nodes.size()}, material.poisson, k.data(), hex8_);
   for (double& v : k) v *= material.young;
+  add_springs(e, k);
 }
 
 // Elements of one colour share no node: they may be added at the same time, and each entry gets its parts in the order

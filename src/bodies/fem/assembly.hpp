@@ -24,8 +24,8 @@ struct Material {
 
 class Assembly {
  public:
-  /// Takes the mesh, which must outlive it, and materials by element.
-  Assembly(const BodyMesh& mesh, std::vector<Material> material, Hex8 hex8);
+  /// Takes the mesh, which must outlive it, materials by element, and the reference that their moduli are over.
+  Assembly(const BodyMesh& mesh, std::vector<Material> material, Hex8 hex8, double reference);
 
   const Material& material(std::int64_t element) const { return material_[static_cast<std::size_t>(element)]; }
   /// Assembles the matrix, with sums in an order that does not depend on the number of threads.
@@ -39,10 +39,13 @@ class Assembly {
   void add_body_force(const BodyForce& load, double reference, std::vector<double>& force) const;
   std::vector<std::vector<std::int64_t>> colours() const;
   void element_matrix(std::int64_t e, std::vector<double>& k) const;
+  void add_springs(std::int64_t e, std::vector<double>& k) const;
 
   const BodyMesh& mesh_;
   std::vector<Material> material_;
   Hex8 hex8_;
+  double reference_;
+  std::map<std::int64_t, std::vector<std::pair<std::int64_t, Vec3>>> spring_;  ///< faces on springs, by element
 };
 
 }  // namespace rollcon::fem

@@ -62,7 +62,7 @@ System::System(const BodyMesh& mesh, const TractionNodes& fans, const std::map<s
       fans_(fans),
       reference_(largest_modulus(material)),
       options_(options),
-      assembly_(mesh, by_element(mesh, material, reference_), hex8_of(options)),
+      assembly_(mesh, by_element(mesh, material, reference_), hex8_of(options), reference_),
       interior_(mesh, assembly_, hex8_of(options), reference_),
       unknowns_(number_unknowns(mesh)) {
   statistics_.unknowns = unknowns_.count;
@@ -190,7 +190,7 @@ OwnLoads System::solve_loads(const BodyMesh& loaded, int threads) {
   require_whole(threads);
   std::vector<Material> material;
   for (std::int64_t e = 0; e < mesh_.volume.elements(); ++e) material.push_back(assembly_.material(e));
-  const Assembly assembly(loaded, std::move(material), hex8_of(options_));
+  const Assembly assembly(loaded, std::move(material), hex8_of(options_), reference_);
   OwnLoads own = solve_own_load(loaded, assembly, *whole_);
   if (options_.keep_factors == 0) whole_.reset();
   return own;

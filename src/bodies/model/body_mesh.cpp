@@ -67,6 +67,11 @@ Vec3 FaceLoad::turned(const Vec3& v, const Vec3& normal) const {
   return v[0] * tangent + v[1] * cross(normal, tangent) + v[2] * normal;
 }
 
+bool BodyMesh::taken(std::int32_t tag) const {
+  const auto has = [&](const auto& entry) { return entry.tag == tag; };
+  return std::any_of(load.begin(), load.end(), has) || std::any_of(spring.begin(), spring.end(), has);
+}
+
 bool BodyMesh::moved() const {
   const std::vector<Vec3>& given = section.swept() ? given_value : held_value;
   return std::any_of(given.begin(), given.end(), [](const Vec3& v) { return v != Vec3{0, 0, 0}; });
@@ -172,13 +177,11 @@ std::vector<std::uint8_t> held_elements(const BodyMesh& mesh) {
 std::vector<std::int64_t> contact_elements(const BodyMesh& mesh) {
   constexpr std::uint8_t all_components = 7;
   const std::set<std::int32_t> wanted(mesh.contact_tag.begin(), mesh.contact_tag.end());
-  std::set<std::int32_t> loaded;
-  for (const FaceLoad& load : mesh.load) loaded.insert(load.tag);
   const std::vector<std::uint8_t> held = held_elements(mesh);
   std::vector<std::int64_t> element;
   for (std::size_t e = 0; e < held.size(); ++e) {
     const std::int32_t tag = mesh.surface.tag[e];
-    const bool chosen = wanted.empty() ? held[e] != all_components && loaded.count(tag) == 0 : wanted.count(tag) != 0;
+    const bool chosen = wanted.empty() ? held[e] != all_components && !mesh.taken(tag) : wanted.count(tag) != 0;
     if (chosen) element.push_back(static_cast<std::int64_t>(e));
   }
   return element;

@@ -41,6 +41,12 @@ struct BodyForce {
   Vec3 at(const Vec3& x) const { return force + density * cross(cross(rate, x - origin), rate); }
 };
 
+/// Holds springs on faces with a tag: the traction on them is minus the stiffness times the displacement.
+struct Spring {
+  std::int32_t tag = 0;
+  Vec3 stiffness{0, 0, 0};  ///< stiffness per area along the body's axes; of sections along those at their place
+};
+
 /// Records one call that gave boundary faces of a volume a tag: by element and side, by the set of nodes that they lie
 /// on, or as surface elements. Later calls win.
 struct FaceNaming {
@@ -78,12 +84,15 @@ struct BodyMesh {
   std::vector<Vec3> held_value;       ///< given displacement by node, in the body's axes
   std::vector<FaceLoad> load;         ///< loads, one per tag at most
   std::vector<BodyForce> body_force;  ///< loads of volume elements, one per tag at most
-  /// Tags of faces that may come into contact; empty: all faces that are neither held nor loaded.
+  std::vector<Spring> spring;         ///< elastic supports, one per tag at most
+  /// Tags of faces that may come into contact; empty: all faces that are neither held nor loaded nor on springs.
   std::vector<std::int32_t> contact_tag;
 
   /// Tells whether displacements are given that are not zero.
   bool moved() const;
   /// Tells whether the body has loads or given displacements of its own.
+  /// Tells whether faces with a tag are loaded or stand on springs.
+  bool taken(std::int32_t tag) const;
   bool loaded() const { return !load.empty() || !body_force.empty() || moved(); }
 };
 

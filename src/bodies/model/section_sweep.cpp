@@ -41,6 +41,7 @@ void require_tagged_edges(const BodyMesh& mesh, const SweptSection& section) {
       fail(Status::err_mesh, "tag %d, named by %s, is on no edge of the section's boundary", tag, what);
   };
   for (const FaceLoad& load : mesh.load) require(load.tag, "rollcon_body_set_traction or rollcon_body_set_pressure");
+  for (const Spring& spring : mesh.spring) require(spring.tag, "rollcon_body_set_springs");
   for (const std::int32_t tag : mesh.contact_tag) require(tag, "rollcon_body_set_contact_faces");
 }
 
@@ -83,8 +84,7 @@ void sweep_section(BodyMesh& mesh, std::int64_t stations) {
     const auto has = [&](std::int32_t tag) { return tag == e.tag; };
     const bool held = std::all_of(e.node.begin(), e.node.end(),
                                   [&](std::int32_t k) { return k < 0 || mesh.held[at(k)] == all_components; });
-    const bool loaded = std::any_of(mesh.load.begin(), mesh.load.end(), [&](const FaceLoad& l) { return has(l.tag); });
-    if (mesh.contact_tag.empty() ? !held && !loaded
+    if (mesh.contact_tag.empty() ? !held && !mesh.taken(e.tag)
                                  : std::any_of(mesh.contact_tag.begin(), mesh.contact_tag.end(), has))
       chosen.push_back(i);
   }

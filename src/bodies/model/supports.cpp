@@ -25,9 +25,16 @@ void require_supports(const BodyMesh& mesh) {
   // components of r r^T, where r is what each motion moves them by.
   double gram[6][6] = {};
   std::int64_t held = 0;
+  std::vector<std::uint8_t> stopped = mesh.held;  // springs stop motions, too
+  for (std::int64_t e = 0; e < mesh.surface.elements(); ++e)
+    for (const Spring& spring : mesh.spring)
+      if (spring.tag == mesh.surface.tag[static_cast<std::size_t>(e)])
+        for (const std::int32_t k : mesh.surface.element(e))
+          for (std::size_t c = 0; c < 3; ++c)
+            if (spring.stiffness[c] > 0) stopped[static_cast<std::size_t>(k)] |= static_cast<std::uint8_t>(1U << c);
   for (std::size_t k = 0; k < mesh.held.size(); ++k)
     for (std::size_t c = 0; c < 3; ++c) {
-      if (!(mesh.held[k] & (1U << c))) continue;
+      if (!(stopped[k] & (1U << c))) continue;
       ++held;
       const Vec3 arm = mesh.surface.node[k] - middle;
       double r[6] = {};

@@ -60,7 +60,8 @@ struct Resultant {
 struct OwnLoads {
   std::vector<double> displacement;  ///< u[3 * node + c] of every node; empty: there are no loads
   /// Tractions of boundary elements that go with the displacement, by traction node of the body (see TractionNodes),
-  /// t[3 * k + c]: what was given, and the reactions of the supports. Empty when displacement is.
+  /// t[3 * k + c]: what was given, and the reactions of the supports. Empty when displacement is. Sections have here the
+  /// displacements of their plane nodes, along e1, the way and e2.
   std::vector<double> traction;
   Resultant reaction;  ///< force and moment that the supports exert on the body
   double missed = 0;   ///< part of these loads that reactions of boundary elements miss
@@ -88,7 +89,7 @@ class AsEquations {
   /// Returns right sides for tractions on the surface, shared as long as anyone holds them.
   virtual std::shared_ptr<const SurfaceLoads> loads(const LoadedSurface& surface, int threads) = 0;
   /// Returns the matrix to these right sides, assembled once: it is shared as they are, and kept by the body itself
-  /// until it is factorised (unless option keep_factors is 0).
+  /// until it is factorised (unless option keep_factors is 0). Null: the body has no such matrix.
   virtual std::shared_ptr<const BodyEquations> equations(int threads) = 0;
   /// Returns displacements of every node, and the reactions of supports as tractions of boundary elements, under a
   /// right side of the equations, which is overwritten; own loads and given displacements apart. Factorises at most

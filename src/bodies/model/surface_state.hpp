@@ -15,7 +15,7 @@ struct SurfaceState {
   // a frame that is laid on the surface by the frame's nodes.
   std::vector<double> traction;
   SurfaceMesh layer;
-  std::vector<double> layer_traction;
+  std::vector<double> layer_traction;  ///< sections: forces on the stretches of their surface
 };
 
 /// Gives fields inside of a body; stresses are 11, 22, 33, 12, 13, 23 in its axes. err_argument: a point is outside.

@@ -13,33 +13,6 @@
 namespace rollcon::section {
 namespace {
 
-using EdgeMass = std::array<std::array<double, 3>, 3>;
-
-/// Computes integrals of products of an edge's shape functions, over the way per radian.
-EdgeMass edge_mass(const SweptSection& section, const SectionEdge& edge) {
-  EdgeMass mass{};
-  const LineRule line = gauss_legendre(6);
-  const bool middle = edge.nodes() == 3;
-  for (std::size_t g = 0; g < line.x.size(); ++g) {
-    const double x = line.x[g], bubble = middle ? 1 - x * x : 0, turn = middle ? x : 0;
-    const double value[3] = {0.5 * (1 - x - bubble), 0.5 * (1 + x - bubble), bubble},
-                 slope[3] = {-0.5 + turn, 0.5 + turn, -2 * x};
-    double p = 0, dp = 0, dq = 0;
-    for (std::size_t a = 0; a < edge.nodes(); ++a) {
-      const auto& [own_p, own_q] = section.place(edge.node[a]);
-      p += value[a] * own_p, dp += slope[a] * own_p, dq += slope[a] * own_q;
-    }
-    for (std::size_t a = 0; a < edge.nodes(); ++a)
-      for (std::size_t b = 0; b < edge.nodes(); ++b)
-        mass[a][b] += line.w[g] * std::hypot(dp, dq) * section.way(p) * value[a] * value[b];
-  }
-  return mass;
-}
-
-/// Lists coefficients of 1, x, x^2 in the shape functions along the way: at the first station, the last, the middle.
-constexpr double quadratic_functions[3][3] = {{0, -0.5, 0.5}, {0, 0.5, 0.5}, {1, 0, -1}},
-                 linear_functions[3][3] = {{0.5, -0.5, 0}, {0.5, 0.5, 0}, {0, 0, 0}};
-
 /// Lists distinct values, ascending.
 template <class T>
 std::vector<T> distinct(std::vector<T> all) {
@@ -64,7 +37,7 @@ class Table {
     const double half = quadratic ? step : 0.5 * step;
     std::vector<double> angle;
     for (const std::int64_t k : offset) angle.push_back(static_cast<double>(k) * step - half);
-    const StationWeights weights = station_weights(harmonics, half, angle);
+    const StationWeights weights = station_weights(harmonics, half, angle, false);
     const auto samples = response.rows(), pairs = 9 * std::ssize(to) * from_;
     RowMatrix<double> wanted[2], power;  // by kernel; power: rows by monomial and offset
     for (auto& w : wanted) w.resize(samples, pairs);
@@ -86,8 +59,7 @@ class Table {
       value_[f].resize(count, pairs);
       for (std::int64_t m = 0; m < 3; ++m)
         for (std::int64_t k = 0; k < count; ++k)
-          axpy((quadratic ? quadratic_functions : linear_functions)[f][m], power.row(m * count + k), value_[f].row(k),
-               pairs);
+          axpy(along_the_way(quadratic, f)[at(m)], power.row(m * count + k), value_[f].row(k), pairs);
     }
   }
   /// Returns nine displacements a under b of places in `to` and `from`: [3 * from_count * a + b] from the pointer on.
@@ -130,6 +102,12 @@ Places find_places(const SweptSection& section, std::span<const std::int32_t> ro
 }
 
 }  // namespace
+
+std::array<double, 3> along_the_way(bool quadratic, std::size_t function) {
+  constexpr std::array<double, 3> of_three[] = {{0, -0.5, 0.5}, {0, 0.5, 0.5}, {1, 0, -1}},
+                                  of_two[] = {{0.5, -0.5, 0}, {0.5, 0.5, 0}};
+  return quadratic ? of_three[function] : of_two[function];
+}
 
 // Tractions become sources: integrals across the way. acting[i] holds source i by column.
 void System::find_sources(std::span<const std::int64_t> face, std::span<const std::int32_t> node,

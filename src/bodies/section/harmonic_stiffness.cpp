@@ -176,7 +176,45 @@ HarmonicStiffness::Element HarmonicStiffness::element(std::int64_t e) const {
   invert(mass, functions);
   for (std::size_t a = 0; a < functions; ++a)
     for (std::size_t b = 0; b < functions; ++b) add_product(mean[a], mean[b], (bulk - local) * mass[a][b], n, out.k);
+  add_springs(e, out.k[0]);
   return out;
+}
+
+void HarmonicStiffness::add_springs(std::int64_t e, std::vector<double>& k) const {
+  const SweptSection& s = mesh_.section;
+  const auto nodes = s.plane().element(e);
+  for (const Spring& spring : mesh_.spring)
+    for (const SectionEdge& edge : s.edges()) {
+      if (edge.element != e || edge.tag != spring.tag) continue;
+      const EdgeMass mass = edge_mass(s, edge);
+      for (std::size_t a = 0; a < edge.nodes(); ++a)
+        for (std::size_t b = 0; b < edge.nodes(); ++b)
+          for (std::size_t c = 0; c < 3; ++c) {
+            const auto i = at(std::find(nodes.begin(), nodes.end(), edge.node[a]) - nodes.begin());
+            const auto j = at(std::find(nodes.begin(), nodes.end(), edge.node[b]) - nodes.begin());
+            k[(3 * i + c) * 3 * nodes.size() + 3 * j + c] += spring.stiffness[axis_[c].first] * mass[a][b] / reference_;
+          }
+    }
+}
+
+EdgeMass edge_mass(const SweptSection& section, const SectionEdge& edge) {
+  EdgeMass mass{};
+  const LineRule line = gauss_legendre(6);
+  const bool middle = edge.nodes() == 3;
+  for (std::size_t g = 0; g < line.x.size(); ++g) {
+    const double x = line.x[g], bubble = middle ? 1 - x * x : 0, turn = middle ? x : 0;
+    const double value[3] = {0.5 * (1 - x - bubble), 0.5 * (1 + x - bubble), bubble},
+                 slope[3] = {-0.5 + turn, 0.5 + turn, -2 * x};
+    double p = 0, dp = 0, dq = 0;
+    for (std::size_t a = 0; a < edge.nodes(); ++a) {
+      const auto& [own_p, own_q] = section.place(edge.node[a]);
+      p += value[a] * own_p, dp += slope[a] * own_p, dq += slope[a] * own_q;
+    }
+    for (std::size_t a = 0; a < edge.nodes(); ++a)
+      for (std::size_t b = 0; b < edge.nodes(); ++b)
+        mass[a][b] += line.w[g] * std::hypot(dp, dq) * section.way(p) * value[a] * value[b];
+  }
+  return mass;
 }
 
 std::array<std::pair<std::size_t, double>, 3> body_axes_of(const SweptSection& section) {
@@ -200,10 +238,9 @@ void HarmonicStiffness::number() {
   constexpr std::uint8_t all = 7;
   const std::vector<std::uint8_t>& held = mesh_.given_held;
   const bool partly = std::any_of(held.begin(), held.end(), [](std::uint8_t h) { return h != 0 && h != all; });
-  std::array<std::pair<std::size_t, double>, 3> axis{{{0, 1}, {1, 1}, {2, 1}}};
-  if (partly) axis = body_axes_of(mesh_.section);
+  if (partly || !mesh_.spring.empty()) axis_ = body_axes_of(mesh_.section);
   for (const std::uint8_t h : held)
-    for (std::size_t c = 0; c < 3; ++c) of_.push_back(h == all || (h >> axis[c].first & 1U) ? -1 : count_++);
+    for (std::size_t c = 0; c < 3; ++c) of_.push_back(h == all || (h >> axis_[c].first & 1U) ? -1 : count_++);
 }
 
 // Rigid motions are harmonics: n = 0 along the axis and about it, n = 1 across it; extruded bodies have all of theirs
@@ -215,6 +252,12 @@ void HarmonicStiffness::require_held() const {
   for (std::int64_t k = 0; k < s.plane().nodes(); ++k)
     size = std::max(
         {size, std::abs(s.place(static_cast<std::int32_t>(k))[0]), std::abs(s.place(static_cast<std::int32_t>(k))[1])});
+  std::vector<std::uint8_t> sprung(of_.size(), 0);
+  for (const Spring& spring : mesh_.spring)
+    for (const SectionEdge& edge : s.edges())
+      for (std::size_t a = 0; edge.tag == spring.tag && a < edge.nodes(); ++a)
+        for (std::size_t c = 0; c < 3; ++c)
+          if (spring.stiffness[axis_[c].first] > 0) sprung[3 * at(edge.node[a]) + c] = 1;
   struct Motion {
     const char* name;
     int harmonic;
@@ -260,7 +303,7 @@ void HarmonicStiffness::require_held() const {
     if (of.empty()) continue;
     for (std::int32_t k = 0; k < s.plane().nodes(); ++k)
       for (std::size_t c = 0; c < 3; ++c) {
-        if (unknown(k, c) >= 0) continue;
+        if (unknown(k, c) >= 0 && sprung[3 * at(k) + c] == 0) continue;
         const auto& [p, q] = s.place(k);
         for (std::size_t i = 0; i < of.size(); ++i)
           for (std::size_t j = 0; j < of.size(); ++j)

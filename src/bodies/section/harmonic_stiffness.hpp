@@ -39,17 +39,23 @@ class HarmonicStiffness {
     std::vector<double> k[3];  ///< K0, K1, K2 of an element, row by row
   };
   Element element(std::int64_t e) const;
+  void add_springs(std::int64_t e, std::vector<double>& k) const;
   void number();
   void require_held() const;
 
   const BodyMesh& mesh_;
   std::vector<Elastic> material_;
+  std::array<std::pair<std::size_t, double>, 3> axis_{};  ///< see body_axes_of
   double reference_;
   std::vector<std::int64_t> of_;
   std::int64_t count_ = 0;
   SparseMatrix pattern_;  ///< with the values of K0
   std::vector<double> first_, second_;
 };
+
+/// Holds integrals of products of an edge's shape functions, over the way per radian.
+using EdgeMass = std::array<std::array<double, 3>, 3>;
+EdgeMass edge_mass(const SweptSection& section, const SectionEdge& edge);
 
 /// Returns the part of a body's axis that each of e1, along, e2 is: its number and sign. err_state: bits other than all
 /// three hold or load a section whose axes are not the body's.

@@ -38,13 +38,16 @@ Harmonics::Mix Harmonics::mix(std::int64_t n) const {
   return mix;
 }
 
-StationWeights station_weights(const Harmonics& harmonics, double half, const std::vector<double>& offset) {
+StationWeights station_weights(const Harmonics& harmonics, double half, const std::vector<double>& offset,
+                               bool slopes) {
   constexpr double pi = 3.14159265358979323846;
   const LineRule rule = gauss_legendre(20);
   const auto count = static_cast<std::int64_t>(offset.size());
   StationWeights out;
-  for (RowMatrix<double>* m : {&out.cosine, &out.sine})
-    m->resize(3 * count, static_cast<std::int64_t>(harmonics.samples().size()));
+  RowMatrix<double>* kernel[4] = {&out.cosine, &out.sine, &out.cosine_slope, &out.sine_slope};
+  const std::size_t kernels = slopes ? 4 : 2;
+  for (std::size_t v = 0; v < kernels; ++v)
+    kernel[v]->resize(3 * count, static_cast<std::int64_t>(harmonics.samples().size()));
   for (std::int64_t n = 0; n <= harmonics.most(); ++n) {
     const double number = static_cast<double>(n);
     // Parts of the monomials along cos and sin of the stretch.
@@ -59,10 +62,11 @@ StationWeights station_weights(const Harmonics& harmonics, double half, const st
     for (std::int64_t k = 0; k < count; ++k) {
       const double c = std::cos(number * offset[at(k)]), s = std::sin(number * offset[at(k)]);
       for (std::int64_t m = 0; m < 3; ++m) {
-        const double cosine = part[at(m)] * (m == 1 ? s : c), sine = part[at(m)] * (m == 1 ? -c : s);
-        for (std::size_t i = 0; i < mix.weight.size(); ++i) {
-          out.cosine.row(m * count + k)[mix.first + i] += mix.weight[i] * cosine;
-          out.sine.row(m * count + k)[mix.first + i] += mix.weight[i] * sine;
+        const double even[4] = {c, s, -number * s, number * c}, odd[4] = {s, -c, number * c, number * s};
+        for (std::size_t v = 0; v < kernels; ++v) {
+          double* row = kernel[v]->row(m * count + k) + mix.first;
+          const double value = part[at(m)] * (m == 1 ? odd : even)[v];
+          for (std::size_t i = 0; i < mix.weight.size(); ++i) row[i] += mix.weight[i] * value;
         }
       }
     }

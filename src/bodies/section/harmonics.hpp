@@ -30,13 +30,13 @@ class Harmonics {
   std::vector<double> sample_;
 };
 
-/// Weighs samples to responses at stations: row (kernel, offset) of the product with samples of n times the response is
+/// Weighs samples to responses at stations: a row of the product with samples of n times the response is
 /// the displacement there, under loads 1, x or x^2 over the stretch x in -1 ... 1 between two stations. Stretches are
 /// 2 half radians long and offsets count in radians from their middle.
 struct StationWeights {
-  /// Rows by kernel cos and sin, then by monomial, then by offset.
-  RowMatrix<double> cosine, sine;
+  /// Rows by monomial, then by offset, of both kernels and of their derivatives by the offset.
+  RowMatrix<double> cosine, sine, cosine_slope, sine_slope;
 };
-StationWeights station_weights(const Harmonics& harmonics, double half, const std::vector<double>& offset);
+StationWeights station_weights(const Harmonics& harmonics, double half, const std::vector<double>& offset, bool slopes);
 
 }  // namespace rollcon::section

@@ -44,7 +44,7 @@ System::System(const BodyMesh& mesh, const TractionNodes& fans, const std::map<s
   statistics_.unknowns = stiffness_.unknowns();
   statistics_.condensed = static_cast<std::int64_t>(profile_unknowns().size());
   if (saved) {
-    restore(*saved, 3 * at(surface_.nodes()), 0);
+    restore(*saved, 3 * at(surface_.nodes()), stiffness_.numbers().size());
     return;
   }
   ++statistics_.assemblies;
@@ -140,6 +140,7 @@ OwnLoads System::solve_own_load(const BodyMesh& loaded) const {
       own.displacement.insert(own.displacement.end(), moves.begin(), moves.end());
     }
   }
+  own.traction = std::move(u);
   return own;
 }
 
@@ -153,20 +154,28 @@ void System::respond(const LoadedSurface& surface, SurfaceRows& rows, int thread
   const Stopwatch watch(statistics_.seconds_condense);
   const BlasThreads blas(threads);
   ++statistics_.condensations;
+  const Acted acted = act(surface, rows);
+  answer(acted.face, acted.node, acted.traction, rows);
+}
+
+System::Acted System::act(const LoadedSurface& surface, SurfaceOutline& outline) const {
+  Acted acted;
   if (surface.of_faces()) {
-    RowMatrix<double> one;
-    const auto n = static_cast<std::int64_t>(rows.column.size());
-    one.resize(n, n);
-    for (std::int64_t k = 0; k < n; ++k) one.row(k)[k] = 1;
-    return answer(surface.face, rows.column, one, rows);
+    acted.face = surface.face;
+    acted.node = outline.column;
+    const auto n = static_cast<std::int64_t>(outline.column.size());
+    acted.traction.resize(n, n);
+    for (std::int64_t k = 0; k < n; ++k) acted.traction.row(k)[k] = 1;
+    return acted;
   }
   const auto material = [this](std::int64_t face) {
     const Elastic& m = stiffness_.material(section_.element_under(face));
     return Elastic{m.young * reference_, m.poisson};
   };
-  FeltTractions felt = feel({mesh_, fans_, material}, surface.layer, rows, true);
-  answer(rows.seen_face, felt.node, felt.traction, rows);
-  felt.tell(rows);
+  FeltTractions felt = feel({mesh_, fans_, material}, surface.layer, outline, true);
+  acted = {outline.seen_face, felt.node, felt.traction};
+  felt.tell(outline);
+  return acted;
 }
 
 BodyStatistics System::statistics() const {

@@ -20,6 +20,9 @@ struct Source {
   auto operator<=>(const Source&) const = default;
 };
 
+/// Returns coefficients of 1, x, x^2 of a shape function along the way: at the first station, the last, the middle.
+std::array<double, 3> along_the_way(bool quadratic, std::size_t function);
+
 class System final : public ResponseCache {
  public:
   /// Factorises the harmonics at once. The mesh (swept) and the fans of its surface must outlive it. saved: takes
@@ -29,13 +32,37 @@ class System final : public ResponseCache {
 
   OwnLoads solve_loads(const BodyMesh& loaded, int threads) override;
   BodyStatistics statistics() const override;
-  AsEquations* as_equations() override { return nullptr; }
   std::shared_ptr<const BodyEquations> equations(int /*threads*/) override { return nullptr; }
-  void solve_everywhere(std::span<double> /*load*/, SurfaceState& /*state*/, int /*threads*/) override {}
+  void solve_everywhere(std::span<double> load, SurfaceState& state, int threads) override;
+  std::unique_ptr<const BodyFields> fields(SurfaceState&& state, const OwnLoads& own) override;
+
+  // Fields inside take these.
+  const SweptSection& section() const { return section_; }
+  Elastic material(std::int64_t element) const {
+    const Elastic& m = stiffness_.material(element);
+    return {m.young * reference_, m.poisson};
+  }
+  std::size_t samples() const { return harmonics_.samples().size(); }
+  /// Returns what forces, numbered as load() does, have at an angle of each sample and column (profile node,
+  /// component): [(sample * columns + column) * 4 + kernel], cosine, sine, and where they are asked for the derivatives
+  /// of both by the angle. known: weights of all stations, see at_stations(), where the angle is that of `station`.
+  std::vector<double> sampled(std::span<const double> force, double angle, bool slopes,
+                              const StationWeights* known = nullptr, std::int64_t station = 0) const;
+  StationWeights at_stations(bool slopes) const;
+  /// Returns displacements of all plane nodes, times n of the sample, under forces of each column.
+  std::vector<double> sample_everywhere(std::size_t sample, int threads) const;
 
  private:
   void respond(const LoadedSurface& surface, SurfaceRows& rows, int threads) override;
-  void load(const LoadedSurface& /*surface*/, SurfaceLoads& /*loads*/, int /*threads*/) override {}
+  void load(const LoadedSurface& surface, SurfaceLoads& loads, int threads) override;
+  /// Holds what a frame's tractions are on the surface: traction(r, c) is that of column c at node[r] of these faces.
+  struct Acted {
+    std::vector<std::int64_t> face;
+    std::vector<std::int32_t> node;
+    RowMatrix<double> traction;
+  };
+  /// Finds that, and tells what is left to a half-space.
+  Acted act(const LoadedSurface& surface, SurfaceOutline& outline) const;
   std::uint64_t numbering() const override;
   std::int64_t factored() const override { return response_.rows(); }
   void write_factors(SectionWriter& file) const override;

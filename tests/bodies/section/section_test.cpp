@@ -17,8 +17,8 @@ using sections::SectionBody;
 
 constexpr double pi = std::numbers::pi;
 
-loaded_ring::Answer loaded(SectionBody& ring, Load kind, int parts) {
-  // The layer is the patch |s| <= 1 over the whole width, as fine as wanted, at the top.
+/// Makes a layer of the patch |s| <= 1 over the whole width, at the top.
+SurfaceMesh patch(int parts) {
   SurfaceMesh layer;
   layer.offset = {0};
   const int n = 2 * parts;
@@ -33,6 +33,11 @@ loaded_ring::Answer loaded(SectionBody& ring, Load kind, int parts) {
       surfaces::add_element(layer, ElementType::quad9,
                             {id(i, j), id(i + 2, j), id(i + 2, j + 2), id(i, j + 2), id(i + 1, j), id(i + 2, j + 1),
                              id(i + 1, j + 2), id(i, j + 1), id(i + 1, j + 1)});
+  return layer;
+}
+
+loaded_ring::Answer loaded(SectionBody& ring, Load kind, int parts) {
+  const SurfaceMesh layer = patch(parts);
   loaded_ring::Answer a;
   a.mesh = &ring.surface();
   a.node = loaded_ring::nodes_near_patch(ring.surface());
@@ -153,6 +158,124 @@ TEST(Section, plane_strain_limit) {
   expect_error("plane strain: width", body.displacement({0, 1, 1})[1] / (7 * nu * (1 + nu) / 1000) - 1, 1e-10);
   const auto reaction = body.body().own().reaction;
   expect_error("reaction of a period", reaction.force[2] / (7 * 2 * 50) - 1, 1e-10);
+}
+
+/// Adds the displacement of a body under tractions on a layer to a state.
+SurfaceState state_under(SectionBody& body, const SurfaceMesh& layer, const std::vector<std::int32_t>& row,
+                         const std::function<Vec3(const Vec3&)>& traction) {
+  AsEquations& equations = *body.body().response()->as_equations();
+  const auto loads = equations.loads({{}, layer, row}, 1);
+  std::vector<double> force(surfaces::at(loads->load.rows), 0.0);
+  for (std::size_t k = 0; k < 3 * layer.node.size(); ++k)
+    for (std::int64_t i = loads->load.start[k]; i < loads->load.start[k + 1]; ++i)
+      force[surfaces::at(loads->load.row[surfaces::at(i)])] +=
+          traction(layer.node[k / 3])[k % 3] * loads->load.value[surfaces::at(i)];
+  SurfaceState state;
+  equations.solve_everywhere(force, state, 1);
+  return state;
+}
+
+// What a frame's tractions do everywhere is what they do at the rows of its response; the surface's stresses balance.
+TEST(Section, fields_under_a_layer) {
+  const sections::Rectangle shape{sections::fine_at_ends(4, -4, 4), sections::fine_at_ends(6, 25, 50)};
+  SectionBody ring(sections::rectangle(shape, ElementType::quad8), loaded_ring::young, 0.3);
+  ring.tag_sides(shape).contact(4).turn_about_y();
+  ring.body().set_int("stations", 600);
+  ring.hold([](const Vec3& x) { return x[2] < 25 + 1e-9; }).prepare();
+  const SurfaceMesh layer = patch(4);
+  const auto pressure = [](const Vec3& x) { return loaded_ring::traction(Load::normal, x); };
+  const auto answer = loaded(ring, Load::normal, 4);
+  SurfaceState state = state_under(ring, layer, answer.node, pressure);
+  double error = 0, most = 0;
+  for (std::size_t k = 0; k < answer.node.size(); ++k)
+    for (std::size_t c = 0; c < 3; ++c) {
+      error = std::max(error, std::abs(state.u[3 * surfaces::at(answer.node[k]) + c] - answer.u[k][c]));
+      most = std::max(most, std::abs(answer.u[k][c]));
+    }
+  expect_error("displacements everywhere beside those of the response", error / most, 1e-12);
+  const Vec3 top = state.u.empty() ? Vec3{} : Vec3{state.u[0], state.u[1], state.u[2]};
+  const auto fields = ring.body().response()->fields(std::move(state), {});
+  const Vec3 first = ring.surface().node[0];
+  double u[6] = {}, s[12] = {};
+  const double points[] = {first[0], first[1], first[2], 0, 0, 45};
+  fields->at_points(2, points, u, s, 1);
+  expect_error("displacement at a node of the surface", length(Vec3{u[0], u[1], u[2]} - top) / length(top), 1e-10);
+  // Below the patch the stress is between that of a half-space under the strip, and more.
+  const double a = std::atan(1.0 / 5), strip = -100 / pi * (2 * a + std::sin(2 * a));
+  expect_error("stress 5 below the middle, beside a strip's on a half-space", s[8] / strip - 1, 0.1);
+}
+
+// A layer nu = 0 on springs under its own pressure: u = p / k + p d / E.
+TEST(Section, springs) {
+  sections::Rectangle shape{{-1, 0, 1}, {-1, 0, 1}};
+  SectionBody body(sections::rectangle(shape, ElementType::quad8), 1000, 0);
+  body.tag_sides(shape).contact(1).draw_along_x(50);
+  body.hold([](const Vec3& x) { return length(x) < 1e-9; }, 3);
+  const double stiffness[] = {0, 0, 40};
+  body.body().set_springs(3, stiffness);
+  body.body().set_pressure(4, 7);
+  body.prepare();
+  expect_error("pressed on springs", body.displacement({0, -1, 1})[2] / (-7.0 / 40 - 7 * 2 / 1000.0) - 1, 1e-10);
+}
+
+// Radial tractions cos 2 phi bend a thin ring: u = q R^4 / (9 E I), less parts of (t / R)^2.
+TEST(Section, thin_ring_bends) {
+  constexpr double thick = 0.02, young = 1000;
+  sections::Rectangle shape{{0, thick}, {1 - thick / 2, 1 + thick / 2}};
+  SectionBody ring(sections::rectangle(shape, ElementType::quad8), young, 0);
+  ring.tag_sides(shape).contact(4).turn_about_y();
+  const double soft[] = {1e-6, 1e-6, 1e-6};
+  ring.body().set_springs(3, soft);
+  ring.body().set_int("stations", 48);
+  ring.prepare();
+  std::vector<std::int64_t> all(surfaces::at(ring.surface().elements()));
+  for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<std::int64_t>(k);
+  const auto rows = ring.body().response()->rows({all, {}, {}}, 1);
+  std::vector<double> t, u(3 * rows->row.size());
+  for (const std::int32_t k : rows->column) {
+    const Vec3 x = ring.surface().node[surfaces::at(k)];
+    const double phi = std::atan2(x[0], x[2]);
+    t.insert(t.end(), {std::cos(2 * phi) * std::sin(phi), 0, std::cos(2 * phi) * std::cos(phi)});
+  }
+  multiply(rows->u.data(), rows->u.rows(), rows->u.columns(), t.data(), 0, u.data());
+  const std::size_t top = surfaces::at(surfaces::node_at(ring.surface(), {0, thick / 2, 1 + thick / 2}));
+  const auto row = std::find(rows->row.begin(), rows->row.end(), static_cast<std::int32_t>(top)) - rows->row.begin();
+  const double outer = 1 + thick / 2;  // the load acts there
+  const double exact = outer / (9 * young * thick * thick * thick / 12);
+  expect_error("thin ring, n = 2", u[surfaces::at(3 * row + 2)] / exact - 1, 5e-4);
+}
+
+// A bar on springs under a load at its middle, beside a beam on Winkler's foundation that shears.
+TEST(Section, rail_on_a_foundation) {
+  constexpr double young = 210000, nu = 0.3, b = 70, h = 170, springs = 100, period = 12000;
+  sections::Rectangle shape{{-b / 2, -b / 6, b / 6, b / 2}, {-h, -0.8 * h, -0.5 * h, -0.2 * h, -20, 0}};
+  SectionBody rail(sections::rectangle(shape, ElementType::quad8), young, nu);
+  rail.tag_sides(shape).contact(4).draw_along_x(period);
+  const double stiffness[] = {1e-6, springs / b, springs / b};
+  rail.body().set_springs(3, stiffness);
+  rail.prepare();
+  SurfaceMesh layer =
+      surfaces::one_element(ElementType::quad4, {{-20, -20, 0}, {20, -20, 0}, {20, 20, 0}, {-20, 20, 0}});
+  SurfaceState state = state_under(
+      rail, layer, surfaces::nodes_where(rail.surface(), [](const Vec3& x) { return std::abs(x[0]) < 100; }),
+      [](const Vec3&) {
+        return Vec3{0, 0, -100};
+      });
+  const auto fields = rail.body().response()->fields(std::move(state), {});
+  const double inertia = b * h * h * h / 12, shear = 5.0 / 6 * b * h * young / (2 * (1 + nu)), force = 100 * 40 * 40;
+  for (const double x : {300.0, 600.0, 1000.0}) {
+    double beam = 0, at_rest = 0, u[3] = {};
+    for (int n = 0; n < 4000; ++n) {
+      const double k = 2 * pi * n / period, k2 = k * k, part = (n == 0 ? 1 : 2) * force / period;
+      const double one = part * (1 + young * inertia * k2 / shear) /
+                         (young * inertia * k2 * k2 + springs * young * inertia * k2 / shear + springs);
+      beam += one * std::cos(k * x), at_rest += one;
+    }
+    const double point[] = {x, 0, -h / 2};
+    fields->at_points(1, point, u, nullptr, 1);
+    report("deflection at " + std::to_string(x), -u[2]);
+    expect_error("rail beside a beam that shears, over its deflection under the load", (-u[2] - beam) / at_rest, 0.02);
+  }
 }
 
 template <class Work>

@@ -1,0 +1,173 @@
+"""Bodies by a section: rings that roll, mesh files, saved bodies, Hertz's pressure."""
+import os
+import tempfile
+import unittest
+
+import numpy as np
+
+import rollcon as rc
+
+
+def spread(n, a, b):
+    """Lines from a to b that are fine at both ends."""
+    return 0.5 * (a + b) - 0.5 * (b - a) * np.cos(np.pi * np.arange(n + 1) / n)
+
+
+def plane(y, z):
+    """Nodes and quad8 elements between lines in the plane (y, z)."""
+    def halves(line):
+        return np.sort(np.concatenate([line, 0.5 * (line[1:] + line[:-1])]))
+    y, z = halves(y), halves(z)
+    number, nodes = -np.ones((len(y), len(z)), int), []
+    for i, a in enumerate(y):
+        for j, b in enumerate(z):
+            if not (i % 2 and j % 2):
+                number[i, j] = len(nodes)
+                nodes.append([0, a, b])
+    quads = [[number[i + a, j + b] for a, b in
+              ((0, 0), (2, 0), (2, 2), (0, 2), (1, 0), (2, 1), (1, 2), (0, 1))]
+             for i in range(0, len(y) - 1, 2) for j in range(0, len(z) - 1, 2)]
+    return np.array(nodes, float), np.array(quads)
+
+
+def ring(context, n):
+    nodes, quads = plane(spread(n, -4, 4), spread(n, 25, 50))
+    body = rc.Body(context, "section")
+    body.set_nodes(nodes)
+    body.add_elements("quad8", quads, 0)
+    body.set_elastic(1e4, 0.3)
+    body.tag_faces_of_nodes(np.where(np.abs(nodes[:, 2] - 50) < 1e-9)[0], 2)
+    body.set_contact_faces([2])
+    body.set_support(np.where(np.abs(nodes[:, 2] - 25) < 1e-9)[0], 7)
+    body.revolve([0, 0, 0], [0, 1, 0])
+    return body
+
+
+def lay_frame(contact, half_x, half_y, nx, ny, z):
+    x, y = np.linspace(-half_x, half_x, nx + 1), np.linspace(-half_y, half_y, ny + 1)
+    contact.frame_nodes([[a, b, z] for a in x for b in y])
+    number = np.arange((nx + 1) * (ny + 1)).reshape(nx + 1, ny + 1)
+    quads = np.stack([number[:-1, :-1], number[1:, :-1], number[1:, 1:], number[:-1, 1:]], -1)
+    contact.frame_add_elements("quad4", quads.reshape(-1, 4))
+    return y
+
+
+class Rings(unittest.TestCase):
+    """Two equal rings of the paper's first example, whose fine meshes have 106.45 MPa and -1.505e-3."""
+
+    def pair(self, context, ring1, ring2):
+        contact = rc.Contact(context, ring1, ring2)
+        contact.set_pose(2, [[1, 0, 0], [0, -1, 0], [0, 0, -1]], [0, 0, 100])
+        contact.set_axes([0, 0, 50], [1, 0, 0], [0, 0, 1])
+        lay_frame(contact, 1.2, 4, 24, 16, 50)
+        contact.set_friction(0.1)
+        contact.set_rolling(10)
+        contact.prescribe("normal", "force", 1233.85)
+        contact.prescribe("longitudinal", "force", 0.06271 * 1233.85)
+        self.assertEqual(contact.solve(), 0)
+        return contact
+
+    def test_roll(self):
+        context = rc.Context()
+        first, second = ring(context, 12), ring(context, 12)
+        contact = self.pair(context, first, second)
+        middle = -contact.tractions()[:, 2].reshape(25, 17)[:, 8]
+        self.assertLess(abs(middle.max() / 106.45 - 1), 0.003)
+        self.assertLess(abs(contact.motion()[1][0] / -1.505e-3 - 1), 0.016)
+        self.assertEqual(first.stat("shared") + second.stat("shared"), 1)
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "ring.body")
+            first.save(path)
+            other = rc.Context()
+            loaded = rc.Body.load(other, path)
+            self.assertEqual(loaded.stat("factorizations"), 0)
+            # Fields inside and the picture come from harmonics that are factorised once more.
+            contact.write_body(1, os.path.join(folder, "ring.vtu"))
+            self.assertGreater(os.path.getsize(os.path.join(folder, "ring.vtu")), 1000)
+        again = self.pair(other, loaded, loaded)
+        np.testing.assert_allclose(again.tractions(), contact.tractions(), rtol=1e-6, atol=1e-6)
+
+
+class Files(unittest.TestCase):
+    """The tube of Lame, its section from files of Abaqus and Gmsh."""
+
+    def tube(self, text, end, tag_edges):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "tube" + end)
+            with open(path, "w", encoding="ascii") as file:
+                file.write(text)
+            body = rc.Body(rc.Context(), "section")
+            body.read_mesh(path)
+        tag_edges(body)
+        body.set_elastic(1000, 0.3)
+        body.set_support(np.arange(body.size[0]), 2)
+        body.set_pressure(3, 60)
+        body.set_contact_faces([4])
+        # Nothing else holds a tube from turning: z, the way at the section's place.
+        body.set_support(body.group_nodes("inner"), 4)
+        body.revolve([0, 0, 0], [0, 1, 0])
+        body.prepare()
+        u = body.displacements()
+        exact = 1.3 * 60 / 3000 * (0.4 * 2 + 4 / 2)
+        self.assertLess(abs(np.hypot(u[:, 0], u[:, 2]).max() / exact - 1), 2e-3)
+
+    def test_abaqus(self):
+        nodes = [(i, 1 + 0.125 * (i % 9), 0.5 * (i // 9)) for i in range(27)]
+        text = "*NODE\n" + "".join(f"{i + 1}, {x}, {y}, 0\n" for i, x, y in nodes)
+        text += "*ELEMENT, TYPE=CAX8\n"
+        for k in range(4):
+            a = 2 * k + 1
+            text += f"{k + 1}, {a}, {a + 2}, {a + 20}, {a + 18}, {a + 1}, {a + 11}, {a + 19}, {a + 9}\n"
+        text += "*NSET, NSET=INNER\n1, 10, 19\n*NSET, NSET=OUTER\n9, 18, 27\n"
+        self.tube(text, ".inp", lambda b: (b.tag_group("inner", 3), b.tag_group("outer", 4)))
+
+    def test_gmsh(self):
+        n, m = 17, 3
+        nodes = [(i * m + j + 1, 1 + i / (n - 1), 0.5 * j) for i in range(n) for j in range(m)]
+        lines = [(1, 0, j) for j in range(m - 1)] + [(2, n - 1, j) for j in range(m - 1)]
+        text = '$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n3\n1 1 "inner"\n1 2 "outer"\n2 5 "steel"\n'
+        text += f"$EndPhysicalNames\n$Nodes\n{len(nodes)}\n" + "".join(f"{i} {x} {y} 0\n" for i, x, y in nodes)
+        cells = [(i, j) for i in range(n - 1) for j in range(m - 1)]
+        text += f"$EndNodes\n$Elements\n{len(lines) + len(cells)}\n"
+        for k, (tag, i, j) in enumerate(lines):
+            text += f"{k + 1} 1 2 {tag} {tag} {i * m + j + 1} {i * m + j + 2}\n"
+        for k, (i, j) in enumerate(cells):
+            a = i * m + j + 1
+            text += f"{k + 10} 3 2 5 1 {a} {a + m} {a + m + 1} {a + 1}\n"
+        text += "$EndElements\n"
+        self.tube(text, ".msh", lambda b: (b.tag_group("inner", 3), b.tag_group("outer", 4), b.tag_group("steel", 0)))
+
+
+class Hertz(unittest.TestCase):
+    """A ball on a block without ends, whose section is deep: Hertz's pressure and radius."""
+
+    def test_pressure(self):
+        context = rc.Context()
+        side = np.geomspace(0.5, 37, 9)
+        fine = np.concatenate([-3 - side[::-1], np.linspace(-3, 3, 25), 3 + side])
+        deep = np.concatenate([-np.geomspace(60, 0.3, 16), [0]])
+        nodes, quads = plane(fine, deep)
+        block, ball = rc.Body(context, "section"), rc.Body(context, "rigid")
+        block.set_nodes(nodes)
+        block.add_elements("quad8", quads, 0)
+        block.set_elastic(2e5, 0.3)
+        block.tag_faces_of_nodes(np.where((nodes[:, 2] > -1e-9) & (np.abs(nodes[:, 1]) < 3.01))[0], 2)
+        block.set_contact_faces([2])
+        block.set_support(np.where(nodes[:, 2] < -59.99)[0], 7)
+        block.extrude([0, 0, 0], [1, 0, 0], 400)
+        block.set("stations", 1600)
+        contact = rc.Contact(context, block, ball)
+        contact.set_axes([0, 0, 0], [1, 0, 0], [0, 0, 1])
+        y = lay_frame(contact, 2.4, 2.4, 32, 32, 0)
+        radius, force, modulus = 100, 4000, 2e5 / 0.91
+        contact.set_gap([(a * a + b * b) / (2 * radius) for a in y for b in y])
+        contact.set_friction(0)
+        contact.prescribe("normal", "force", force)
+        self.assertEqual(contact.solve(), 0)
+        a = (0.75 * force * radius / modulus) ** (1 / 3)
+        p0 = 1.5 * force / (np.pi * a * a)
+        self.assertLess(abs(contact.stat("max_pressure") / p0 - 1), 0.005)
+
+
+if __name__ == "__main__":
+    unittest.main()
