@@ -60,8 +60,8 @@ struct Resultant {
 struct OwnLoads {
   std::vector<double> displacement;  ///< u[3 * node + c] of every node; empty: there are no loads
   /// Tractions of boundary elements that go with the displacement, by traction node of the body (see TractionNodes),
-  /// t[3 * k + c]: what was given, and the reactions of the supports. Empty when displacement is. Sections have here the
-  /// displacements of their plane nodes, along e1, the way and e2.
+  /// t[3 * k + c]: what was given, and the reactions of the supports. Empty when displacement is. Sections have the
+  /// displacements of their plane nodes here, along e1, the way and e2.
   std::vector<double> traction;
   Resultant reaction;  ///< force and moment that the supports exert on the body
   double missed = 0;   ///< part of these loads that reactions of boundary elements miss

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "bodies/section/plane_point.hpp"
 #include "bodies/section/system.hpp"
 #include "linalg/lapack.hpp"
-#include "mesh/quadrature.hpp"
 #include "support/index.hpp"
 
 namespace rollcon::section {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "bodies/section/plane_point.hpp"
 #include "linalg/blas_threads.hpp"
 #include "mesh/shape.hpp"
 #include "support/error.hpp"
@@ -16,22 +17,12 @@ namespace {
 /// Finds the reference point of an element over a point of the section's plane. False: it is outside, by more than a
 /// millionth.
 bool find_reference(const SweptSection& section, std::int64_t e, double p, double q, double& xi, double& eta) {
-  const ElementType type = section.plane().type[at(e)];
-  const auto nodes = section.plane().element(e);
-  const bool triangle = corner_count(type) == 3;
+  const bool triangle = corner_count(section.plane().type[at(e)]) == 3;
   xi = eta = triangle ? 1.0 / 3 : 0;
-  Shape shape;
   for (int step = 0; step < 30; ++step) {
-    evaluate_shape(type, xi, eta, shape);
-    double miss[2] = {p, q}, j[4] = {0, 0, 0, 0};
-    for (std::size_t a = 0; a < nodes.size(); ++a)
-      for (std::size_t c = 0; c < 2; ++c) {
-        miss[c] -= shape.value[a] * section.place(nodes[a])[c];
-        j[c] += shape.d_xi[a] * section.place(nodes[a])[c];
-        j[2 + c] += shape.d_eta[a] * section.place(nodes[a])[c];
-      }
-    const double jacobian = j[0] * j[3] - j[1] * j[2];
-    const double dx = (miss[0] * j[3] - miss[1] * j[2]) / jacobian, de = (j[0] * miss[1] - j[1] * miss[0]) / jacobian;
+    const PlanePoint here = plane_point(section, e, xi, eta);
+    const double dx = here.xi_p * (p - here.p) + here.xi_q * (q - here.q),
+                 de = here.eta_p * (p - here.p) + here.eta_q * (q - here.q);
     xi += dx, eta += de;
     if (!(std::hypot(xi, eta) < 10)) return false;
     if (std::hypot(dx, de) < 1e-12) break;
@@ -107,32 +98,22 @@ void SectionFields::sum(std::vector<Angle>& angles, int threads) const {
 void SectionFields::evaluate(const Angle& angle, const Place& place, Vec3* moved, double* stress) const {
   const SweptSection& s = system_.section();
   const auto nodes = s.plane().element(place.element);
-  Shape shape;
-  evaluate_shape(s.plane().type[at(place.element)], place.xi, place.eta, shape);
-  double j[4] = {0, 0, 0, 0}, p = 0, u[3] = {}, by_angle[3] = {}, by_xi[3] = {}, by_eta[3] = {};
+  const PlanePoint here = plane_point(s, place.element, place.xi, place.eta);
+  double u[3] = {}, by_angle[3] = {}, g[3][3] = {};  // g: derivative of component c along axis d
   for (std::size_t a = 0; a < nodes.size(); ++a) {
-    const auto& at_node = s.place(nodes[a]);
-    p += shape.value[a] * at_node[0];
-    for (std::size_t c = 0; c < 2; ++c) j[c] += shape.d_xi[a] * at_node[c], j[2 + c] += shape.d_eta[a] * at_node[c];
     const auto i = at(std::lower_bound(angle.node.begin(), angle.node.end(), nodes[a]) - angle.node.begin());
     for (std::size_t c = 0; c < 3; ++c) {
       const double value = angle.moved[2 * (3 * i + c)];
-      u[c] += shape.value[a] * value;
-      by_angle[c] += shape.value[a] * angle.moved[2 * (3 * i + c) + 1];
-      by_xi[c] += shape.d_xi[a] * value, by_eta[c] += shape.d_eta[a] * value;
+      u[c] += here.value[a] * value;
+      by_angle[c] += here.value[a] * angle.moved[2 * (3 * i + c) + 1];
+      g[c][0] += here.dp[a] * value, g[c][2] += here.dq[a] * value;
     }
   }
   const auto axes = s.axes(angle.angle).all();
   if (moved) *moved = u[0] * axes[0] + u[1] * axes[1] + u[2] * axes[2];
   if (!stress) return;
-  const double jacobian = j[0] * j[3] - j[1] * j[2], wave = 1 / s.way(std::max(p, 1e-12 * s.way(1))),
-               curve = s.revolved() ? wave : 0;
-  double g[3][3];  // derivative of component c along axis d
-  for (std::size_t c = 0; c < 3; ++c) {
-    g[c][0] = (j[3] * by_xi[c] - j[1] * by_eta[c]) / jacobian;
-    g[c][1] = wave * by_angle[c];
-    g[c][2] = (j[0] * by_eta[c] - j[2] * by_xi[c]) / jacobian;
-  }
+  const double wave = 1 / s.way(std::max(here.p, 1e-12 * s.way(1))), curve = s.revolved() ? wave : 0;
+  for (std::size_t c = 0; c < 3; ++c) g[c][1] = wave * by_angle[c];
   g[1][1] += curve * u[0];
   g[0][1] -= curve * u[1];
   const Elastic m = system_.material(place.element);

@@ -5,9 +5,9 @@
 #include <string>
 #include <tuple>
 
+#include "bodies/section/plane_point.hpp"
 #include "linalg/lapack.hpp"
 #include "mesh/quadrature.hpp"
-#include "mesh/shape.hpp"
 #include "support/error.hpp"
 #include "support/index.hpp"
 
@@ -21,34 +21,7 @@ struct Strains {
   double b[2][6][most_unknowns];
 };
 
-struct Here {
-  double p = 0, area = 0;  ///< place along e1, area times the length of the way per radian
-  double dp[max_element_nodes], dq[max_element_nodes], value[max_element_nodes];
-};
-
-Here evaluate(const SweptSection& section, std::int64_t e, double xi, double eta, double weight) {
-  Shape shape;
-  const ElementType type = section.plane().type[at(e)];
-  evaluate_shape(type, xi, eta, shape);
-  const auto nodes = section.plane().element(e);
-  double j[4] = {0, 0, 0, 0};
-  Here here;
-  for (std::size_t a = 0; a < nodes.size(); ++a) {
-    const auto& [p, q] = section.place(nodes[a]);
-    here.p += shape.value[a] * p;
-    j[0] += shape.d_xi[a] * p, j[1] += shape.d_xi[a] * q, j[2] += shape.d_eta[a] * p, j[3] += shape.d_eta[a] * q;
-  }
-  const double jacobian = j[0] * j[3] - j[1] * j[2];
-  for (std::size_t a = 0; a < nodes.size(); ++a) {
-    here.value[a] = shape.value[a];
-    here.dp[a] = (j[3] * shape.d_xi[a] - j[1] * shape.d_eta[a]) / jacobian;
-    here.dq[a] = (j[0] * shape.d_eta[a] - j[2] * shape.d_xi[a]) / jacobian;
-  }
-  here.area = weight * std::abs(jacobian) * section.way(here.p);
-  return here;
-}
-
-Strains strains(const SweptSection& section, const Here& here, std::size_t nodes) {
+Strains strains(const SweptSection& section, const PlanePoint& here, std::size_t nodes) {
   Strains s{};
   const double wave = 1 / section.way(here.p), curve = section.revolved() ? wave : 0;
   for (std::size_t a = 0; a < nodes; ++a) {
@@ -158,7 +131,8 @@ HarmonicStiffness::Element HarmonicStiffness::element(std::int64_t e) const {
   double mass[3][3] = {}, mean[3][2][most_unknowns] = {};
   const PlaneRule rule = rule_of(type);
   for (std::size_t g = 0; g < rule.size(); ++g) {
-    const Here here = evaluate(mesh_.section, e, rule.xi[g], rule.eta[g], rule.w[g]);
+    const PlanePoint here = plane_point(mesh_.section, e, rule.xi[g], rule.eta[g]);
+    const double area = rule.w[g] * std::abs(here.jacobian) * mesh_.section.way(here.p);
     const Strains s = strains(mesh_.section, here, nodes);
     const double f[3] = {1, rule.xi[g], rule.eta[g]};
     double row[7][2][most_unknowns];  // six strains, then the dilatation
@@ -166,12 +140,12 @@ HarmonicStiffness::Element HarmonicStiffness::element(std::int64_t e) const {
       for (std::size_t i = 0; i < n; ++i) {
         for (std::size_t c = 0; c < 6; ++c) row[c][x][i] = s.b[x][c][i];
         row[6][x][i] = s.b[x][0][i] + s.b[x][1][i] + s.b[x][2][i];
-        for (std::size_t a = 0; a < functions; ++a) mean[a][x][i] += here.area * f[a] * row[6][x][i];
+        for (std::size_t a = 0; a < functions; ++a) mean[a][x][i] += area * f[a] * row[6][x][i];
       }
-    for (std::size_t c = 0; c < 6; ++c) add_product(row[c], row[c], (c < 3 ? 2 : 1) * shear * here.area, n, out.k);
-    add_product(row[6], row[6], (local - 2 * shear / 3) * here.area, n, out.k);
+    for (std::size_t c = 0; c < 6; ++c) add_product(row[c], row[c], (c < 3 ? 2 : 1) * shear * area, n, out.k);
+    add_product(row[6], row[6], (local - 2 * shear / 3) * area, n, out.k);
     for (std::size_t a = 0; a < functions; ++a)
-      for (std::size_t b = 0; b < functions; ++b) mass[a][b] += here.area * f[a] * f[b];
+      for (std::size_t b = 0; b < functions; ++b) mass[a][b] += area * f[a] * f[b];
   }
   invert(mass, functions);
   for (std::size_t a = 0; a < functions; ++a)
@@ -195,26 +169,6 @@ void HarmonicStiffness::add_springs(std::int64_t e, std::vector<double>& k) cons
             k[(3 * i + c) * 3 * nodes.size() + 3 * j + c] += spring.stiffness[axis_[c].first] * mass[a][b] / reference_;
           }
     }
-}
-
-EdgeMass edge_mass(const SweptSection& section, const SectionEdge& edge) {
-  EdgeMass mass{};
-  const LineRule line = gauss_legendre(6);
-  const bool middle = edge.nodes() == 3;
-  for (std::size_t g = 0; g < line.x.size(); ++g) {
-    const double x = line.x[g], bubble = middle ? 1 - x * x : 0, turn = middle ? x : 0;
-    const double value[3] = {0.5 * (1 - x - bubble), 0.5 * (1 + x - bubble), bubble},
-                 slope[3] = {-0.5 + turn, 0.5 + turn, -2 * x};
-    double p = 0, dp = 0, dq = 0;
-    for (std::size_t a = 0; a < edge.nodes(); ++a) {
-      const auto& [own_p, own_q] = section.place(edge.node[a]);
-      p += value[a] * own_p, dp += slope[a] * own_p, dq += slope[a] * own_q;
-    }
-    for (std::size_t a = 0; a < edge.nodes(); ++a)
-      for (std::size_t b = 0; b < edge.nodes(); ++b)
-        mass[a][b] += line.w[g] * std::hypot(dp, dq) * section.way(p) * value[a] * value[b];
-  }
-  return mass;
 }
 
 std::array<std::pair<std::size_t, double>, 3> body_axes_of(const SweptSection& section) {
@@ -361,25 +315,13 @@ std::vector<double> HarmonicStiffness::loads(const BodyMesh& loaded) const {
   const auto add = [&](std::int32_t node, double weight, const Vec3& f) {
     for (std::size_t c = 0; c < 3; ++c) force[3 * at(node) + c] += weight * dot(f, s.axes_at_start()[c]) / reference_;
   };
-  const LineRule line = gauss_legendre(5);
+  const auto& [e1, along, e2] = s.axes_at_start();
   for (const FaceLoad& load : loaded.load)
     for (const SectionEdge& edge : s.edges()) {
       if (edge.tag != load.tag) continue;
-      for (std::size_t g = 0; g < line.x.size(); ++g) {
-        const double x = line.x[g], middle = edge.nodes() == 3 ? 1 : 0;
-        const double value[3] = {0.5 * (1 - x) - middle * 0.5 * (1 - x * x), 0.5 * (1 + x) - middle * 0.5 * (1 - x * x),
-                                 1 - x * x},
-                     slope[3] = {-0.5 + middle * x, 0.5 + middle * x, -2 * x};
-        double p = 0, dp = 0, dq = 0;
-        for (std::size_t a = 0; a < edge.nodes(); ++a) {
-          p += value[a] * s.place(edge.node[a])[0];
-          dp += slope[a] * s.place(edge.node[a])[0];
-          dq += slope[a] * s.place(edge.node[a])[1];
-        }
-        const auto& [e1, along, e2] = s.axes_at_start();
-        const double weight = line.w[g] * s.way(p);
-        const Vec3 f = std::hypot(dp, dq) * load.traction - load.pressure * (dq * e1 - dp * e2);
-        for (std::size_t a = 0; a < edge.nodes(); ++a) add(edge.node[a], weight * value[a], f);
+      for (const EdgePoint& here : edge_points(s, edge)) {
+        const Vec3 f = std::hypot(here.dp, here.dq) * load.traction - load.pressure * (here.dq * e1 - here.dp * e2);
+        for (std::size_t a = 0; a < edge.nodes(); ++a) add(edge.node[a], here.weight * here.value[a], f);
       }
     }
   const SurfaceMesh& plane = s.plane();
@@ -389,10 +331,11 @@ std::vector<double> HarmonicStiffness::loads(const BodyMesh& loaded) const {
       const PlaneRule rule = rule_of(plane.type[at(e)]);
       const auto nodes = plane.element(e);
       for (std::size_t g = 0; g < rule.size(); ++g) {
-        const Here here = evaluate(s, e, rule.xi[g], rule.eta[g], rule.w[g]);
+        const PlanePoint here = plane_point(s, e, rule.xi[g], rule.eta[g]);
+        const double area = rule.w[g] * std::abs(here.jacobian) * s.way(here.p);
         Vec3 x{0, 0, 0};
         for (std::size_t a = 0; a < nodes.size(); ++a) x = x + here.value[a] * plane.node[at(nodes[a])];
-        for (std::size_t a = 0; a < nodes.size(); ++a) add(nodes[a], here.area * here.value[a], load.at(x));
+        for (std::size_t a = 0; a < nodes.size(); ++a) add(nodes[a], area * here.value[a], load.at(x));
       }
     }
   return force;

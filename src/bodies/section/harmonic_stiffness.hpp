@@ -1,7 +1,7 @@
 #pragma once
 /// Gives the stiffness of a section for displacements that vary as harmonics of the way: u1 = U cos n phi,
 /// u2 = Y cos n phi and along it T sin n phi, or with cos and sin exchanged and T negative. It is K0 + n K1 + n^2 K2
-/// (docs/theory.md, section 10).
+/// (docs/sections.md).
 
 #include <array>
 #include <cstdint>
@@ -52,10 +52,6 @@ class HarmonicStiffness {
   SparseMatrix pattern_;  ///< with the values of K0
   std::vector<double> first_, second_;
 };
-
-/// Holds integrals of products of an edge's shape functions, over the way per radian.
-using EdgeMass = std::array<std::array<double, 3>, 3>;
-EdgeMass edge_mass(const SweptSection& section, const SectionEdge& edge);
 
 /// Returns the part of a body's axis that each of e1, along, e2 is: its number and sign. err_state: bits other than all
 /// three hold or load a section whose axes are not the body's.

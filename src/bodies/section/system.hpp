@@ -1,6 +1,6 @@
 #pragma once
 /// Solves a body that is given by a section: harmonics of the way, each condensed to the nodes of the section's contact
-/// edges, answer tractions on the surface that the section sweeps (docs/theory.md, section 10).
+/// edges, answer tractions on the surface that the section sweeps (docs/sections.md).
 
 #include <map>
 #include <vector>
