@@ -2,12 +2,16 @@
 """Writes everything that follows from bindings/api.toml.
 
     bindings/generate.py              write the files that changed
-    bindings/generate.py --check      write nothing; exit status 1 if a file differs
+    bindings/generate.py --check      write nothing; exit status 1 if a file that git holds differs
+    bindings/generate.py --texts DIR  write into DIR what git does not hold: the references, and the package for
+                                      MATLAB and Octave
     bindings/generate.py --tests DIR  write into DIR what tests need of it, as their build does
 """
 
 import argparse
 import difflib
+import os
+import re
 import sys
 from pathlib import Path
 
@@ -30,6 +34,11 @@ def with_list(name, text):
     old = (ROOT / name).read_text(encoding="utf-8")
     head, rest = old.split(BEGIN)
     return head + BEGIN + text + END + rest.split(END)[1]
+
+
+def is_text(name):
+    """Says whether git leaves a file out, because nothing in the tree compiles it (.gitignore has these, too)."""
+    return re.match(r"docs/(api|reference_\w+)\.md$|bindings/octave/", name) is not None
 
 
 def outputs_for_tests(api):
@@ -74,15 +83,26 @@ def outputs(api):
     return made
 
 
+def replace(path, text):
+    """Writes a file at once, so that another program reads the old text or the new one."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    unfinished = path.with_name(path.name + ".new")
+    unfinished.write_text(text, encoding="utf-8")
+    os.replace(unfinished, path)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--check", action="store_true", help="only compare; 1 if a file differs")
+    parser.add_argument("--texts", metavar="DIR", type=Path, help="write what git does not hold")
     parser.add_argument("--tests", metavar="DIR", type=Path, help="write what tests need")
     options = parser.parse_args()
-    check, top = options.check, options.tests or ROOT
+    check, top = options.check, options.tests or options.texts or ROOT
     api = table.load(ROOT / "bindings/api.toml")
-    stale = 0
     made = (outputs_for_tests if options.tests else outputs)(api)
+    if check or options.texts:
+        made = {name: text for name, text in made.items() if is_text(name) == bool(options.texts)}
+    stale = 0
     for name, text in made.items():
         path = top / name
         old = path.read_text(encoding="utf-8") if path.exists() else ""
@@ -93,16 +113,13 @@ def main():
             sys.stdout.writelines(difflib.unified_diff(
                 old.splitlines(True), text.splitlines(True), name, name + " (regenerated)"))
         else:
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text, encoding="utf-8")
+            replace(path, text)
             print("wrote", name)
-    if not options.tests:  # MATLAB has a file for each function
-        for path in sorted((ROOT / "bindings/octave/+rollcon").glob("*.m")):
-            if str(path.relative_to(ROOT)) not in made:
-                stale += 1
-                print("nothing makes", path.relative_to(ROOT))
-                if not check:
-                    path.unlink()
+    if not check and not options.tests:  # MATLAB has a file for each function
+        for path in sorted((top / "bindings/octave/+rollcon").glob("*.m")):
+            if path.relative_to(top).as_posix() not in made:
+                print("nothing makes", path.relative_to(top))
+                path.unlink()
     return 1 if check and stale else 0
 
 

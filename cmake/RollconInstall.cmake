@@ -2,6 +2,7 @@
 # so that separate builds may be installed side by side.
 
 include(CMakePackageConfigHelpers)
+include(RollconTexts)
 include(rollconFortranTarget)
 
 set(_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/rollcon")
@@ -29,16 +30,17 @@ if(ROLLCON_PYTHON AND ROLLCON_SHARED)
     COMPONENT python FILES_MATCHING PATTERN "*.py" PATTERN py.typed PATTERN __pycache__ EXCLUDE)
 endif()
 if(ROLLCON_SHARED)
-  install(DIRECTORY "${PROJECT_SOURCE_DIR}/bindings/octave/" DESTINATION "${CMAKE_INSTALL_DATADIR}/rollcon/octave"
-    COMPONENT development FILES_MATCHING PATTERN "*.m" PATTERN "*.c" PATTERN "*.h")
+  rollcon_install_octave()
 endif()
 if(ROLLCON_DOCS)
-  install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs/" DESTINATION "${CMAKE_INSTALL_DOCDIR}/docs" COMPONENT documents)
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs/" DESTINATION "${CMAKE_INSTALL_DOCDIR}/docs" COMPONENT documents
+    PATTERN api.md EXCLUDE PATTERN "reference_*.md" EXCLUDE)
+  rollcon_install_references()
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT documents
     PATTERN CMakeLists.txt EXCLUDE PATTERN __pycache__ EXCLUDE)
   # The pages go to their places, so that links between them lead there.
   foreach(_page IN ITEMS README.md CHANGELOG.md CONTRIBUTING.md RELEASING.md SECURITY.md AUTHORS.md CITATION.cff
-      fortran/README.md bindings/python/README.md)
+      fortran/README.md bindings/python/README.md bindings/api_contract.md)
     get_filename_component(_folder "${_page}" DIRECTORY)
     install(FILES "${PROJECT_SOURCE_DIR}/${_page}" DESTINATION "${CMAKE_INSTALL_DOCDIR}/${_folder}" COMPONENT documents)
   endforeach()

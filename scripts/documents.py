@@ -3,13 +3,15 @@
    documents.py stage FOLDER        pages for MkDocs: links to files outside docs/ lead to copies
    documents.py links FOLDER        links of a built site
 
-Of links to the web only the form is looked at.
+Of links to the web only the form is looked at. The references, which git does not hold, are written first. Pages that
+git holds lead to bindings/api_contract.md instead of docs/api.md, which begins with it; the site leads to the reference.
 """
 
 import html
 import pathlib
 import re
 import shutil
+import subprocess
 import sys
 import urllib.parse
 
@@ -18,7 +20,13 @@ LINK = re.compile(r"(!?\[(?:[^\[\]]|\[[^\]]*\])*\]\()([^)\s]+)(\))")
 FENCE = re.compile(r"^```.*?^```$", re.M | re.S)
 OUTSIDE = ["README.md", "CHANGELOG.md", "CONTRIBUTING.md", "RELEASING.md", "SECURITY.md", "AUTHORS.md",
            "fortran/README.md", "bindings/python/README.md"]
+REFERENCES = [ROOT / "docs" / f"{name}.md" for name in ("api", "reference_fortran", "reference_python")]
+CONTRACT = ROOT / "bindings/api_contract.md"
 README_LINES = 120
+
+
+def write_references():
+    subprocess.run([sys.executable, ROOT / "bindings/generate.py", "--texts", ROOT], check=True, stdout=subprocess.DEVNULL)
 
 
 def pages():
@@ -45,6 +53,11 @@ def anchors(page):
     return found
 
 
+def on_site(file):
+    """Returns the page whose text a file is a part of on the site."""
+    return REFERENCES[0] if file == CONTRACT else file
+
+
 def dead_links():
     for page in pages():
         for _, target, _ in LINK.findall(prose(page.read_text(encoding="utf-8"))):
@@ -53,9 +66,11 @@ def dead_links():
             path, _, anchor = target.partition("#")
             file = (page.parent / path).resolve() if path else page
             where = f"{page.relative_to(ROOT)}: {target}"
-            if not file.exists():
+            if file in REFERENCES and page not in REFERENCES:
+                yield f"{where}: git does not hold it, so readers of the sources have no such page"
+            elif not file.exists():
                 yield f"{where}: there is no such file"
-            elif anchor and file.suffix == ".md" and anchor not in anchors(file):
+            elif anchor and file.suffix == ".md" and anchor not in anchors(on_site(file)):
                 yield f"{where}: there is no such heading"
 
 
@@ -115,7 +130,7 @@ def check():
 def staged(path):
     """Returns where a file of the repository goes in the site: documents to its top, pages outside unchanged, others
     to source/."""
-    inside = path.relative_to(ROOT).as_posix()
+    inside = on_site(path).relative_to(ROOT).as_posix()
     if inside == "README.md":
         return "index.md"
     if inside == "docs/README.md":
@@ -177,6 +192,8 @@ def site_links(folder):
 
 def main():
     command, *rest = sys.argv[1:] or [""]
+    if command in ("check", "stage"):
+        write_references()
     if command == "check" and not rest:
         return check()
     if command in ("stage", "links") and len(rest) == 1:

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Packs the sources, which build without git: what git tracks here, or all of an unpacked tarball. tarball.sh [FOLDER];
-# it writes out/rollcon-VERSION.tar.xz by default.
+# Packs the sources, which build without git: what git tracks here, and the references and the package for Octave, which
+# are written for it; or all of an unpacked tarball. tarball.sh [FOLDER]; it writes out/rollcon-VERSION.tar.xz by default.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 folder=${1:-$root/out}
@@ -8,9 +8,11 @@ version=$(sed -n 's/^#define ROLLCON_VERSION_STRING "\(.*\)"/\1/p' "$root/includ
 mkdir -p "$folder"
 packed=$(realpath "$folder")/rollcon-$version.tar.xz
 cd "$root"
+"$python" bindings/generate.py --texts . >/dev/null
 {
   if [ -e .git ]; then
     git ls-files -z
+    git ls-files -z --others --ignored --exclude-standard -- docs/'*.md' bindings/octave/'*.[cm]'
   else
     find . -type f -not -path './build*' -not -path './out/*' -not -name '*.pyc' -printf '%P\0'
   fi

@@ -6,6 +6,10 @@ function rollcon_build(varargin)
 %
 % Then addpath this folder. The functions are rollcon.context_create, ...; help rollcon.body_create tells of each.
 here = fileparts(mfilename('fullpath'));
+if ~exist(fullfile(here, 'rollcon_calls.c'), 'file')
+  error('rollcon:build', ['%s has no rollcon_calls.c: in sources from git, "python3 bindings/generate.py" writes it ' ...
+                          'and the functions'], here);
+end
 flags = varargin;
 if isempty(flags)
   [status, text] = system('pkg-config --cflags --libs rollcon');

@@ -25,7 +25,7 @@ assert(rollcon.has_feature('halfspace'), 1);
 assert(rollcon.status_string(0), 'success');
 
 % Every function is there and says which argument it misses, or that there are too many; each has a help text.
-here = fileparts(which('rollcon_build'));
+here = getenv('ROLLCON_OCTAVE');
 files = dir(fullfile(here, '+rollcon', '*.m'));
 assert(numel(files) > 130);
 for k = 1:numel(files)

@@ -1,4 +1,4 @@
-"""Tests that the tables of settings in docs/api.md are those that the library has."""
+"""Tests that the tables of settings in bindings/api_contract.md are those that the library has."""
 
 import pathlib
 import re
@@ -6,7 +6,7 @@ import unittest
 
 import rollcon as rc
 
-DOCUMENT = pathlib.Path(__file__).resolve().parents[2] / "docs" / "api.md"
+DOCUMENT = pathlib.Path(__file__).resolve().parents[2] / "bindings" / "api_contract.md"
 TYPES = {rc.TYPE_INT: "int", rc.TYPE_REAL: "real", rc.TYPE_STR: "text"}
 
 
