@@ -5,8 +5,8 @@
 
 It walks the headers of the C++ library once for a group instead of once for a source. What it says
 of a joined source is printed with the name and line of the part. Sources that the build leaves out
-are looked at as well. With --changed only those that differ from this commit or include something that
-does, and each changed file must compile by itself. Fails with any finding, and where something does not
+are looked at as well. With --changed only those that differ from this commit, and for each header that
+differs one that includes it; each changed file must compile by itself. Fails with any finding, and where something does not
 compile. With --deep the analyzer follows paths as far as it ever does, which takes two and a half times
 as long.
 """
@@ -59,10 +59,16 @@ def changed_files(base):
 
 
 def affected(sources, changed):
-    """Returns the sources that changed or see a header that did."""
+    """Returns the sources that changed, and for each header that did one that sees it, best the one of its name."""
     headers = unity.Headers([ROOT / "src"])
-    return [source for source in sources
-            if source in changed or changed & unity.Source(source, headers).headers]
+    sees = {source: unity.Source(source, headers).headers for source in sources}
+    chosen = {source for source in sources if source in changed}
+    for header in sorted(changed):
+        users = [source for source in sources if header in sees[source]]
+        if users and not chosen.intersection(users):
+            stem = os.path.splitext(header)[0]
+            chosen.add(min(users, key=lambda source: os.path.splitext(source)[0] != stem))
+    return sorted(chosen)
 
 
 def commands_for(commands, sources, folder, jobs):
