@@ -14,6 +14,7 @@ builds=(
   "finite elements alone: FEM OPENMP CHOLMOD"
   "boundary elements alone: BEM OPENMP"
   "no OpenMP: FEM BEM PROCEDURES VTU CHOLMOD UMFPACK FFTW"
+  "no UMFPACK: FEM BEM PROCEDURES VTU OPENMP CHOLMOD FFTW"
   "half-spaces alone:"
 )
 if [ $# -gt 0 ]; then
