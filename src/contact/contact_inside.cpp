@@ -66,7 +66,7 @@ void Contact::displacements_at(std::int32_t body, std::int64_t n, const double* 
   ++derived.computed.displacements;
   ++derived.computed.applications;
   const bool at_nodes = s.prepared->problem.op->on_lattice() && x == s.prepared->frame.x && y == s.prepared->frame.y;
-  if (!at_nodes || !displacements_on_lattice(s, compliance, u)) compliance.apply({x, y}, t.data(), u);
+  if (!at_nodes || !displacements_on_lattice(s, compliance, s.iterate.lambda, u)) compliance.apply({x, y}, t.data(), u);
   std::vector<double> own(3 * points);
   if (compliance.offset({x, y}, own.data()))
     for (std::size_t k = 0; k < own.size(); ++k) u[k] += own[k];

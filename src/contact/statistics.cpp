@@ -98,9 +98,6 @@ const Builds& builds_of(Solver& v) {
 
 double put_in(Solver& v) {
   const Solution& s = v.solution();
-  // What bodies lose by creeping is not friction's.
-  const bool creeps = s.prepared->pair.creeps() && !s.frictionless;
-  if (creeps) return power_put_in(s) - s.prepared->speed * rolling_resistance(s);
   return s.prepared->step == StepKind::steady ? power_put_in(s) : power_in_step(s, v.derived(), v.preparation());
 }
 

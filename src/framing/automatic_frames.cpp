@@ -36,8 +36,11 @@ struct Level {
   /// three, halved for the others.
   double usual;
 };
-constexpr std::array levels{Level{6, 4, 0.012}, Level{8, 6, 0.0053}, Level{12, 8, 0.0026}, Level{16, 12, 0.0013},
-                            Level{24, 16, 0.0007}};
+constexpr std::array levels{Level{6, 4, 0.012},    Level{8, 6, 0.0053},   Level{12, 8, 0.0026}, Level{16, 12, 0.0013},
+                            Level{24, 16, 0.0007}, Level{32, 24, 0.0004}, Level{48, 32, 0.0002}};
+/// Counts the levels of all contacts; the last two are for lattices of bodies that creep, whose operators are no
+/// matrices.
+constexpr std::size_t usual_levels = levels.size() - 2;
 
 /// Tells what frames are made for.
 struct Shape {
@@ -163,14 +166,14 @@ class AutomaticFrames final : public FrameMaker {
     }
     for (;; ++level_) {
       const Status status = solve_on_fitting(fine);
-      if (status == Status::coarse && level_ + 1 < levels.size()) continue;
+      if (status == Status::coarse && level_ + 1 < level_count()) continue;
       if (status != Status::ok) {
         (coarse_solved_ ? *coarse_ : fine).tell(status);
         return status;
       }
       const double wanted = fine.scene.options.frame_accuracy, reached = fine.error_estimate();
       if (reached <= wanted) break;
-      if (level_ + 1 == levels.size()) {
+      if (level_ + 1 == level_count()) {
         level_ = levels.size();  // the next scene may be an easier one
         return StripLevels::tell_inaccurate(fine, reached);
       }
@@ -180,9 +183,10 @@ class AutomaticFrames final : public FrameMaker {
     return Status::rim_contact;
   }
 
-  static std::size_t first_level(double accuracy) {
+  std::size_t level_count() const { return found_.speed != 0 ? levels.size() : usual_levels; }
+  std::size_t first_level(double accuracy) const {
     std::size_t level = 0;
-    while (level + 1 < levels.size() && levels[level].usual > 1.1 * accuracy) ++level;
+    while (level + 1 < level_count() && levels[level].usual > 1.1 * accuracy) ++level;
     return level;
   }
 

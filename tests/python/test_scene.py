@@ -41,6 +41,32 @@ class Results(Scene):
         self.assertGreater(np.abs(made.tractions()).max(), 100)
         np.testing.assert_allclose(given.tractions(), made.tractions(), atol=1e-8)
 
+    def test_rubber_resists_rolling_and_is_refused_where_it_is_not_known(self):
+        roller, table = rc.Body(self.context, "halfspace"), rc.Body(self.context, "rigid")
+        roller.set_elastic(10, 0.48)
+        roller.set_viscoelastic([0.3, 0.2], [0.01, 0.1])
+        contact = rc.Contact(self.context, roller, table)
+        contact.set_gap_quadratic(0.01, 0.001)
+        contact.set_friction(0.0)
+        contact.prescribe(rc.NORMAL, rc.BY_FORCE, 100)
+        resistance = []
+        for speed in (1e-6, 100, 1e9):
+            contact.set_rolling(speed)
+            self.assertEqual(contact.solve(), rc.OK)
+            resistance.append(contact.stat("rolling_resistance"))
+            self.assertEqual(contact.stat("body_power"), speed * resistance[-1])
+        self.assertGreater(resistance[1], 1)
+        self.assertLess(max(abs(resistance[0]), resistance[2]), 1e-3)
+        with self.assertRaisesRegex(rc.RollconError, "viscoelastic.*elastic and rigid bodies"):
+            contact.equivalent_ellipse()
+        wheel, rail = rc.Body(self.context, "halfspace"), rc.Body(self.context, "halfspace")
+        for body, shape in ((wheel, "s1002"), (rail, "60e1")):
+            body.set_elastic(2e5, 0.3)
+            body.set_profile_shape(shape, [1])
+        rail.set_viscoelastic([0.1], [1])
+        with self.assertRaisesRegex(rc.RollconError, "the rail is viscoelastic"):
+            rc.WheelRail(self.context, wheel, rail, "right")
+
     def test_a_grid_of_gaps_is_an_array(self):
         x, y = np.linspace(-2, 2, 7), np.linspace(-3, 3, 5)
         gap = 0.01 * x**2 + 0.02 * y[:, None] ** 2

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -19,6 +20,13 @@ using namespace halfspace;
 
 int terms_of(const HalfspaceConstants& c) {
   return (c.cv != 0 ? with_shear : 0) + (c.ck != 0 ? with_coupling : 0);
+}
+
+/// Returns the terms that displacements wanted are made of.
+int terms_for(double* const (&u)[3][3]) {
+  const bool tangential = u[0][0] || u[0][1] || u[1][0] || u[1][1];
+  const bool mixed = u[0][2] || u[1][2] || u[2][0] || u[2][1];
+  return (tangential ? with_shear : 0) + (mixed ? with_coupling : 0);
 }
 
 /// Holds the five integrals along a line, zero at first.
@@ -57,7 +65,7 @@ class HalfspaceRows final : public LatticeRows {
 
   void row(std::int64_t j, std::int64_t first, std::int64_t count, double* const (&u)[3][3]) const override {
     LineIntegrals line(at(count));
-    integrals_.row(j, first, count, line.integral);
+    integrals_.row(j, first, count, line.integral, terms_for(u));
     displacements(c_, line, at(count), u, false);
   }
 
@@ -95,7 +103,10 @@ class LaggingRows final : public LatticeRows {
   void row(std::int64_t j, std::int64_t first, std::int64_t count, double* const (&u)[3][3]) const override;
 
  private:
-  static constexpr int points = 8;  ///< points of a part of a cell or of a panel, with both ends
+  /// Points of a part of a cell or of a panel, with both ends; on lines away from the source every second one will do.
+  static constexpr std::size_t points = 9, few_points = 5;
+  static constexpr double away = 6;  ///< distance of such lines, in cells
+  static constexpr double accuracy = 1e-11;
   /// Keeps so much of the mean ahead, and adds values at the points with these weights.
   struct Step {
     double decay = 1;
@@ -103,7 +114,7 @@ class LaggingRows final : public LatticeRows {
   };
   struct Filter {
     double ratio;
-    std::vector<Step> part, panel;
+    std::vector<Step> part, part_away, panel;
   };
   struct Filtered {
     HalfspaceConstants c;
@@ -114,14 +125,16 @@ class LaggingRows final : public LatticeRows {
     std::vector<LineIntegrals> part;
     LineIntegrals panel;
   };
-  static Step make_step(const Lag& lag, double length);
-  Samples sample(std::int64_t j, std::int64_t low) const;
-  void filter_line(const Filter& f, int integral, const Samples& from, std::int64_t count, double* sum) const;
+  static Step make_step(const Lag& lag, double length, std::size_t n);
+  Samples sample(std::int64_t j, std::int64_t low, std::size_t n, int terms) const;
+  void filter_line(const Filter& f, int integral, const Samples& from, std::size_t n, std::int64_t count,
+                   double* sum) const;
 
   HalfspaceConstants c_;
   int terms_;
   std::int64_t shifted_;  ///< whole cells by which observers are shifted
   std::int64_t end_;      ///< offset from which the panels begin
+  double cells_across_;   ///< spacing of lines, in cells
   std::vector<double>
       part_;  ///< where parts of cells begin, and the end of the last; observers are at the last but one
   std::vector<double> panel_;  ///< where panels begin, and the end of the last
@@ -136,14 +149,15 @@ LaggingRows::LaggingRows(HalfspaceConstants c, const std::vector<LaggingBody>& b
       terms_(terms),
       shifted_(to_index(std::floor(shift_x / source.dx))),
       end_(std::max<std::int64_t>(reach.x + shifted_ + 2, points)),
+      cells_across_(source.dy / source.dx),
       here_(source, shift_x, shift_y, terms, reach) {
   const OffsetReach further{end_ + std::abs(shifted_), reach.y};
   const double within = shift_x - static_cast<double>(shifted_) * source.dx;
   part_ = within > 0 ? std::vector{0.0, within, source.dx} : std::vector{0.0, source.dx};
   for (std::size_t k = 0; k + 1 < part_.size(); ++k)
-    for (int q = 0; q + 1 < points; ++q)
-      integrals_.emplace_back(source, part_[k] + lag_points(points)[at(q)] * (part_[k + 1] - part_[k]), shift_y, terms,
-                              further);
+    for (std::size_t q = 0; q + 1 < points; ++q)
+      integrals_.emplace_back(source, part_[k] + lag_points(points)[q] * (part_[k + 1] - part_[k]), shift_y, terms,
+                              further, accuracy);
   constexpr double forgotten = 45;  // lengths after which nothing is left
   constexpr std::size_t most_panels = 200;
   double longest = 0;
@@ -155,40 +169,45 @@ LaggingRows::LaggingRows(HalfspaceConstants c, const std::vector<LaggingBody>& b
   for (const LaggingBody& body : bodies) {
     body_.push_back({body.c, {}});
     for (const Lag& lag : body.lag) {
-      Filter f{lag.ratio, {}, {}};
-      for (std::size_t k = 0; k + 1 < part_.size(); ++k) f.part.push_back(make_step(lag, part_[k + 1] - part_[k]));
-      for (std::size_t k = 0; k + 1 < panel_.size(); ++k) f.panel.push_back(make_step(lag, panel_[k + 1] - panel_[k]));
+      Filter f{lag.ratio, {}, {}, {}};
+      for (std::size_t k = 0; k + 1 < part_.size(); ++k) {
+        f.part.push_back(make_step(lag, part_[k + 1] - part_[k], points));
+        f.part_away.push_back(make_step(lag, part_[k + 1] - part_[k], few_points));
+      }
+      for (std::size_t k = 0; k + 1 < panel_.size(); ++k)
+        f.panel.push_back(make_step(lag, panel_[k + 1] - panel_[k], points));
       body_.back().filter.push_back(std::move(f));
     }
   }
 }
 
-LaggingRows::Step LaggingRows::make_step(const Lag& lag, double length) {
+LaggingRows::Step LaggingRows::make_step(const Lag& lag, double length, std::size_t n) {
   Step step;
+  const std::span<double> weight(step.weight.data(), n);
   step.decay = std::exp(-length / lag.length);
-  lag_weights(length / lag.length, step.weight);
-  if (lag.slope) weigh_slopes(length, step.weight);
+  lag_weights(length / lag.length, weight);
+  if (lag.slope) weigh_slopes(length, weight);
   return step;
 }
 
-LaggingRows::Samples LaggingRows::sample(std::int64_t j, std::int64_t low) const {
+LaggingRows::Samples LaggingRows::sample(std::int64_t j, std::int64_t low, std::size_t n, int terms) const {
   const std::size_t panels = panel_.size() - 1;
   Samples all{{}, LineIntegrals(std::max<std::size_t>(panels * points, 1))};
-  for (const LatticeIntegrals& integrals : integrals_) {
+  for (std::size_t k = 0; k < integrals_.size(); k += (points - 1) / (n - 1)) {
     all.part.emplace_back(at(end_ - low + 1));
-    integrals.row(j, low, end_ - low + 1, all.part.back().integral);
+    integrals_[k].row(j, low, end_ - low + 1, all.part.back().integral, terms);
   }
   for (std::size_t k = 0; k < panels; ++k)
     for (std::size_t q = 0; q < points; ++q) {
       double* value[integral_count];
       for (std::size_t i = 0; i < integral_count; ++i) value[i] = all.panel.integral[i] + k * points + q;
-      here_.at_place(panel_[k] + lag_points(points)[q] * (panel_[k + 1] - panel_[k]), j, value);
+      integrals_.front().at_place(panel_[k] + lag_points(points)[q] * (panel_[k + 1] - panel_[k]), j, value, terms);
     }
   return all;
 }
 
 /// Adds the filtered integral, times the ratio, for `count` observers from the first sample on.
-void LaggingRows::filter_line(const Filter& f, int integral, const Samples& from, std::int64_t count,
+void LaggingRows::filter_line(const Filter& f, int integral, const Samples& from, std::size_t n, std::int64_t count,
                               double* sum) const {
   double mean = 0;  // the mean of what lies ahead of a point that walks from the last panel to the first observer
   for (std::size_t k = f.panel.size(); k-- > 0;) {
@@ -196,11 +215,12 @@ void LaggingRows::filter_line(const Filter& f, int integral, const Samples& from
     for (std::size_t q = 0; q < points; ++q)
       mean += f.panel[k].weight[q] * from.panel.integral[integral][k * points + q];
   }
-  const std::size_t parts = f.part.size(), inner = points - 1;
+  const std::vector<Step>& part = n == points ? f.part : f.part_away;
+  const std::size_t parts = part.size(), inner = n - 1;
   const auto cells = static_cast<std::int64_t>(from.part[0].memory.size() / integral_count) - 1;
   for (std::int64_t m = cells - 1; m >= 0; --m)
     for (std::size_t k = parts; k-- > 0;) {
-      const Step& step = f.part[k];
+      const Step& step = part[k];
       mean *= step.decay;
       for (std::size_t q = 0; q < inner; ++q) mean += step.weight[q] * from.part[k * inner + q].integral[integral][m];
       mean += step.weight[inner] * (k + 1 < parts ? from.part[(k + 1) * inner].integral[integral][m]
@@ -211,15 +231,16 @@ void LaggingRows::filter_line(const Filter& f, int integral, const Samples& from
 
 void LaggingRows::row(std::int64_t j, std::int64_t first, std::int64_t count, double* const (&u)[3][3]) const {
   LineIntegrals line(at(count));
-  here_.row(j, first, count, line.integral);
+  const int terms = terms_ & terms_for(u);
+  here_.row(j, first, count, line.integral, terms);
   displacements(c_, line, at(count), u, false);
-  const Samples from = sample(j, first + shifted_);
+  const std::size_t n = std::abs(static_cast<double>(j)) * cells_across_ < away ? points : few_points;
+  const Samples from = sample(j, first + shifted_, n, terms);
   for (const Filtered& body : body_) {
     LineIntegrals lagging(at(count));
     for (int i = 0; i < integral_count; ++i) {
-      const int needed = i == 0 ? normal_only : i < 3 ? with_shear : with_coupling;
-      if ((terms_ & needed) != needed) continue;
-      for (const Filter& f : body.filter) filter_line(f, i, from, count, lagging.integral[i]);
+      if ((terms & integral_terms(i)) != integral_terms(i)) continue;
+      for (const Filter& f : body.filter) filter_line(f, i, from, n, count, lagging.integral[i]);
     }
     displacements(body.c, lagging, at(count), u, true);
   }
@@ -243,15 +264,15 @@ class LaggingKernel final : public TranslationKernel {
     return std::make_unique<LaggingRows>(c_, body_, terms_of(all_), source, shift_x, shift_y, reach);
   }
   Softness softness(double k) const override {
-    std::complex<double> cn = c_.cn, cv = c_.cv;
+    const double unit = 2 * std::numbers::pi / k;
+    return {unit * c_.cn, unit * c_.cn, unit * (c_.cn + c_.cv)};
+  }
+  std::complex<double> delay(double k1) const override {
+    std::complex<double> factor = 1;
     for (const LaggingBody& body : body_)
-      for (const Lag& lag : body.lag) {
-        const std::complex<double> of_wave = lag.ratio / std::complex<double>(1, k * lag.length);
-        cn += of_wave * body.c.cn;
-        cv += of_wave * body.c.cv;
-      }
-    const double unit = 2 * std::numbers::pi / k, along = unit * std::abs(cn);
-    return {along, along, unit * std::abs(cn + cv)};
+      for (const Lag& lag : body.lag)
+        factor += lag.ratio * body.c.cn / c_.cn / std::complex<double>(1, -k1 * lag.length);
+    return factor;
   }
 
  private:

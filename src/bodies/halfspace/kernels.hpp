@@ -27,6 +27,11 @@ inline constexpr int far_capacity = 64;
 /// Says which integrals are wanted besides 0: bit 0 wants d d^T/r^3, bit 1 wants d/r^2.
 enum Terms : int { normal_only = 0, with_shear = 1, with_coupling = 2, all_terms = 3 };
 
+/// Returns the terms that integral k belongs to.
+constexpr int integral_terms(int k) {
+  return k == 0 ? normal_only : k < 3 ? with_shear : with_coupling;
+}
+
 /// Points to one rule on all elements of a group; element e owns entries [e * padded, e * padded + n).
 struct FarSources {
   int n = 0, padded = 0;

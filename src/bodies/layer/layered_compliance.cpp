@@ -61,6 +61,7 @@ class LayeredKernel final : public TranslationKernel {
     return std::make_unique<LayeredRows>(bodies_->on_lattice(source, shift_x, shift_y, reach), flexibility_, source,
                                          shift_x, shift_y);
   }
+  std::complex<double> delay(double k1) const override { return bodies_->delay(k1); }
   Softness softness(double k) const override {
     Softness s = bodies_->softness(k);
     s.along += flexibility_;

@@ -2,6 +2,7 @@
 /// Describes surfaces that respond alike wherever they are loaded: a displacement depends on its offset from the load
 /// alone. On lattices this saves integrals and matrices.
 
+#include <complex>
 #include <cstdint>
 #include <memory>
 
@@ -55,6 +56,8 @@ class TranslationKernel {
     double normal, along, across;
   };
   virtual Softness softness(double k) const = 0;
+  /// Returns the factor of displacements of bodies that creep, under waves exp(i k1 x) along the rolling direction.
+  virtual std::complex<double> delay(double /*k1*/) const { return 1; }
 };
 
 }  // namespace rollcon

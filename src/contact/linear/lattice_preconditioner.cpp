@@ -4,8 +4,9 @@
 /// leading edge (an upwind sweep), which leaves displacements; these are turned into tractions by the symbol of A^-1 on
 /// the infinite plane,
 ///   k / (2 pi) (e e^T / cn + (1 - e e^T) / (cn + cv)),   e = k / |k|,
-/// restricted to the nodes in question. Rows of the normal law are inverted by k / (2 pi cn), rows of sliding nodes
-/// node by node, borders exactly. Iterations grow slowly with the lattice (docs/theory.md, section 7).
+/// divided by the delay of waves along the flow where bodies creep, and restricted to the nodes in question. Rows of
+/// the normal law are inverted by k / (2 pi cn), rows of sliding nodes node by node, borders exactly. Iterations grow
+/// slowly with the lattice (docs/theory.md, section 7).
 
 #include <algorithm>
 #include <array>
@@ -45,6 +46,7 @@ class LatticePreconditioner final : public FieldPreconditioner {
   std::size_t bytes() const override {
     std::size_t sum = fft_.bytes() + spectrum_[0].bytes() + spectrum_[1].bytes();
     for (const auto& s : symbol_) sum += s.capacity() * sizeof(float);
+    sum += ahead_.capacity() * sizeof(std::complex<float>);
     for (const auto& g : grid_) sum += g.capacity() * sizeof(float);
     return sum + masked_.capacity() * sizeof(float) + place_.capacity() * sizeof(std::int32_t) +
            (inverse_.capacity() + columns_.capacity() + work_.capacity()) * sizeof(double);
@@ -62,6 +64,7 @@ class LatticePreconditioner final : public FieldPreconditioner {
   PlaneFft<float> fft_;
   std::vector<std::int32_t> place_;           ///< frame node -> place on the lattice
   std::array<std::vector<float>, 4> symbol_;  ///< symbols of A^-1: 11, 12, 22 and normal
+  std::vector<std::complex<float>> ahead_;    ///< factor of all of them for bodies that creep; empty: 1
   std::array<std::vector<float>, 2> grid_;
   std::vector<float> masked_;
   AlignedArray<std::complex<float>> spectrum_[2];
@@ -101,6 +104,11 @@ void LatticePreconditioner::make_symbols(const TranslationKernel& kernel) {
       symbol_[1][s] = static_cast<float>(k > 0 ? (along - across) * e1 * e2 : 0);
       symbol_[2][s] = static_cast<float>(k > 0 ? along * e2 * e2 + across * e1 * e1 : along);
       symbol_[3][s] = static_cast<float>(unit / soft.normal);
+    }
+  if (!kernel.turns())
+    for (std::int64_t i = 0; i < fft_.waves_x(); ++i) {
+      const double kx = 2 * std::numbers::pi * static_cast<double>(i) / (static_cast<double>(mx) * lattice_.dx);
+      ahead_.insert(ahead_.end(), at(fft_.stride()), std::complex<float>(1.0 / kernel.delay(kx)));
     }
   for (auto& g : grid_) g.resize(lattice_.node.size());
   masked_.resize(lattice_.node.size());
@@ -176,6 +184,7 @@ void LatticePreconditioner::normal_rows(const double* x, double* y) {
   fft_.forward(grid.data(), spectrum_[0].data());
   std::complex<float>* wave = spectrum_[0].data();
   for (std::size_t s = 0; s < symbol_[3].size(); ++s) wave[s] *= symbol_[3][s];
+  for (std::size_t s = 0; s < ahead_.size(); ++s) wave[s] *= ahead_[s];
   fft_.backward(spectrum_[0].data(), grid.data());
   for (std::int64_t a = 0; a < na; ++a)
     y[first + a] =
@@ -238,6 +247,7 @@ void LatticePreconditioner::tangential_rows(const double* x, double* y) {
       first[s] = symbol_[0][s] * u1 + symbol_[1][s] * u2;
       second[s] = symbol_[1][s] * u1 + symbol_[2][s] * u2;
     }
+    for (std::size_t s = 0; s < ahead_.size(); ++s) first[s] *= ahead_[s], second[s] *= ahead_[s];
     for (std::size_t c = 0; c < 2; ++c) fft_.backward(spectrum_[c].data(), grid_[c].data());
   }
   for (std::int64_t a = 0; a < na; ++a) {

@@ -124,7 +124,8 @@ bool solve_on_coarser_lattice(const Solution& s, double tolerance, int halvings,
                           s.frictionless, tolerance, halvings, iterate);
 }
 
-bool displacements_on_lattice(const Solution& s, const Compliance& body, double* u) {
+bool displacements_on_lattice(const Solution& s, const Compliance& body, const std::vector<double> (&lambda)[3],
+                              double* u) {
   const auto kernel = body.translation();
   if (!kernel || !s.prepared->lattice->loose.empty()) return false;
   const std::size_t n = s.prepared->frame.x.size();
@@ -135,7 +136,7 @@ bool displacements_on_lattice(const Solution& s, const Compliance& body, double*
   LatticeOperator displacements(*s.prepared->lattice, kernel, 0, std::move(same));
   std::vector<double> part[3];
   for (auto& v : part) v.resize(n);
-  displacements.images({}, {}, {}, s.iterate.lambda, part);
+  displacements.images({}, {}, {}, lambda, part);
   for (std::size_t k = 0; k < n; ++k)
     for (std::size_t i = 0; i < 3; ++i) u[3 * k + i] = part[i][k];
   return true;

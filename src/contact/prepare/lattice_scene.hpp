@@ -26,9 +26,10 @@ void start_on_lattice(Solution& solution, const Monitor& monitor);
 /// and interpolates the tractions. Returns false where there is no such lattice.
 bool solve_on_coarser_lattice(const Solution& solution, double tolerance, int halvings, Iterate& iterate);
 
-/// Finds displacements u[3 * k + c] at all nodes under the solution's tractions by the compliance of one body, with
-/// FFT. Returns false where that compliance depends on the place.
-bool displacements_on_lattice(const Solution& solution, const Compliance& body, double* u);
+/// Finds displacements u[3 * k + c] at all nodes under tractions lambda by the compliance of one body, with FFT.
+/// Returns false where that compliance depends on the place.
+bool displacements_on_lattice(const Solution& solution, const Compliance& body, const std::vector<double> (&lambda)[3],
+                              double* u);
 
 /// Returns one line for the plan; empty: no lattice.
 std::string describe_lattice(const Prepared& on);

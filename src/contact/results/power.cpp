@@ -40,7 +40,8 @@ double integral_of_slope(const Frame& frame, std::span<const std::int32_t> node,
 // Integrates the normal traction times the slope of the elastic normal displacement along the rolling direction. Inside
 // the contact that is the rigid gap's; but beside it the gap is not closed, and on coarse elements half of the pressure
 // next to the edge is work on such elements: like bodies would seem to lose or gain power by pressure alone.
-double work_of_pressures(const Solution& s) {
+// displacement: three at each node; null: those of the solution.
+double work_of_pressures(const Solution& s, const std::vector<double>* displacement = nullptr) {
   constexpr int degree = 4;
   const PlaneRule triangle = triangle_rule(degree), square = square_rule(degree);
   const Problem& p = s.prepared->problem;
@@ -57,8 +58,8 @@ double work_of_pressures(const Solution& s) {
     }
     if (!loaded) continue;
     for (std::size_t i = 0; i < node.size(); ++i) {
-      it.update_gap(p, node[i]);
-      g[i] = it.image[2][at(node[i])];
+      if (!displacement) it.update_gap(p, node[i]);
+      g[i] = displacement ? (*displacement)[3 * at(node[i]) + 2] : it.image[2][at(node[i])];
     }
     const ElementType type = s.prepared->frame.mesh.type[at(e)];
     sum += integral_of_slope(s.prepared->frame, node, type, corner_count(type) == 3 ? triangle : square, f, g);
@@ -110,6 +111,42 @@ double work_of_slip(const Solution& s, Derived& d, const std::vector<double>& we
   return sum;
 }
 
+/// Finds displacements, three at each node, under all tractions of the solution or the pressures alone.
+std::vector<double> displacements_by(const Solution& s, const Compliance& compliance, bool pressures_alone) {
+  const Prepared& on = *s.prepared;
+  std::vector<double> lambda[3] = {s.iterate.lambda[0], s.iterate.lambda[1], s.iterate.lambda[2]};
+  for (std::size_t c = 0; pressures_alone && c < 2; ++c) std::fill(lambda[c].begin(), lambda[c].end(), 0.0);
+  std::vector<double> u(3 * on.frame.x.size()), traction(u.size());
+  if (on.lattice && on.lattice->ey == 0 && has_fft() && displacements_on_lattice(s, compliance, lambda, u.data()))
+    return u;
+  for (std::size_t k = 0; k < u.size(); ++k) traction[k] = lambda[k % 3][k / 3];
+  compliance.apply({on.frame.x, on.frame.y}, traction.data(), u.data());
+  return u;
+}
+
+/// Returns the power over the speed that bodies lose by creeping under all tractions, or the pressures alone.
+double lost_in_bodies(const Solution& s, bool pressures_alone) {
+  const Prepared& on = *s.prepared;
+  const std::unique_ptr<Compliance> loss = make_loss(on.frame, on.pair, on.accuracy, 1);
+  if (!loss) return 0;
+  const std::vector<double> u = displacements_by(s, *loss, pressures_alone);
+  double sum = 0;
+  for (std::size_t k = 0; k < u.size(); ++k)
+    if (!pressures_alone || k % 3 == 2) sum += on.problem.weight[k / 3] * s.iterate.lambda[k % 3][k / 3] * u[k];
+  return sum;
+}
+
+/// Returns what bodies that creep do not lose of what is put in, over -V. What pressures alone do and what they lose is
+/// the same, and far more than friction takes: it is left out of both.
+double work_beside_creep(const Solution& s) {
+  double work = work_of_rigid_slip(s) + lost_in_bodies(s, false) - lost_in_bodies(s, true);
+  if (s.prepared->problem.op->coupled) {
+    const std::vector<double> alone = displacements_by(s, *s.prepared->compliance, true);
+    work += work_of_pressures(s) - work_of_pressures(s, &alone);
+  }
+  return work;
+}
+
 }  // namespace
 
 // Corrects the sum over nodes of what slip takes, which misses a part on coarse grids, by what such a sum misses of the
@@ -139,22 +176,12 @@ double power_in_step(const Solution& s, Derived& d, Preparation* preparation) {
 // what their tangential and normal parts do on the elastic displacements adds up to nothing.
 double power_put_in(const Solution& s) {
   if (s.frictionless) return 0;
+  if (s.prepared->pair.creeps()) return -s.prepared->speed * work_beside_creep(s);
   return -s.prepared->speed * (work_of_pressures(s) + work_of_rigid_slip(s));
 }
 
 double rolling_resistance(const Solution& s) {
-  const Prepared& on = *s.prepared;
-  const std::unique_ptr<Compliance> loss = make_loss(on.frame, on.pair, on.accuracy, 1);
-  if (!loss) return 0;
-  const Problem& p = on.problem;
-  const std::vector<double>(&lambda)[3] = s.iterate.lambda;
-  std::vector<double> u(3 * on.frame.x.size()), traction(u.size());
-  for (std::size_t k = 0; k < u.size(); ++k) traction[k] = lambda[k % 3][k / 3];
-  if (!on.lattice || on.lattice->ey != 0 || !has_fft() || !displacements_on_lattice(s, *loss, u.data()))
-    loss->apply({on.frame.x, on.frame.y}, traction.data(), u.data());
-  double sum = 0;
-  for (std::size_t k = 0; k < u.size(); ++k) sum += p.weight[k / 3] * traction[k] * u[k];
-  return sum;
+  return lost_in_bodies(s, false);
 }
 
 bool power_is_balanced(const Solution& s) {

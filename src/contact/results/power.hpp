@@ -10,7 +10,8 @@ struct Solution;
 /// Returns what slip takes, summed over the nodes in contact.
 double power_at_nodes(const Solution& solution, Derived& derived);
 
-/// Returns what forces, spin moment and the gap's slope put in (force times speed) in steady rolling, without slip.
+/// Returns what forces, spin moment and the gap's slope put in (force times speed) in steady rolling, less what bodies
+/// lose by creeping, without slip.
 double power_put_in(const Solution& solution);
 /// Returns the power over the speed that bodies lose by creeping, the force of rolling resistance; 0 for elastic ones.
 double rolling_resistance(const Solution& solution);
