@@ -141,13 +141,12 @@ class Files(unittest.TestCase):
 class Hertz(unittest.TestCase):
     """A ball on a block without ends, whose section is deep: Hertz's pressure and radius."""
 
-    def test_pressure(self):
-        context = rc.Context()
+    def block(self, context):
         side = np.geomspace(0.5, 37, 9)
         fine = np.concatenate([-3 - side[::-1], np.linspace(-3, 3, 25), 3 + side])
         deep = np.concatenate([-np.geomspace(60, 0.3, 16), [0]])
         nodes, quads = plane(fine, deep)
-        block, ball = rc.Body(context, "section"), rc.Body(context, "rigid")
+        block = rc.Body(context, "section")
         block.set_nodes(nodes)
         block.add_elements("quad8", quads, 0)
         block.set_elastic(2e5, 0.3)
@@ -156,17 +155,34 @@ class Hertz(unittest.TestCase):
         block.set_support(np.where(nodes[:, 2] < -59.99)[0], 7)
         block.extrude([0, 0, 0], [1, 0, 0], 400)
         block.set("stations", 1600)
-        contact = rc.Contact(context, block, ball)
-        contact.set_axes([0, 0, 0], [1, 0, 0], [0, 0, 1])
-        y = lay_frame(contact, 2.4, 2.4, 32, 32, 0)
+        return block
+
+    def press(self, contact):
         radius, force, modulus = 100, 4000, 2e5 / 0.91
-        contact.set_gap([(a * a + b * b) / (2 * radius) for a in y for b in y])
         contact.set_friction(0)
         contact.prescribe("normal", "force", force)
         self.assertEqual(contact.solve(), 0)
         a = (0.75 * force * radius / modulus) ** (1 / 3)
         p0 = 1.5 * force / (np.pi * a * a)
-        self.assertLess(abs(contact.stat("max_pressure") / p0 - 1), 0.005)
+        return contact.stat("max_pressure") / p0 - 1
+
+    def test_frame_laid_on(self):
+        context = rc.Context()
+        contact = rc.Contact(context, self.block(context), rc.Body(context, "rigid"))
+        contact.set_axes([0, 0, 0], [1, 0, 0], [0, 0, 1])
+        y = lay_frame(contact, 2.4, 2.4, 32, 32, 0)
+        contact.set_gap([(a * a + b * b) / 200 for a in y for b in y])
+        self.assertLess(abs(self.press(contact)), 0.005)
+
+    def test_automatic_frame(self):
+        context = rc.Context()
+        ball = rc.Body(context, "rigid")
+        ball.set_profile_shape("arc", [100, 10])
+        ball.revolve_profile([0, 0, 100], [0, 1, 0], 100)
+        contact = rc.Contact(context, self.block(context), ball)
+        contact.set_axes([0, 0, 0], [1, 0, 0], [0, 0, 1])
+        error = self.press(contact)
+        self.assertLess(abs(error), 0.01)
 
 
 if __name__ == "__main__":
