@@ -190,7 +190,7 @@ void Body::require_materials() const {
       constexpr double most_of_plane = 0.4999999;
       if (found->second.poisson > most_of_plane)
         fail(Status::err_unsupported,
-             "element %lld of the section (counting from %d) has poisson %.9g; allowed: up to %g",
+             "element %lld of the section (counting from %d) has poisson %.9g; allowed: up to %.9g",
              static_cast<long long>(e) + base, base, found->second.poisson, most_of_plane);
       continue;
     }

@@ -126,6 +126,11 @@ void SweptSection::find_edges() {
   });
 }
 
+bool SweptSection::meets_axis(const SectionEdge& edge) const {
+  const double along = length(plane_.node[at(edge.node[1])] - plane_.node[at(edge.node[0])]);
+  return revolved() && std::min(place(edge.node[0])[0], place(edge.node[1])[0]) <= 1e-6 * along;
+}
+
 SectionAxes SweptSection::axes(double angle) const {
   if (!revolved()) return {start_[0], start_[1], start_[2]};
   const double c = std::cos(angle), s = std::sin(angle);

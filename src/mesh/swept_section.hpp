@@ -51,6 +51,8 @@ class SweptSection {
   double orientation(std::int64_t element) const { return turn_[static_cast<std::size_t>(element)]; }
   std::vector<SectionEdge>& edges() { return edge_; }
   const std::vector<SectionEdge>& edges() const { return edge_; }
+  /// Tells whether a node of the edge lies on the axis: what it sweeps has no surface there.
+  bool meets_axis(const SectionEdge& edge) const;
   /// Returns the length of the way per radian at a distance from the axis.
   double way(double p) const { return revolved() ? p : path_.period / (2 * pi); }
   SectionAxes axes(double angle) const;

@@ -80,6 +80,10 @@ void sweep_section(BodyMesh& mesh, std::int64_t stations) {
   std::vector<std::size_t> chosen, all;
   for (std::size_t i = 0; i < section.edges().size(); ++i) {
     const SectionEdge& e = section.edges()[i];
+    if (section.meets_axis(e)) {
+      if (std::count(mesh.contact_tag.begin(), mesh.contact_tag.end(), e.tag) == 0) continue;
+      fail(Status::err_mesh, "an edge with tag %d, named by rollcon_body_set_contact_faces, ends on the axis", e.tag);
+    }
     all.push_back(i);
     const auto has = [&](std::int32_t tag) { return tag == e.tag; };
     const bool held = std::all_of(e.node.begin(), e.node.end(),

@@ -288,6 +288,26 @@ std::string refusal(const Work& work) {
   return "";
 }
 
+// A solid shaft, held at one end, under pressure all round: its side is the surface, and the stress is even.
+TEST(Section, solid_to_the_axis) {
+  sections::Rectangle shape{{0, 1, 2}, {0, 0.5, 1}};
+  SectionBody shaft(sections::rectangle(shape, ElementType::quad8), 1000, 0.3);
+  shaft.tag_sides(shape).turn_about_y();
+  shaft.hold([](const Vec3& x) { return near(x[1], 0) < 1e-9; }, 3);
+  shaft.body().set_pressure(4, 7);
+  const std::int32_t side = 4;
+  shaft.body().set_contact_faces(1, &side);
+  shaft.prepare();
+  const Vec3 u = shaft.displacement({0, 2, 1});
+  expect_error("shaft: radial", u[2] / (-7 * 0.7 / 1000) - 1, 1e-10);
+  expect_error("shaft: axial", u[1] / (2 * 2 * 0.3 * 7 / 1000) - 1, 1e-10);
+  const double point[] = {0.3, 1.2, -0.4};
+  double s[6] = {};
+  shaft.body().response()->fields({}, shaft.body().own())->at_points(1, point, nullptr, s, 1);
+  for (const std::size_t c : {0, 2}) expect_error("shaft: stress", s[c] / -7 - 1, 1e-10);
+  expect_error("shaft: axial stress", s[1] / 7, 1e-10);
+}
+
 TEST(Section, says_which_motion_is_free) {
   const auto prepared = [](std::int32_t mask) {
     return refusal([&] {
