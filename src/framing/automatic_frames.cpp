@@ -36,11 +36,11 @@ struct Level {
   /// three, halved for the others.
   double usual;
 };
-constexpr std::array levels{Level{6, 4, 0.012},    Level{8, 6, 0.0053},   Level{12, 8, 0.0026}, Level{16, 12, 0.0013},
-                            Level{24, 16, 0.0007}, Level{32, 24, 0.0004}, Level{48, 32, 0.0002}};
-/// Counts the levels of all contacts; the last two are for lattices of bodies that creep, whose operators are no
+constexpr std::array levels{Level{6, 4, 0.012},    Level{8, 6, 0.0053},   Level{12, 8, 0.0026},
+                            Level{16, 12, 0.0013}, Level{24, 16, 0.0007}, Level{32, 24, 0.0004}};
+/// Counts the levels of all contacts; the last one is for lattices of bodies that creep, whose operators are no
 /// matrices.
-constexpr std::size_t usual_levels = levels.size() - 2;
+constexpr std::size_t usual_levels = levels.size() - 1;
 
 /// Tells what frames are made for.
 struct Shape {
