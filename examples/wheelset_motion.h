@@ -1,5 +1,5 @@
-/* A wheelset that runs along a straight track on its primary springs, with forces of both wheels from rollcon, in
-   SUNDIALS's integrator CVODE. Units: mm, N, s, tonne; axes: x forward, y to the right, z down. */
+/* Integrates the motion of a wheelset that runs along a straight track on its primary springs. rollcon gives the forces
+   of both wheels, SUNDIALS's CVODE integrates. Units are mm, N, s and tonne; x is forward, y to the right, z down. */
 #ifndef ROLLCON_EXAMPLES_WHEELSET_MOTION_H
 #define ROLLCON_EXAMPLES_WHEELSET_MOTION_H
 
@@ -14,15 +14,16 @@
 
 #include "rollcon.h"
 
-/* The state: lateral shift y, height z, roll and yaw; their rates; and what the pitch rate is more than that of a wheel
-   of nominal radius. */
+/* The state has lateral shift y, height z, roll and yaw; their rates; and the pitch rate less that of a wheel of
+   nominal radius. */
 enum { shift_y, height, roll, yaw, rate_y, rate_z, rate_roll, rate_yaw, more_pitch, states };
 enum { wheels = 2 };
 
-/* Inertia, springs and dampers along y and z, about x and z: t and t mm^2, N/mm and N mm, N s/mm and N mm s. */
+/* Inertia, springs and dampers are along y and z, then about x and z: in t and t mm^2, N/mm and N mm, N s/mm and
+   N mm s. */
 static const double inertia[4] = {1.5, 1.5, 0.9e6, 0.9e6}, pitch_inertia = 0.12e6;
 static const double spring[4] = {2000, 1200, 1.2e9, 3e9}, damper[4] = {2, 40, 4e7, 2e6};
-static const double wheelset_weight = 112000 /* N, with what it carries */, nominal_radius = 460;
+static const double wheelset_weight = 112000 /* N, with its load */, nominal_radius = 460;
 
 typedef struct {
   rollcon_context* context;
@@ -32,19 +33,19 @@ typedef struct {
   double speed;
   double at_rest; /* height at which the springs carry nothing */
   long solves;    /* solves of a wheel */
-  long told[2];   /* those with a warning, and those without an answer */
+  long told[2];   /* solves with a warning, and solves without an answer */
   double force[3], moment[3];
 } wheelset;
 
-/* Ends the program with the library's own words if a status is below zero. */
+/* Ends the program with the library's message if a status is below zero. */
 static int32_t wheelset_must(int32_t status) {
   if (status >= 0) return status;
   fprintf(stderr, "%s: %s\n", rollcon_status_string(status), rollcon_last_error());
   exit(1);
 }
 
-/* Makes a wheelset with wheels S1002 on rails 60E1. by: 0 solves each patch, 1 takes forces from the standard table, 2
-   takes pressures from ellipses, too. */
+/* Makes a wheelset with wheels S1002 on rails 60E1. by: 0 solves each patch, 1 takes tangential forces from the
+   standard table, 2 takes pressures from ellipses, too. */
 static void wheelset_make(wheelset* set, double accuracy, double speed, int by) {
   static const char* const shape[2] = {"s1002", "60e1"};
   const double unit = 1, shear = 82000, poisson = 0.28, mu = 0.3;
@@ -105,7 +106,7 @@ static int32_t wheelset_solve(wheelset* set, const double* q) {
   return worst;
 }
 
-/* Computes the rate of a state whose forces were solved last. */
+/* Computes the rate of the state whose forces were solved last. */
 static void wheelset_rate(const wheelset* set, const double* q, double* rate) {
   const double turning = pitch_inertia * (q[more_pitch] - set->speed / nominal_radius);
   const double load[4] = {set->force[1], set->force[2] + wheelset_weight + spring[1] * set->at_rest,
@@ -120,7 +121,7 @@ static void wheelset_rate(const wheelset* set, const double* q, double* rate) {
 
 /* Computes the derivatives of that rate, column by column; the state was solved last. */
 static int32_t wheelset_jacobian(wheelset* set, const double* q, double* column) {
-  static const int entry[states] = {1, 2, 3, 4, 7, 8, 9, 10, 11}; /* counts in position and velocity */
+  static const int entry[states] = {1, 2, 3, 4, 7, 8, 9, 10, 11}; /* in position, then velocity */
   const double turning = pitch_inertia * (q[more_pitch] - set->speed / nominal_radius);
   int i, j, k;
   memset(column, 0, states * states * sizeof *column);
@@ -148,8 +149,8 @@ static int32_t wheelset_jacobian(wheelset* set, const double* q, double* column)
   return ROLLCON_OK;
 }
 
-/* Finds height, roll and pitch rate at which the wheelset, held at a shift, is in equilibrium; springs carry nothing at
-   that height. */
+/* Finds height, roll and pitch rate at which the wheelset, held at a shift, is in equilibrium. The vertical springs
+   carry nothing at that height. */
 static void wheelset_settle(wheelset* set, double* q) {
   static const int unknown[3] = {height, roll, more_pitch}, row[3] = {rate_z, rate_roll, more_pitch};
   double column[states * states], rate[states];
@@ -163,7 +164,7 @@ static void wheelset_settle(wheelset* set, double* q) {
     wheelset_must(rollcon_wheelrail_prescribe_vertical(set->wheel[i], ROLLCON_BY_MOTION, 0));
   }
   q[height] = (z[0] + z[1]) / 2;
-  q[roll] = (z[0] - z[1]) / 1500; /* the wheels are so far apart */
+  q[roll] = (z[0] - z[1]) / 1500; /* distance of both contacts */
   for (n = 0; n < 30; ++n) {
     double a[3][4], change = 0;
     set->at_rest = q[height];
@@ -189,7 +190,7 @@ static void wheelset_settle(wheelset* set, double* q) {
   set->at_rest = q[height];
 }
 
-/* What CVODE calls. */
+/* CVODE calls both functions below: for the rate, and for its Jacobian. */
 static int wheelset_right_side(realtype t, N_Vector state, N_Vector rate, void* of) {
   wheelset* const set = (wheelset*)of;
   (void)t;
@@ -206,8 +207,8 @@ static int wheelset_matrix(realtype t, N_Vector state, N_Vector rate, SUNMatrix 
   return wheelset_jacobian(set, N_VGetArrayPointer(state), SUNDenseMatrix_Data(jacobian)) < 0;
 }
 
-/* Integrates from a state over points intervals of time; writes the shift at the end of each. own: with derivatives
-   from rollcon; else CVODE takes differences. Returns the steps, or -1 where CVODE gave up. */
+/* Integrates from a state over `points` intervals of time and writes the shift at the end of each. own: 1 takes
+   derivatives from rollcon, 0 lets CVODE take differences. Returns the number of steps, or -1 if CVODE gave up. */
 static long wheelset_run(wheelset* set, double* q, double tolerance, int own, double interval, int points,
                          double* shift) {
   static const double size[states] = {1, 1e-2, 1e-4, 1e-3, 10, 1, 1e-2, 1e-2, 1e-2};

@@ -232,10 +232,11 @@ contains
       'rc_body%set_elastic', stat, errmsg)
   end subroutine
 
-  !> Lets the material of a half-space relax: Young's modulus at a time t after a strain is E (1 - sum of ratio (1 -
-  !> exp(-t / time))), E that of rollcon_body_set_elastic, with a Poisson's ratio that does not change. Such bodies roll
-  !> steadily, at the speed of rollcon_contact_set_rolling: time steps, conformal contacts, wear, tables and wheels on
-  !> rails end with ROLLCON_ERR_UNSUPPORTED. What rolling costs is the statistic rolling_resistance.
+  !> Lets the material of a half-space relax: at a time t after a strain Young's modulus is E (1 - sum of ratio (1 -
+  !> exp(-t / time))), where E is that of rollcon_body_set_elastic. Poisson's ratio does not change. Such bodies are
+  !> solved in steady rolling only, at the speed of rollcon_contact_set_rolling: time steps, conformal contacts, wear,
+  !> tables and wheels on rails end with ROLLCON_ERR_UNSUPPORTED. The statistic rolling_resistance is the force that
+  !> rolling costs.
   subroutine body_set_viscoelastic(self, ratios, times, tag, stat, errmsg)
     class(rc_body_plain), intent(inout) :: self
     real(rc_real), intent(in), contiguous :: ratios(:)
@@ -340,10 +341,10 @@ contains
       errmsg)
   end subroutine
 
-  !> Puts the faces with a tag on springs: a rail on its pad, a wheel on the rubber of its tyre. Their traction is minus
-  !> the stiffness times the displacement. Springs hold a body as supports do; faces on springs are no contact faces
-  !> unless rollcon_body_set_contact_faces names them. rollcon_body_get_reaction has what held nodes take, without
-  !> springs.
+  !> Puts the faces with a tag on springs: a rail on its pad, a wheel on the rubber of its tyre. The traction of the
+  !> springs is minus the stiffness times the displacement. Springs hold a body as supports do. Faces on springs are no
+  !> contact faces unless rollcon_body_set_contact_faces names them. rollcon_body_get_reaction returns the forces on
+  !> held nodes, without those of springs.
   subroutine body_set_springs(self, tag, stiffness, stat, errmsg)
     class(rc_body_plain), intent(inout) :: self
     integer, intent(in) :: tag
@@ -365,10 +366,10 @@ contains
       'rc_body%set_contact_faces', stat, errmsg)
   end subroutine
 
-  !> Makes the plane mesh of a section a body of revolution: a wheel, a ring, a roller. Its nodes lie in a half plane
-  !> that ends at the axis. Supports, tractions and given displacements count along x, y and z where the section lies,
-  !> and turn with it: all of them are the same all the way round. Once prepared, the body has the nodes and faces of
-  !> the surface that its contact edges sweep.
+  !> Turns the plane mesh of a section into a body of revolution: a wheel, a ring, a roller. The section's nodes lie in
+  !> a half plane that ends at the axis. Supports, tractions and given displacements are the same all the way round:
+  !> their components are along x, y and z where the section lies, and turn with it. A prepared body has the nodes and
+  !> faces of the surface that its contact edges sweep.
   subroutine body_revolve(self, origin, axis, stat, errmsg)
     class(rc_body_plain), intent(inout) :: self
     real(rc_real), intent(in) :: origin(3)
@@ -378,10 +379,10 @@ contains
     call finish(rollcon_body_revolve(self%p, origin, axis), self%p, 'rc_body%revolve', stat, errmsg)
   end subroutine
 
-  !> Draws the plane mesh of a section along a line: a rail, a raceway strip. Its nodes lie in the plane at right angles
-  !> to the line through the origin. Supports, tractions and given displacements are the same all along; what a contact
-  !> does repeats after the period, which is long enough when the answer does not depend on it. The surface reaches as
-  !> far to both sides of the section as that is wide: bring the contact there.
+  !> Draws the plane mesh of a section along a line: a rail, a raceway strip. The section's nodes lie in the plane
+  !> through the origin at right angles to the line. Supports, tractions and given displacements are the same all along
+  !> the line. The contact's load repeats after the period, which is long enough when results do not depend on it. The
+  !> surface reaches as far to both sides of the section as the section is wide: the contact must lie there.
   subroutine body_extrude(self, origin, direction, period, stat, errmsg)
     class(rc_body_plain), intent(inout) :: self
     real(rc_real), intent(in) :: origin(3)

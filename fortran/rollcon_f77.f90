@@ -383,7 +383,7 @@ subroutine rcbfac(ibody, n, itags, ierr)
   ierr = rollcon_body_set_contact_faces(body_of(ibody), int(n, c_int64_t), packed_tags)
 end subroutine
 
-!> Makes the plane mesh of a section a body of revolution.
+!> Turns the plane mesh of a section into a body of revolution.
 subroutine rcbrvl(ibody, origin, axis, ierr)
   use rollcon_f77_support
   implicit none

@@ -109,7 +109,7 @@ enum {
   ROLLCON_BODY_BEM       = 2,    /* boundary elements: a closed surface mesh, one material (ROLLCON_ERR_UNSUPPORTED in builds without them) */
   ROLLCON_BODY_HALFSPACE = 3,    /* elastic half-space: material, no mesh; a profile only to compute gaps */
   ROLLCON_BODY_RIGID     = 4,    /* rigid: no material; a surface mesh or a profile only to compute gaps */
-  ROLLCON_BODY_SECTION   = 5     /* a plane mesh of a section, one material for each tag, turned about an axis or drawn along a line: rollcon_body_revolve, rollcon_body_extrude (ROLLCON_ERR_UNSUPPORTED in builds without finite elements) */
+  ROLLCON_BODY_SECTION   = 5     /* the plane mesh of a section, one material for each tag, turned about an axis (rollcon_body_revolve) or drawn along a line (rollcon_body_extrude); ROLLCON_ERR_UNSUPPORTED in builds without finite elements */
 };
 
 /* Elements of contact frames, of the surfaces of bodies, and of finite-element bodies. Surface
@@ -468,15 +468,16 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_elastic(rollcon_body *b
     double young, double poisson);
 
 /*
- * Lets the material of a half-space relax: Young's modulus at a time t after a strain is E (1 -
- * sum of ratio (1 - exp(-t / time))), E that of rollcon_body_set_elastic, with a Poisson's ratio
- * that does not change. Such bodies roll steadily, at the speed of rollcon_contact_set_rolling:
- * time steps, conformal contacts, wear, tables and wheels on rails end with
- * ROLLCON_ERR_UNSUPPORTED. What rolling costs is the statistic rolling_resistance.
+ * Lets the material of a half-space relax: at a time t after a strain Young's modulus is E (1 -
+ * sum of ratio (1 - exp(-t / time))), where E is that of rollcon_body_set_elastic. Poisson's
+ * ratio does not change. Such bodies are solved in steady rolling only, at the speed of
+ * rollcon_contact_set_rolling: time steps, conformal contacts, wear, tables and wheels on rails
+ * end with ROLLCON_ERR_UNSUPPORTED. The statistic rolling_resistance is the force that rolling
+ * costs.
  *   body    a half-space, not prepared (ROLLCON_ERR_STATE)
  *   tag     half-spaces, of one material, ignore it
  *   n       terms, 0 to 100; 0: the material is elastic
- *   ratios  [n]; part of E that each term loses, 0 <= ratio < 1; less than 1 - 1e-6 in all
+ *   ratios  [n]; part of E that each term loses, 0 <= ratio < 1; their sum is less than 1 - 1e-6
  *   times   [n]; relaxation time of each term, > 0
  * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
  * Source: docs/theory.md, section 3.
@@ -687,10 +688,10 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_pressure(rollcon_body *
     int32_t tag, double pressure);
 
 /*
- * Puts the faces with a tag on springs: a rail on its pad, a wheel on the rubber of its tyre.
- * Their traction is minus the stiffness times the displacement. Springs hold a body as supports
- * do; faces on springs are no contact faces unless rollcon_body_set_contact_faces names them.
- * rollcon_body_get_reaction has what held nodes take, without springs.
+ * Puts the faces with a tag on springs: a rail on its pad, a wheel on the rubber of its tyre. The
+ * traction of the springs is minus the stiffness times the displacement. Springs hold a body as
+ * supports do. Faces on springs are no contact faces unless rollcon_body_set_contact_faces names
+ * them. rollcon_body_get_reaction returns the forces on held nodes, without those of springs.
  *   body       of finite elements, or a section (else ROLLCON_ERR_UNSUPPORTED)
  *   tag        of some face (else ROLLCON_ERR_ARGUMENT)
  *   stiffness  [3]; along x, y and z, force/length^3, 0 to 1e100
@@ -732,11 +733,11 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_contact_faces(rollcon_b
     int64_t n, const int32_t *tags);
 
 /*
- * Makes the plane mesh of a section a body of revolution: a wheel, a ring, a roller. Its nodes
- * lie in a half plane that ends at the axis. Supports, tractions and given displacements count
- * along x, y and z where the section lies, and turn with it: all of them are the same all the way
- * round. Once prepared, the body has the nodes and faces of the surface that its contact edges
- * sweep.
+ * Turns the plane mesh of a section into a body of revolution: a wheel, a ring, a roller. The
+ * section's nodes lie in a half plane that ends at the axis. Supports, tractions and given
+ * displacements are the same all the way round: their components are along x, y and z where the
+ * section lies, and turn with it. A prepared body has the nodes and faces of the surface that its
+ * contact edges sweep.
  *   body    a section, not prepared (else ROLLCON_ERR_STATE)
  *   origin  [3]; point of the axis, length
  *   axis    [3]; direction, of any length but 0
@@ -747,11 +748,11 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_revolve(rollcon_body *body,
     const double *origin, const double *axis);
 
 /*
- * Draws the plane mesh of a section along a line: a rail, a raceway strip. Its nodes lie in the
- * plane at right angles to the line through the origin. Supports, tractions and given
- * displacements are the same all along; what a contact does repeats after the period, which is
- * long enough when the answer does not depend on it. The surface reaches as far to both sides of
- * the section as that is wide: bring the contact there.
+ * Draws the plane mesh of a section along a line: a rail, a raceway strip. The section's nodes
+ * lie in the plane through the origin at right angles to the line. Supports, tractions and given
+ * displacements are the same all along the line. The contact's load repeats after the period,
+ * which is long enough when results do not depend on it. The surface reaches as far to both sides
+ * of the section as the section is wide: the contact must lie there.
  *   body       a section, not prepared (else ROLLCON_ERR_STATE)
  *   origin     [3]; a point in the section's plane, length
  *   direction  [3]; of the line, of any length but 0

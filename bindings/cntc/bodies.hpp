@@ -1,7 +1,8 @@
 #pragma once
 #include "dispatch.hpp"
 
-// Bodies of the functions of functions.inc: scalars are values, outputs references, arrays pointers.
+// Declares the bodies of the functions that functions.inc lists: scalars are values, outputs are references, arrays are
+// pointers.
 namespace cntc {
 
 void set_file_units(const char* name, const int* nunits, const int* iunits);

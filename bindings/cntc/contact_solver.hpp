@@ -8,20 +8,20 @@
 
 namespace cntc {
 
-/// Where bodies with profiles stand: rotations and translations of rollcon's bodies, and the axes of the contact.
+/// Holds where bodies with profiles stand: rotations and translations of rollcon's bodies, and the axes of the contact.
 struct Placement {
   Mat3 wheel_rotation{}, rail_rotation{};
   Vec3 wheel_origin{}, rail_origin{};
   Vec3 origin{}, along{1, 0, 0}, normal{0, 0, 1};
-  // With by_velocity slip is that of the surfaces: velocities and rates of the bodies at a point of each.
+  // Velocities and rates of rotation of the bodies, at a point of each, give the slip where by_velocity is set.
   bool by_velocity = false, conformal = false;
   Vec3 wheel_velocity{}, wheel_rate{}, wheel_point{}, rail_velocity{}, rail_rate{}, rail_point{};
 };
 
-/// Friction of rest at one place.
+/// Returns the coefficient of static friction at one place.
 double rest_friction(const FrictionRow& row, int law);
 
-/// One contact: what is prescribed and how, in mm, s and N, by CONTACT's signs.
+/// Holds what is prescribed for one contact, and how, in mm, s and N, by CONTACT's signs.
 struct ContactCase {
   Grid grid;
   double chi = 0, veloc = 1;
@@ -29,31 +29,31 @@ struct ContactCase {
   bool normal_by_force = false;
   double pen = 0, fn = 0;
   double cksi = 0, ceta = 0, cphi = 0, spinxo = 0, spinyo = 0;
-  double fx = 0, fy = 0;  // relative to fstat fn
+  double fx = 0, fy = 0;  // over fstat times fn
   double dt = 1, dq = 1;
-  std::vector<double> gap;  // one for each element, without profiles
+  std::vector<double> gap;  // by element; not used with profiles
   std::vector<double> wx, wy;
   bool sensitivities = false;
   const Placement* placement = nullptr;
-  bool moved = true;  // the placement is another one than at the last solve
+  bool moved = true;  // the placement differs from that of the last solve
 };
 
 /// Turns one case into a contact of rollcon: CONTACT's body 1 is rollcon's body 2, so that n is CONTACT's z.
 class ContactSolver {
  public:
-  /// Takes bodies of its own; with profiles they are made by the caller.
+  /// Makes the bodies of the contact; set_bodies takes those of the caller instead, which have profiles.
   void set_material(const Inputs& in);
   void set_bodies(rollcon_context* context, rollcon_body* first, rollcon_body* second);
-  /// Sets friction at one place, layer and heat; throws Failure where rollcon has no such thing.
+  /// Sets friction at one place, layer and heat; throws Failure where rollcon has no such friction, layer or heat.
   void set_surfaces(const Inputs& in, const FrictionRow& row, int tang);
 
-  /// Solves; returns 0 or an error code, and why in words.
+  /// Solves; returns 0 or an error code, and the reason in why.
   int solve(const ContactCase& wanted, std::string& why);
   void read(const ContactCase& wanted, ContactResult& result) const;
 
   rollcon_contact* handle() const { return contact_.get(); }
   double fstat() const { return fstat_; }
-  /// Force of the last solve on rollcon's body 1, in the axes of its contact.
+  /// Returns the force of the last solve on rollcon's body 1, in the axes of its contact.
   Vec3 force() const;
 
  private:
@@ -66,7 +66,7 @@ class ContactSolver {
   int solve_once(const ContactCase& wanted, std::string& why);
   int run_solver(std::string& why);
   int solve_point(const ContactCase& wanted, std::string& why);
-  /// A single element under given forces.
+  /// Tells whether the grid is a single element under given forces.
   bool pushed(const ContactCase& wanted) const {
     return lattice_ == Lattice::point && wanted.tang > 0 && wanted.force >= 1;
   }

@@ -8,15 +8,15 @@
 
 namespace cntc {
 
-/// Says for which modules a function is, and which contact problems it takes there.
+/// Names the modules that a function is for, and the contact problems (icp) that it takes in each.
 enum class Category {
-  none,          // no result element, or only that
+  none,          // no result element, or a result element alone
   gap,           // module 3, icp > 0
   wheel,         // module 1, no icp
   patch,         // module 1, icp > 0
   sum_or_patch,  // module 1, icp -1 or > 0
   input,         // module 1: -1, module 3: > 0
-  result,        // both, icp > 0
+  result,        // modules 1 and 3, icp > 0
   both           // module 1: -1 or > 0, module 3: > 0
 };
 
@@ -30,24 +30,24 @@ enum Refusal {
   in_use = 305
 };
 
-/// A call that was let in: the problem is locked.
+/// Holds a call that was admitted; its problem is locked.
 struct Call {
   const char* name;
   Problem& p;
-  int icp;  // what the caller gave; -1: the whole wheel
+  int icp;  // icp of the caller; -1: the whole wheel
 
   Inputs& in() const { return p.in; }
   const Units& units() const { return p.in.units; }
-  /// Result of the patch, or nothing with a line in the log.
+  /// Returns the result of the patch, or a null pointer with a line in the log.
   ContactResult* result() const;
-  /// Result with its elements, which may only be filled now.
+  /// Returns the result of the patch with its elements, which are filled now if they were not before.
   ContactResult* elements() const;
 };
 
 /// Writes a line to the log.
 void say(const Call& c, const char* format, ...) __attribute__((format(printf, 2, 3)));
 
-/// Checks ire, icp and module, makes what is not there, and returns 0 or why the call is refused.
+/// Checks ire, icp and module, and makes the problem if there is none; returns 0 or the code of a refusal.
 int admit(Category category, int ire, int icp, bool has_icp);
 const char* refusal_text(int code);
 
@@ -100,7 +100,7 @@ constexpr bool gives_error(Result (*)(Call&, T...)) {
   return std::is_same_v<Result, int>;
 }
 
-/// Lets a call in, or refuses it with a line in the log.
+/// Admits a call, or refuses it with a line in the log.
 template <Category category, class Body, class... A>
 void enter(const char* name, Body body, const int* ire, const int* icp, int* error, A*... arguments) {
   if (!ire || !icp) return log_line(name, 0, 0, "an argument is NULL");

@@ -3,17 +3,17 @@
 
 namespace cntc {
 
-/// A flag of cntc_setflags: where it is kept, its range, whether it can be set and read.
+/// Describes a flag of cntc_setflags: where it is kept, its range, and whether it can be set and read.
 struct Flag {
   int code;
   int Digits::*digit;
   int low, high;
   bool settable, readable;
 };
-/// Finds a flag, or nothing.
+/// Finds a flag by its code; returns a null pointer if there is none.
 const Flag* flag_of(int code);
 
-/// Value that a flag gets: cut to its range, or what CONTACT takes for it.
+/// Returns the value that a flag takes: the wanted one cut to the range, or the one that CONTACT takes instead.
 int flag_value(const Flag& flag, int wanted);
 
 }  // namespace cntc

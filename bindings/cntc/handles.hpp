@@ -18,13 +18,13 @@ using BodyHandle = std::unique_ptr<rollcon_body, Releaser<rollcon_body_release>>
 using ContactHandle = std::unique_ptr<rollcon_contact, Releaser<rollcon_contact_release>>;
 using WheelHandle = std::unique_ptr<rollcon_wheelrail, Releaser<rollcon_wheelrail_release>>;
 
-/// A solve that ends with one of CONTACT's error codes.
+/// Ends a solve with one of CONTACT's error codes.
 struct Failure : std::runtime_error {
   Failure(int code_, const std::string& text) : std::runtime_error(text), code(code_) {}
   int code;
 };
 
-/// Throws where a call of rollcon failed; what is wrong then is in its last error.
+/// Throws Failure with rollcon's last error if a call of rollcon failed.
 int check(rollcon_status status);
 
 }  // namespace cntc

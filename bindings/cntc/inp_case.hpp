@@ -6,7 +6,7 @@
 
 namespace cntc {
 
-/// One case of an input file; what it leaves out stays as it was.
+/// Reads one case of an input file; values that the case leaves out stay as they were.
 class InpCase {
  public:
   InpCase(InpReader& reader, Problem& problem, std::string folder, bool first)
@@ -14,7 +14,7 @@ class InpCase {
 
   void read_wheel();
   void read_gap();
-  /// A case as SIMPACK's users give it: without positions and velocities, and with digits that stay.
+  /// Reads a case of SIMPACK's users, which has no positions and velocities and keeps some digits.
   void read_simpack();
 
  private:

@@ -5,24 +5,24 @@
 
 namespace cntc {
 
-/// What is wrong in an input file, and on which line.
+/// Says what is wrong in an input file, and on which line.
 struct InpError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Words of an input file of CONTACT: groups of values go over lines, what follows a group on its line is ignored.
+/// Reads words of an input file of CONTACT. A group of values may span lines; the rest of its last line is ignored.
 class InpReader {
  public:
   /// Reads a file as a whole; throws InpError where that cannot be done.
   explicit InpReader(const std::string& path);
 
-  /// A control word: `width` digits, leading zeros may be missing. A digit in a word behind it goes to *extra.
+  /// Reads a control word of `width` digits; leading zeros may be missing. A digit in the next word goes to *extra.
   std::vector<int> control(int width, const char* what, int* extra = nullptr);
   std::vector<double> reals(int n, const char* what);
-  /// n values and up to `more` ones that stand on the line of the last.
+  /// Reads n values, and up to `more` further ones on the line of the last.
   std::vector<double> reals(int n, int more, const char* what);
   int integer(const char* what);
-  /// A line that begins with a text in quotes; numbers that follow.
+  /// Reads a line that begins with a text in quotes, and the numbers that follow the text.
   std::string text(std::vector<double>& numbers, const char* what);
   bool at_end();
 

@@ -3,7 +3,7 @@
 
 namespace cntc {
 
-/// Runs an input file, or only checks it; returns how many cases failed, or -1 where the file is wrong.
+/// Runs an input file, or only checks it; returns the number of cases that failed, or -1 if the file is wrong.
 int run_inp(const std::string& path, bool check_only);
 
 }  // namespace cntc

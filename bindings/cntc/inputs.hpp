@@ -7,7 +7,7 @@
 
 namespace cntc {
 
-/// Control digits and flags; flags.cpp has their codes and ranges.
+/// Holds control digits and flags; flags.cpp has their codes and ranges.
 struct Digits {
   int config = 1, pvtime = 2, bound = 0, tang = 3, norm = 0, force = 0, frclaw = 0, discns = 2, inflcf = 2, mater = 0;
   int exrhs = 0, xflow = 0, heat = 0, iestim = 0, output = 0, flow = 1, ret = 1, matfil = 0, sens = 1;
@@ -16,13 +16,14 @@ struct Digits {
   int gausei = 0, damping = 0;
 };
 
-/// Solver settings: all are kept for getters and files; rollcon's Newton iteration uses the count and the tolerance.
+/// Holds solver settings for getters and files; rollcon's Newton iteration uses only the count and the tolerance.
 struct SolverSettings {
   int maxgs = 999, maxin = 20, maxnr = 25, maxout = 1, extra = 0;
   std::array<double, 8> reals{1e-5, .9, 1, .5, 0, 0, 0, 0};
 };
 
-/// Material by the digit M: what follows the elastic constants has the order of cntc_setmaterialparameters.
+/// Holds the material: values behind the elastic constants depend on the digit M and have the order of
+/// cntc_setmaterialparameters.
 struct Material {
   std::array<double, 2> nu{.28, .28}, g{1, 1};
   std::array<double, 4> more{};
@@ -33,7 +34,7 @@ struct Heat {
   double background = 0, capacity = 0, conductivity = 0, density = 0;
 };
 
-/// One set of friction parameters, at an inclination (V = 1), a position (V = 2), or everywhere.
+/// Holds one set of friction parameters, at an inclination (V = 1), at a position (V = 2), or everywhere.
 struct FrictionRow {
   double place = 0;
   std::array<double, 5> p{};
@@ -50,7 +51,7 @@ inline bool operator==(const FrictionRow& a, const FrictionRow& b) {
   return a.place == b.place && a.p == b.p;
 }
 
-/// Grid of elements: the first centre, and steps.
+/// Holds a grid of elements: the first centre, and the steps.
 struct Grid {
   int mx = 0, my = 0;
   double xc = 0, yc = 0, dx = 0, dy = 0;
@@ -67,7 +68,7 @@ struct HertzInput {
   double first = 0, second = 0, third = 0, scale = 1;
 };
 
-/// Numbers of cntc_gethertzcontact.
+/// Holds the values of cntc_gethertzcontact.
 struct HertzContact {
   double a1 = 0, b1 = 0, aa = 0, bb = 0, scale = 1, bneg = 0, bpos = 0;
 };
@@ -77,7 +78,7 @@ struct PlaneGrid {
   double dx = .5, ds = .5, a_sep = 3.141592653589793, d_sep = 8, d_comb = 4, d_turn = 12, g_miss = -1;
 };
 
-/// A profile as the caller gave it: a file, or points.
+/// Holds a profile as the caller gave it: a file, or points.
 struct ProfileInput {
   bool given = false;
   bool wheel = false;
@@ -101,13 +102,13 @@ struct Wheelset {
   std::array<double, 12> flexibility{};
 };
 
-/// A block of points inside the bodies.
+/// Holds a block of points inside the bodies, as it was given.
 struct BlockInput {
   int isubs = 0;
-  std::vector<double> x, y, z;  // what the caller gave, in mm
+  std::vector<double> x, y, z;  // values that the caller gave, in mm
 };
 
-/// Everything that setters keep, in mm, s, N and rad, on body 1.
+/// Holds all that setters keep, in mm, s, N and rad; forces are those on body 1.
 struct Inputs {
   Digits digits;
   Units units;
@@ -118,7 +119,7 @@ struct Inputs {
   Friction friction;
   double dt = 1, chi = 0, dq = 1;
   double fx = 0, fy = 0;
-  // Module 3.
+  // Inputs of module 3.
   double veloc = 1, pen = 0, fn = 0, cksi = 0, ceta = 0, cphi = 0, spinxo = 0, spinyo = 0;
   Grid grid;
   HertzInput hertz;
@@ -126,7 +127,7 @@ struct Inputs {
   std::vector<double> gap{std::vector<double>(6)};
   std::array<double, 8> plan{};
   std::vector<double> wx, wy;
-  // Module 1.
+  // Inputs of module 1.
   double fz = 0;
   PlaneGrid plane;
   ProfileInput rail, wheel;

@@ -14,10 +14,10 @@ class WheelSolver;
 struct SubsurfaceBlock {
   BlockInput input;
   int nx = 0, ny = 0, nz = 0;
-  std::vector<double> columns;  // 21 for each point, point by point; empty: not calculated
+  std::vector<double> columns;  // 21 values for each point, point by point; empty: not calculated
 };
 
-/// A contact problem: the contact (ire, icp) of module 3, or the whole wheel (ire, -1) of module 1 with its patches.
+/// Holds a contact problem: a contact (ire, icp) of module 3, or a whole wheel (ire, -1) of module 1 with its patches.
 struct Problem {
   Problem(int ire, int icp, int module);
   ~Problem();
@@ -26,7 +26,7 @@ struct Problem {
   std::mutex mutex;
   Inputs in;
   std::vector<ContactResult> patches;                  // module 3: always one
-  std::map<int, std::vector<SubsurfaceBlock>> blocks;  // by patch; -1: of all
+  std::map<int, std::vector<SubsurfaceBlock>> blocks;  // by patch; -1: all patches
   HertzContact hertz;
   double cpu = 0, wall = 0;
   double fn_before = 0, fx_before = 0, fy_before = 0;  // elastic forces of the last case

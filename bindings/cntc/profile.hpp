@@ -7,16 +7,16 @@
 
 namespace cntc {
 
-/// A profile as the surface of a half-space: y to the right (of wheels: the flange at lesser y), z down, in mm.
+/// Makes a profile the surface of a half-space: y to the right (the flange of a wheel at smaller y), z down, in mm.
 class Profile {
  public:
-  /// Reads and checks it; throws Failure with -32.
+  /// Reads and checks the profile; throws Failure with -32.
   void make(rollcon_context* context, const ProfileInput& input, const Material& material);
 
   rollcon_body* body() const { return body_.get(); }
   double length() const { return length_; }
   void at(double s, double& y, double& z, double& slope) const;
-  /// z at a y, on the lowest branch of a wheel's tread.
+  /// Returns z at a y; for a wheel z of the lowest branch of its tread.
   double z_at(double y) const;
 
  private:

@@ -9,10 +9,10 @@ namespace cntc {
 using Vec3 = std::array<double, 3>;
 using Mat3 = std::array<Vec3, 3>;  // rows
 
-/// What a solved contact has, in mm, s and N on body 1, in the axes of the contact.
+/// Holds the results of a contact, in mm, s and N, on body 1, in the axes of the contact.
 struct ContactResult {
   bool solved = false;
-  bool deferred = false;  // elements are filled when they are asked for
+  bool deferred = false;  // elements are filled when a getter asks for them
   Grid grid;
   double veloc = 1, chi = 0, dq = 1, spinxo = 0, spinyo = 0, fstat = 0;
   double pen = 0, cksi = 0, ceta = 0, cphi = 0, fn = 0, tx = 0, ty = 0, mz = 0, power = 0;
@@ -20,7 +20,7 @@ struct ContactResult {
   std::vector<double> h, mu, px, py, pn, ux, uy, un, sx, sy, temp1, temp2, wx, wy;
   std::vector<int> division;
   std::array<double, 16> sensitivities{};
-  double pmax = 0;  // where it is not that of the elements
+  double pmax = 0;  // largest pressure, where it is not that of the elements
   int rim = 0;      // elements in contact next to the border
 
   long count(int state) const {
@@ -30,7 +30,7 @@ struct ContactResult {
   }
 };
 
-/// A body's profile in the track: origin, roll and yaw.
+/// Holds the place of a body's profile in the track: origin, roll and yaw.
 struct BodyPlace {
   Vec3 origin{};
   Mat3 rotation{};  // to the track

@@ -3,7 +3,7 @@
 
 namespace cntc {
 
-/// Takes the first `length` characters, up to a NUL, 256 at most, without blanks at both ends.
+/// Returns the first `length` characters, 256 at most, up to a NUL and without blanks at both ends.
 std::string text_of(const char* text, int length);
 
 /// Puts a folder before a relative name; an empty folder changes nothing.

@@ -3,7 +3,7 @@
 
 namespace cntc {
 
-/// Factors from the caller's units to mm, s and N, and the sign of forces (SIMPACK's are those on body 2).
+/// Holds factors from the caller's units to mm, s and N, and the sign of forces (SIMPACK takes those on body 2).
 struct Units {
   int code = CNTC_un_cntc;
   double length = 1;

@@ -10,18 +10,18 @@
 
 namespace cntc {
 
-/// How far an overlap goes beyond each end of the contact, in lengths of the contact: ellipses differ by the root of
-/// two.
+/// Gives the length by which an overlap extends beyond each end of the contact, in lengths of the contact: the overlap
+/// of an ellipse is longer by a factor of the square root of two.
 constexpr double overlap_beyond = .2071;
 
-/// A patch of the wheel: where it lies, and its contact. Everything is in the track of the right side.
+/// Holds a patch of the wheel: its place and its contact, in the track of the right side.
 struct WheelPatch {
   Placement placement;
   Vec3 reference{};
   double delta = 0, overlap = 0, radius = 0;
   double x_low = 0, x_high = 0, s_low = 0, s_high = 0;  // ends of the contact along its axes, from the reference
   double approach = 0;
-  int number = 0;      // counts rollcon's patches
+  int number = 0;      // number among rollcon's patches
   bool tight = false;  // the grid covers the contact alone, because a profile ends beside it
   std::shared_ptr<ContactSolver> solver;
   ContactCase wanted;
@@ -31,8 +31,8 @@ struct WheelPatch {
   Vec3 normal() const;
 };
 
-/// A wheel on its rail. rollcon's wheel on rail finds patches and height; each patch is then solved on the caller's
-/// grid.
+/// Solves a wheel on its rail. rollcon's wheel on rail finds patches and height; each patch is then solved on the
+/// caller's grid.
 class WheelSolver {
  public:
   int solve(Problem& p, std::string& why);
@@ -73,21 +73,21 @@ class WheelSolver {
   Material material_;
   int threads_ = 0;
   double nomrad_ = 0, ytape_ = 0;
-  // Inputs of the right side.
+  // Inputs, mirrored to the right side.
   Track track_;
   Wheelset set_;
   double radius_ = 0;  // radius of the wheel at its profile's z = 0
   double slope_ = 0;   // change of the force to the power 2/3 with the height
-  double sink_ = 0;    // below the height of the search
+  double sink_ = 0;    // depth below the height of the search
 };
 
-/// Turns the elements of a mirror image back.
+/// Mirrors the elements of a left wheel back.
 void mirror_elements(ContactResult& r);
 
-/// Finds where a force that grows with the pitch rate is 0; throws Failure where it is not.
+/// Finds the pitch rate at which a force that grows with it is 0; throws Failure if there is none.
 double find_rate(const std::function<double(double)>& off, double start, double accuracy);
 
-/// Contact of a patch, from 1; nothing where there is none.
+/// Returns the contact of a patch, counted from 1, or a null pointer if there is none.
 rollcon_contact* wheel_contact(Problem& p, int patch);
 
 }  // namespace cntc

@@ -1,5 +1,6 @@
 #pragma once
-/// Solves contacts whose caller gave no frame on strips, as fine as the accuracy asked for needs (docs/theory.md, 4).
+/// Solves contacts without a given frame on strips that are as fine as the accuracy asked for needs (docs/theory.md,
+/// section 4).
 
 #include <array>
 #include <memory>
@@ -11,19 +12,19 @@ namespace rollcon {
 
 class StripLevels final : public MovingFrame {
  public:
-  /// Solves on strips that fit the contact inside of the box, of two counts, and on finer ones until the accuracy that
-  /// the scene asks for is met. area: that of the contact where it is known. Nothing: strips do not fit. Errors are
+  /// Solves on strips of two counts that fit the contact inside of the box, then on finer ones until the accuracy that
+  /// the scene asks for is met. area: area of the contact, if known. Returns nothing if strips do not fit. Errors are
   /// those of Solver::solve().
   std::optional<Status> solve(Solver& fine, const Rectangle& box, const std::optional<double>& area);
-  /// Tells that finest frames are off by `reached`, more than was asked for, and returns the status that says so.
+  /// Reports that the error of the finest frames is `reached`, more than was asked for; returns the status for it.
   static Status tell_inaccurate(const Solver& fine, double reached);
-  void forget();  ///< warm starts
-  /// Takes differences where results of several counts are mixed, because their weights change, too.
+  void forget();  ///< drops warm starts
+  /// Takes differences where results of several counts are mixed, because the weights of the mixture change, too.
   bool rates(Parameter parameter, Rates& found) override;
 
  private:
   static constexpr std::size_t levels = 7;
-  /// Holds results of levels that were mixed, the last of them and its error.
+  /// Holds the mixed results of levels, the last of these levels and its error.
   struct Mixture {
     Rates sure;
     std::size_t level = 0;
@@ -39,7 +40,7 @@ class StripLevels final : public MovingFrame {
   std::array<StripFrames, levels> strips_;
   std::unique_ptr<Solver> coarse_;
   const Scene* scene_ = nullptr;  ///< scene of the last mixture
-  std::size_t last_ = 0;          ///< its last level
+  std::size_t last_ = 0;          ///< last level of that mixture
 };
 
 }  // namespace rollcon

@@ -64,14 +64,14 @@ class BodyPlain:
         self._call("set_elastic", tag, young, poisson)
 
     def set_viscoelastic(self, ratios: ArrayLike, times: ArrayLike, tag: int = 0) -> None:
-        """Lets the material of a half-space relax: Young's modulus at a time t after a strain is
-        E (1 - sum of ratio (1 - exp(-t / time))), E that of set_elastic(), with a Poisson's ratio
-        that does not change. Such bodies roll steadily, at the speed of set_rolling(): time
-        steps, conformal contacts, wear, tables and wheels on rails end with ERR_UNSUPPORTED. What
-        rolling costs is the statistic rolling_resistance.
+        """Lets the material of a half-space relax: at a time t after a strain Young's modulus is
+        E (1 - sum of ratio (1 - exp(-t / time))), where E is that of set_elastic(). Poisson's
+        ratio does not change. Such bodies are solved in steady rolling only, at the speed of
+        set_rolling(): time steps, conformal contacts, wear, tables and wheels on rails end with
+        ERR_UNSUPPORTED. The statistic rolling_resistance is the force that rolling costs.
 
         tag: half-spaces, of one material, ignore it.
-        ratios: part of E that each term loses, 0 <= ratio < 1; less than 1 - 1e-6 in all.
+        ratios: part of E that each term loses, 0 <= ratio < 1; their sum is less than 1 - 1e-6.
         times: relaxation time of each term, > 0.
         """
         ratios, ratios_at = reals(ratios)
@@ -159,9 +159,10 @@ class BodyPlain:
 
     def set_springs(self, tag: int, stiffness: ArrayLike) -> None:
         """Puts the faces with a tag on springs: a rail on its pad, a wheel on the rubber of its
-        tyre. Their traction is minus the stiffness times the displacement. Springs hold a body as
-        supports do; faces on springs are no contact faces unless set_contact_faces() names them.
-        reaction() has what held nodes take, without springs.
+        tyre. The traction of the springs is minus the stiffness times the displacement. Springs
+        hold a body as supports do. Faces on springs are no contact faces unless
+        set_contact_faces() names them. reaction() returns the forces on held nodes, without those
+        of springs.
 
         tag: of some face (else ERR_ARGUMENT).
         stiffness: along x, y and z, force/length^3, 0 to 1e100.
@@ -179,10 +180,10 @@ class BodyPlain:
         self._call("set_contact_faces", len(tags), tags_at)
 
     def revolve(self, origin: ArrayLike, axis: ArrayLike) -> None:
-        """Makes the plane mesh of a section a body of revolution: a wheel, a ring, a roller. Its
-        nodes lie in a half plane that ends at the axis. Supports, tractions and given
-        displacements count along x, y and z where the section lies, and turn with it: all of them
-        are the same all the way round. Once prepared, the body has the nodes and faces of the
+        """Turns the plane mesh of a section into a body of revolution: a wheel, a ring, a roller.
+        The section's nodes lie in a half plane that ends at the axis. Supports, tractions and
+        given displacements are the same all the way round: their components are along x, y and z
+        where the section lies, and turn with it. A prepared body has the nodes and faces of the
         surface that its contact edges sweep.
 
         origin: point of the axis, length.
@@ -193,11 +194,11 @@ class BodyPlain:
         self._call("revolve", origin_at, axis_at)
 
     def extrude(self, origin: ArrayLike, direction: ArrayLike, period: float) -> None:
-        """Draws the plane mesh of a section along a line: a rail, a raceway strip. Its nodes lie
-        in the plane at right angles to the line through the origin. Supports, tractions and given
-        displacements are the same all along; what a contact does repeats after the period, which
-        is long enough when the answer does not depend on it. The surface reaches as far to both
-        sides of the section as that is wide: bring the contact there.
+        """Draws the plane mesh of a section along a line: a rail, a raceway strip. The section's
+        nodes lie in the plane through the origin at right angles to the line. Supports, tractions
+        and given displacements are the same all along the line. The contact's load repeats after
+        the period, which is long enough when results do not depend on it. The surface reaches as
+        far to both sides of the section as the section is wide: the contact must lie there.
 
         origin: a point in the section's plane, length.
         direction: of the line, of any length but 0.

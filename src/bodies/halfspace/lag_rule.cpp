@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t most_points = 16;
 
-/// Returns the factor of point q in the barycentric form of Lagrange's polynomials.
+/// Returns the weight of point q of n in the barycentric form of Lagrange's polynomials.
 double barycentric(std::size_t q, std::size_t n) {
   return (q % 2 == 0 ? 1 : -1) * (q == 0 || q + 1 == n ? 0.5 : 1);
 }
@@ -44,7 +44,7 @@ void lag_weights(double rate, std::span<double> weight) {
   for (std::size_t g = 0; g < gauss.x.size(); ++g) {
     const double t = 0.5 * length * (1 + gauss.x[g]);
     const double value = 0.5 * length * gauss.w[g] * rate * std::exp(-rate * t);
-    // Lagrange's polynomials by their barycentric form.
+    // The barycentric form gives Lagrange's polynomials at t.
     double sum = 0;
     for (std::size_t q = 0; q < point.size(); ++q) {
       const double apart = t - point[q];

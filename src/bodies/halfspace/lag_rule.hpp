@@ -1,20 +1,20 @@
 #pragma once
-/// Integrates with weights that fall exponentially: what is left of a material's past at a distance upstream.
+/// Integrates with a weight that decays exponentially upstream, as the memory of a relaxing material does.
 
 #include <span>
 #include <vector>
 
 namespace rollcon::halfspace {
 
-/// Returns n >= 2 points of [0, 1], ascending, 0 and 1 among them: extrema of a Chebyshev polynomial, computed once for
-/// each n up to 16.
+/// Returns n points of [0, 1], n = 2 to 16, in ascending order with 0 and 1 among them: the extrema of a Chebyshev
+/// polynomial. All are computed once.
 const std::vector<double>& lag_points(int n);
 
-/// Sets weights for values at lag_points(weight.size()) that integrate f(t) rate exp(-rate t) over [0, 1]; the
-/// polynomial through the values is integrated exactly. rate > 0.
+/// Sets weights of values at lag_points(weight.size()) that integrate f(t) rate exp(-rate t) over [0, 1], rate > 0. The
+/// polynomial through the values is integrated exactly.
 void lag_weights(double rate, std::span<double> weight);
 
-/// Turns weights for the slopes at these points of [0, length] into weights for values there.
+/// Turns weights of the slopes at these points, spread over [0, length], into weights of the values there.
 void weigh_slopes(double length, std::span<double> weight);
 
 }  // namespace rollcon::halfspace

@@ -1,5 +1,5 @@
-/// Adds what half-spaces that creep have not forgotten to the displacements of elastic ones, at any points of any
-/// frame: integrals of the elastic displacement along lines upstream.
+/// Adds the delayed displacements of half-spaces that creep to those of elastic ones, at any points of any frame.
+/// Delayed displacements are integrals of the elastic displacement along lines upstream.
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 
 using namespace halfspace;
 
-/// Lists distances upstream of a point, and how much of the displacement there each body has not forgotten.
+/// Lists distances upstream of a point, and the weight that the displacement there has for each body.
 struct Upstream {
   std::vector<double> distance;
   std::vector<std::vector<double>> weight;  ///< by body
@@ -105,7 +105,7 @@ class LaggingHalfspace final : public Compliance {
     }
   }
 
-  /// Divides what lies upstream of x: panels as long as elements over the frame, longer and longer ones beyond.
+  /// Divides the line upstream of x into panels: as long as elements over the frame, longer and longer beyond it.
   Upstream upstream(double x) const {
     constexpr double forgotten = 40;
     constexpr int points = 6, far_points = 8;

@@ -1,6 +1,6 @@
 #pragma once
-/// Gives displacements and stresses anywhere in a body that a section gives. What acts on its surface is summed over
-/// the samples of the harmonics, each factorised once more for as many points as are asked for.
+/// Gives displacements and stresses anywhere in a body by a section. Responses to the loads on its surface are summed
+/// over the sampled harmonics; each sample is factorised once more for a call, however many points it asks for.
 
 #include <memory>
 #include <vector>
@@ -11,21 +11,21 @@ namespace rollcon::section {
 
 class SectionFields final : public BodyFields {
  public:
-  /// force: as System::load() numbers it, empty: none; own: displacements of the plane nodes under own loads, empty:
-  /// none. The system must outlive it.
+  /// Takes forces as System::load() numbers them, and displacements of the plane nodes under the body's own loads;
+  /// empty: none. The system must outlive the fields.
   SectionFields(const System& system, std::vector<double> force, std::vector<double> own)
       : system_(system), force_(std::move(force)), own_(std::move(own)) {}
   void at_points(std::int64_t n, const double* xyz, double* displacement, double* stress, int threads) const override;
   void at_nodes(double* stress, int threads) const override;
 
  private:
-  /// Names a point of an element, at an angle of the way.
+  /// Names a point of an element; its angle along the way is kept beside it.
   struct Place {
     std::int64_t element = 0;
     double xi = 0, eta = 0;
   };
-  /// Holds what is asked for at one angle, and what was found: displacements of plane nodes along e1, the way and e2,
-  /// and their derivatives by the angle, [2 * (3 * i + c)].
+  /// Holds the points asked for at one angle, and their answers: displacements of plane nodes along e1, the way and e2,
+  /// each with its derivative by the angle, from [2 * (3 * i + c)] on.
   struct Angle {
     double angle = 0;
     std::vector<std::int64_t> point;

@@ -1,6 +1,6 @@
 #pragma once
-/// Gives the stiffness of a section for displacements that vary as harmonics of the way: u1 = U cos n phi,
-/// u2 = Y cos n phi and along it T sin n phi, or with cos and sin exchanged and T negative. It is K0 + n K1 + n^2 K2
+/// Gives the stiffness K0 + n K1 + n^2 K2 of a section for displacements that vary as harmonics along the way: u1 = U
+/// cos n phi, u2 = Y cos n phi and, along the way, T sin n phi; or with cos and sin exchanged and T negative
 /// (docs/sections.md).
 
 #include <array>
@@ -12,13 +12,14 @@
 
 namespace rollcon::section {
 
-/// Integrals over the way leave a factor 2 pi (n = 0) or pi (all others) to forces.
+/// Assembles the stiffness. The integral over the way has a factor 2 pi (n = 0) or pi (all other n), which is left to
+/// the forces.
 class HarmonicStiffness {
  public:
-  /// Takes elastic constants by element, Young's moduli over a reference. Both must outlive it.
+  /// Takes elastic constants by element, with Young's moduli divided by a reference. The mesh must outlive it.
   HarmonicStiffness(const BodyMesh& mesh, std::vector<Elastic> material, double reference);
 
-  /// Returns the lower triangle; n may be any number, as wave numbers are. Scaled by a power of n that keeps its size.
+  /// Returns the lower triangle, scaled by a power of n so that its size does not change with n. n may be fractional.
   SparseMatrix matrix(double n) const;
   std::int64_t unknowns() const { return count_; }
   /// Returns the unknown of component c (e1, along, e2) of a node; -1: held.
@@ -26,12 +27,12 @@ class HarmonicStiffness {
   const std::vector<std::int64_t>& numbers() const { return of_; }
   const Elastic& material(std::int64_t element) const { return material_[static_cast<std::size_t>(element)]; }
 
-  /// Returns forces per radian, over the reference, of loads that are the same all along the way, by unknown, and of
-  /// displacements that are given: [3 * node + c]. All of a mesh that differs in loads alone.
+  /// Returns forces per radian, divided by the reference, of loads that are the same all along the way, at
+  /// [3 * node + c]. The loaded mesh differs from that of the stiffness in loads alone.
   std::vector<double> loads(const BodyMesh& loaded) const;
-  /// Returns what is given at held components, zero elsewhere: [3 * node + c].
+  /// Returns the given displacements of held components, and zero elsewhere, at [3 * node + c].
   std::vector<double> given(const BodyMesh& loaded) const;
-  /// Returns forces per radian under displacements of n = 0: [3 * node + c].
+  /// Returns forces per radian under displacements of n = 0, at [3 * node + c].
   std::vector<double> forces(const std::vector<double>& u) const;
 
  private:
@@ -53,8 +54,8 @@ class HarmonicStiffness {
   std::vector<double> first_, second_;
 };
 
-/// Returns the part of a body's axis that each of e1, along, e2 is: its number and sign. err_state: bits other than all
-/// three hold or load a section whose axes are not the body's.
+/// Returns the number and the sign of the body's axis that each of e1, along, e2 lies on. Throws err_state if a section
+/// whose axes are not those of the body has supports or loads with bits other than all three.
 std::array<std::pair<std::size_t, double>, 3> body_axes_of(const SweptSection& section);
 
 }  // namespace rollcon::section

@@ -1,5 +1,6 @@
 #pragma once
-/// Sums harmonics: which of them are computed, how the others follow, and what a load between two stations has of each.
+/// Sums harmonics: says which are computed, how others follow from them, and how much of each a load between two
+/// stations has.
 
 #include <array>
 #include <cstdint>
@@ -9,16 +10,16 @@
 
 namespace rollcon::section {
 
-/// Names harmonics 0 ... most by samples: all up to 40, then 14 for each factor e. Others are interpolated: n times a
-/// response is smooth in log n.
+/// Represents harmonics 0 ... most by samples: all n up to 40, and beyond them 14 for each factor e. Others are
+/// interpolated, because n times a response is smooth in log n.
 class Harmonics {
  public:
   explicit Harmonics(std::int64_t most);
 
   const std::vector<double>& samples() const { return sample_; }
   std::int64_t most() const { return most_; }
-  /// Holds samples and weights whose sum, of n times the response (the response itself for n = 0), is that of a
-  /// harmonic; weights include 1 / n.
+  /// Holds weights of consecutive samples. The weighted sum of n times the response (for n = 0 of the response itself)
+  /// is the response of a harmonic; weights include 1 / n.
   struct Mix {
     std::size_t first = 0;
     std::vector<double> weight;
@@ -30,11 +31,11 @@ class Harmonics {
   std::vector<double> sample_;
 };
 
-/// Weighs samples to responses at stations: a row of the product with samples of n times the response is
-/// the displacement there, under loads 1, x or x^2 over the stretch x in -1 ... 1 between two stations. Stretches are
-/// 2 half radians long and offsets count in radians from their middle.
+/// Holds weights that turn samples into responses at stations: a row times the samples of n times the response is the
+/// displacement there under a load 1, x or x^2 on the stretch x = -1 ... 1 between two stations. A stretch is 2 * half
+/// radians long, and offsets are in radians from its middle.
 struct StationWeights {
-  /// Rows by monomial, then by offset, of both kernels and of their derivatives by the offset.
+  /// Rows are by monomial, then by offset; the slopes are derivatives by the offset.
   RowMatrix<double> cosine, sine, cosine_slope, sine_slope;
 };
 StationWeights station_weights(const Harmonics& harmonics, double half, const std::vector<double>& offset, bool slopes);

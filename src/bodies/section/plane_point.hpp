@@ -9,7 +9,7 @@
 
 namespace rollcon::section {
 
-/// Holds a point of an element: its place along e1 and e2, shape functions and their derivatives there.
+/// Holds a point of an element: its coordinates along e1 and e2, and the shape functions and their derivatives there.
 struct PlanePoint {
   double p = 0, q = 0;
   double jacobian = 0;
@@ -18,15 +18,15 @@ struct PlanePoint {
 };
 PlanePoint plane_point(const SweptSection& section, std::int64_t element, double xi, double eta);
 
-/// Holds a point of an edge: shape functions of its ends and its middle, the edge's direction (of its half length, if
-/// straight), and the weight of a rule times the way per radian.
+/// Holds a point of an edge: the shape functions of both ends and the middle, the derivative of the place (half of the
+/// edge, if that is straight), and the weight of a rule times the length of the way per radian.
 struct EdgePoint {
   std::array<double, 3> value{};
   double dp = 0, dq = 0, weight = 0;
 };
 std::vector<EdgePoint> edge_points(const SweptSection& section, const SectionEdge& edge);
 
-/// Holds integrals of products of an edge's shape functions, over the way per radian.
+/// Holds integrals of products of an edge's shape functions over the edge and one radian of the way.
 using EdgeMass = std::array<std::array<double, 3>, 3>;
 EdgeMass edge_mass(const SweptSection& section, const SectionEdge& edge);
 

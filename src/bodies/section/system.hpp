@@ -1,6 +1,6 @@
 #pragma once
-/// Solves a body that is given by a section: harmonics of the way, each condensed to the nodes of the section's contact
-/// edges, answer tractions on the surface that the section sweeps (docs/sections.md).
+/// Solves a body by a section. Harmonics of the way, each condensed to the nodes of the section's contact edges, give
+/// the response to tractions on the surface that the section sweeps (docs/sections.md).
 
 #include <map>
 #include <vector>
@@ -12,21 +12,22 @@
 
 namespace rollcon::section {
 
-/// Names what acts: the part of tractions that goes with profile node `node` and the shape function `function` along
-/// the way, over the stretch of faces that begins at `station` of the surface.
+/// Names one part of the tractions: that with the shape function of profile node `node` across the way and the shape
+/// function `function` along it, over the stretch of faces that begins at `station` of the surface.
 struct Source {
   std::int64_t station = 0;
   std::int32_t node = 0, function = 0;
   auto operator<=>(const Source&) const = default;
 };
 
-/// Returns coefficients of 1, x, x^2 of a shape function along the way: at the first station, the last, the middle.
+/// Returns the coefficients of 1, x, x^2 of a shape function along the way. Functions 0, 1, 2 are those of the first,
+/// the last and the middle station.
 std::array<double, 3> along_the_way(bool quadratic, std::size_t function);
 
 class System final : public ResponseCache {
  public:
-  /// Factorises the harmonics at once. The mesh (swept) and the fans of its surface must outlive it. saved: takes
-  /// instead what save() wrote for an equal body. Throws err_singular, err_memory, err_unsupported and err_io.
+  /// Factorises the harmonics, or reads them from `saved`, which save() wrote for an equal body. The swept mesh and the
+  /// fans of its surface must outlive the system. Throws err_singular, err_memory, err_unsupported and err_io.
   System(const BodyMesh& mesh, const TractionNodes& fans, const std::map<std::int32_t, Elastic>& material,
          const BodyOptions& options, int threads, SectionReader* saved);
 
@@ -36,32 +37,32 @@ class System final : public ResponseCache {
   void solve_everywhere(std::span<double> load, SurfaceState& state, int threads) override;
   std::unique_ptr<const BodyFields> fields(SurfaceState&& state, const OwnLoads& own) override;
 
-  // Fields inside take these.
+  // SectionFields takes these.
   const SweptSection& section() const { return section_; }
   Elastic material(std::int64_t element) const {
     const Elastic& m = stiffness_.material(element);
     return {m.young * reference_, m.poisson};
   }
   std::size_t samples() const { return harmonics_.samples().size(); }
-  /// Returns what forces, numbered as load() does, have at an angle of each sample and column (profile node,
-  /// component): [(sample * columns + column) * 4 + kernel], cosine, sine, and where they are asked for the derivatives
-  /// of both by the angle. known: weights of all stations, see at_stations(), where the angle is that of `station`.
+  /// Returns the amount of each sample and column (profile node, component) in forces, numbered as load() does, seen
+  /// from an angle: [(sample * columns + column) * 4 + kernel]. Kernels are cosine, sine and, if slopes are asked for,
+  /// the derivatives of both by the angle. known: weights of at_stations(), if the angle is that of `station`.
   std::vector<double> sampled(std::span<const double> force, double angle, bool slopes,
                               const StationWeights* known = nullptr, std::int64_t station = 0) const;
   StationWeights at_stations(bool slopes) const;
-  /// Returns displacements of all plane nodes, times n of the sample, under forces of each column.
+  /// Returns displacements of all plane nodes, times n of the sample, under a unit force of each column.
   std::vector<double> sample_everywhere(std::size_t sample, int threads) const;
 
  private:
   void respond(const LoadedSurface& surface, SurfaceRows& rows, int threads) override;
   void load(const LoadedSurface& surface, SurfaceLoads& loads, int threads) override;
-  /// Holds what a frame's tractions are on the surface: traction(r, c) is that of column c at node[r] of these faces.
+  /// Holds a frame's tractions on the surface: traction(r, c) is that of column c at node[r] of these faces.
   struct Acted {
     std::vector<std::int64_t> face;
     std::vector<std::int32_t> node;
     RowMatrix<double> traction;
   };
-  /// Finds that, and tells what is left to a half-space.
+  /// Finds these tractions, and sets in `outline` what is left to a half-space.
   Acted act(const LoadedSurface& surface, SurfaceOutline& outline) const;
   std::uint64_t numbering() const override;
   std::int64_t factored() const override { return response_.rows(); }
@@ -73,7 +74,7 @@ class System final : public ResponseCache {
   std::vector<std::int64_t> profile_unknowns() const;
   void find_sources(std::span<const std::int64_t> face, std::span<const std::int32_t> node,
                     const RowMatrix<double>& traction, std::vector<Source>& source, RowMatrix<double>& acting) const;
-  /// Answers tractions by node of faces: traction(r, c) is that of column c at node[r].
+  /// Computes the response to tractions on faces: traction(r, c) is that of column c at node[r].
   void answer(std::span<const std::int64_t> face, std::span<const std::int32_t> node, const RowMatrix<double>& traction,
               SurfaceRows& rows) const;
 
@@ -83,8 +84,8 @@ class System final : public ResponseCache {
   double reference_;
   HarmonicStiffness stiffness_;
   Harmonics harmonics_;
-  /// Rows by sample: displacement component a of profile node j under a force b at node i, per radian, times n:
-  /// [((3 * j + a) * profile + i) * 3 + b].
+  /// Rows are by sample and hold, at [((3 * j + a) * profile + i) * 3 + b], component a of the displacement of profile
+  /// node j under component b of a force at node i, per radian, times n.
   RowMatrix<double> response_;
 };
 
