@@ -49,6 +49,7 @@ struct Scene {
   double half;
   int points;
   double force_bound, moment_bound;
+  std::int32_t status = ROLLCON_OK;
 };
 
 /// Returns what lattices of 64 and 128 intervals tend to at first order: slip is taken half a step upstream of the
@@ -75,7 +76,7 @@ void expect_lattice(const Scene& scene) {
   RollingPair pair(steel, steel);
   pair.load(load).friction(mu).creep(-4e-4, 2e-4, 1e-4);
   give_gap(pair, scene.height, scene.half, scene.points);
-  ASSERT_EQ(pair.solve(), ROLLCON_OK) << scene.name;
+  ASSERT_EQ(pair.solve(), scene.status) << scene.name;
   const Solution found = pair.solution();
   EXPECT_LE(pair.stat("error_estimate"), 0.005) << scene.name;
   const double length = std::sqrt(pair.stat("contact_area") / std::numbers::pi);
@@ -98,6 +99,7 @@ void expect_lattice(const Scene& scene) {
   expect_error(name + ": approach", relative(found.approach, lattice.approach), 3e-3);
 }
 
+// The pressure of a cone has a peak as wide as its tip, a tenth of a strip: that is told.
 TEST(patches_long, shapes_that_are_no_ellipse) {
   const Scene scenes[] = {
       {"fourth power",
@@ -105,7 +107,7 @@ TEST(patches_long, shapes_that_are_no_ellipse) {
        5e-3, 5e-3},
       {"cone with a rounded tip",
        [](double x, double y) { return 3e-3 * std::sqrt((x - 0.3) * (x - 0.3) + (y + 0.2) * (y + 0.2) + 0.01); }, 8,
-       161, 5e-3, 5e-3},
+       161, 5e-3, 5e-3, ROLLCON_INACCURATE},
       {"egg", [](double x, double y) { return 1e-3 * (x * x + y * y) * (1 + 0.15 * x + 0.1 * y); }, 2.5, 51, 5e-3,
        5e-3},
   };
