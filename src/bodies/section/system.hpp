@@ -3,6 +3,7 @@
 /// the response to tractions on the surface that the section sweeps (docs/sections.md).
 
 #include <map>
+#include <tuple>
 #include <vector>
 
 #include "bodies/model/felt_layer.hpp"
@@ -17,7 +18,10 @@ namespace rollcon::section {
 struct Source {
   std::int64_t station = 0;
   std::int32_t node = 0, function = 0;
-  auto operator<=>(const Source&) const = default;
+  bool operator==(const Source&) const = default;
+  bool operator<(const Source& other) const {
+    return std::tie(station, node, function) < std::tie(other.station, other.node, other.function);
+  }
 };
 
 /// Returns the coefficients of 1, x, x^2 of a shape function along the way. Functions 0, 1, 2 are those of the first,
