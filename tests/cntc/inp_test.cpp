@@ -14,7 +14,7 @@ namespace {
 using cntc_test::Element;
 using cntc_test::near;
 
-const std::string folder = CNTC_TEST_FOLDER;
+const std::string& folder = cntc_test::folder();
 
 void write(const std::string& name, const std::string& text) {
   std::ofstream(folder + "/" + name) << text;

@@ -1,14 +1,32 @@
 #pragma once
 #include <rollcon_cntc.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <initializer_list>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 namespace cntc_test {
+
+/// Returns the path of a folder that this process alone writes to, because several run at a time; it is removed in the
+/// end.
+inline const std::string& folder() {
+  struct Folder {
+    std::string path = (std::filesystem::path(CNTC_TEST_FOLDER) / std::to_string(getpid())).string();
+    Folder() { std::filesystem::create_directories(path); }
+    ~Folder() {
+      std::error_code ignored;
+      std::filesystem::remove_all(path, ignored);
+    }
+  };
+  static const Folder own;
+  return own.path;
+}
 
 /// Numbers of a patch or contact.
 struct Found {
@@ -23,7 +41,7 @@ class Element {
   Element(int ire, int module, int icp) : ire_(ire), icp_(icp) {
     int version = 0, error = 0;
     const int zero = 0;
-    cntc_initializefirst(&version, &error, &zero, "", CNTC_TEST_FOLDER, "cntc_test", &zero, &length_, &nine_);
+    cntc_initializefirst(&version, &error, &zero, "", folder().c_str(), "cntc_test", &zero, &length_, &nine_);
     cntc_initialize(&ire_, &module, &version, &error, "", &zero);
   }
   Element(const Element&) = delete;
@@ -120,7 +138,7 @@ class Element {
 
  private:
   int ire_, icp_;
-  int length_ = int(sizeof CNTC_TEST_FOLDER) - 1, nine_ = 9;
+  int length_ = int(folder().size()), nine_ = 9;
 };
 
 /// Prints ours beside the reference, and tells whether they agree.
