@@ -188,8 +188,10 @@ bool StripFrames::shift(Parameter parameter, double step) {
   givens_.shift(shifted_, 1);
   const bool found = contact_.solve(givens_.scene(), box_, solution_.strips.layout.counts, solution_, true).status ==
                      StripStatus::solved;
-  if (!found) shift_back();
-  totals_ = StripContact::totals(solution_);
+  if (found)
+    totals_ = StripContact::totals(solution_);
+  else
+    shift_back();
   return found;
 }
 

@@ -90,7 +90,7 @@ double reached(const ErrorEstimate& error) {
 }  // namespace
 
 // Mixes results of two levels where one is about to be enough, so that they do not jump there. find(level): results of
-// a level, null where strips do not fit.
+// a level, null where strips do not fit; last: the finest level that is tried.
 template <class Find>
 std::optional<StripLevels::Mixture> StripLevels::mix(const Scene& scene, Find find, std::size_t last) {
   const double wanted = scene.options.frame_accuracy;
