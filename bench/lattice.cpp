@@ -92,10 +92,52 @@ void run(Runner& runner) {
     }
 }
 
+// Makes triangles whose inner nodes are off by a fifth of an edge; graded: a third as wide in the middle as outside.
+SurfaceMesh triangles(int n, bool graded) {
+  const double half = 1.2 * steady_rolling::radius;
+  const auto lines = frames::uniform_lines(-half, half, n);
+  const SurfaceMesh even = frames::perturb(frames::rectangle(ElementType::tri3, lines, lines), 0.2, 3);
+  const auto place = [&](double t) { return t * (0.55 + 0.45 * t * t / (half * half)); };
+  return graded ? frames::transform(even, [&](const Vec3& x) { return Vec3{place(x[0]), place(x[1]), 0}; }) : even;
+}
+
+void run_irregular(Runner& runner) {
+  for (const bool graded : {false, true})
+    for (const int n : {44, 70, 100, 150, 250})
+      for (const char* operators : {"dense", "hierarchical"}) {
+        const bool dense = operators[0] == 'd';
+        if ((runner.quick && n > 44) || (dense && n > 70)) continue;
+        const SurfaceMesh mesh = triangles(n, graded);
+        Record record{.case_name = "irregular", .method = operators, .model = graded ? "graded 1 : 3" : "even"};
+        record.mesh = std::to_string(mesh.nodes()) + " nodes";
+        record.element = "tri3";
+        record.threads = runner.threads;
+        record.quantity = "Fx/(mu Fn)";
+        record.against = "CONTACT extrapolated";
+        const Solved solved = cold_solve(runner, record, [&] {
+          auto pair = std::make_unique<RollingPair>(steady_rolling::steel, steady_rolling::steel, runner.threads);
+          steady_rolling::prepare(*pair, mesh, "b");
+          pair->option("tolerance", engineering).option("operators", operators);
+          return pair;
+        });
+        RollingPair& pair = *solved.pair;
+        record.value = solved.solution.force[0] / (steady_rolling::mu * steady_rolling::hertz.load);
+        record.judge(steady_rolling::errors(solved.solution, "b"));
+        record.extra.emplace_back("n", mesh.nodes());
+        record.extra.emplace_back("applications", pair.stat("operator_applications"));
+        record.extra.emplace_back("each", pair.stat("linear_iterations") / pair.stat("right_sides"));
+        record.extra.emplace_back("warm_seconds",
+                                  warm_solve(runner, pair, {steady_rolling::creepage, 0, steady_rolling::spin}));
+        runner.emit(record);
+      }
+}
+
 }  // namespace
 
 std::vector<Case> lattice_cases() {
-  return {{"lattice", "regular frames on half-spaces by FFT: time and memory up to 512 x 512", run}};
+  return {
+      {"lattice", "regular frames on half-spaces by FFT: time and memory up to 512 x 512", run},
+      {"irregular", "triangles on half-spaces: dense and hierarchical operators up to 63,000 nodes", run_irregular}};
 }
 
 }  // namespace rollcon::bench

@@ -80,6 +80,24 @@ long for unlike bodies, and about 9 times for given forces.""")
             + (f"\n![Memory over nodes]({bytes_image})\n" if bytes_image else "") + "\n")
 
 
+def irregular(records):
+    found = of_case(records, "irregular")
+    if not found:
+        return ""
+    return ("## Irregular frames on half-spaces\n\n"
+            + paragraph("""The table has case (b) on frames of linear triangles, half of whose nodes are in contact,
+with dense and with hierarchical operators (`rollcon-bench run irregular`). Inner nodes are off by a fifth of an edge;
+graded triangles are a third as wide in the middle as outside. Iterations are those of GMRES for each linear
+system.""")
+            + rows_of(found, {
+                "triangles": lambda r: r["model"], "nodes": lambda r: f"{r['extra']['n']:.0f}",
+                "operators": lambda r: r["method"], "cold": lambda r: seconds(r["seconds"]["wall"]),
+                "warm": lambda r: seconds(r["extra"]["warm_seconds"]), "memory": lambda r: f"{r['peak_bytes'] / 1e6:.0f} MB",
+                "applications": extra("applications"), "iterations": extra("each"),
+                "error of the force": lambda r: number(100 * r["error"], 2) + " %" if r.get("error") is not None else "-"})
+            + "\n")
+
+
 def resolve(records):
     found = of_case(records, "resolve")
     if not found:
@@ -206,7 +224,7 @@ def main():
             + paragraph(f"""Made by `{command}` on one core of {processor()}. Times are those of single runs or the
 least of a few, on a shared machine, and good to a few ten per cent. Both times of a ratio are from one run.
 [thrift.md](thrift.md) has what each shortcut saves by itself.""")
-            + lattice(records, docs) + stresses(records) + resolve(records) + tables(records) + loops(records)
+            + lattice(records, docs) + irregular(records) + stresses(records) + resolve(records) + tables(records) + loops(records)
             + saved(records))
     with open(f"{docs}/speed.md", "w", encoding="utf-8") as out:
         out.write(text.rstrip() + "\n")

@@ -38,7 +38,7 @@ bodies=(bem_kernel ring_loads rings wheel growth)
 fem=(location fem_growth ring_loads fem_ring_loads same_block ring_pairs ring_on_halfspace)
 procedures=(procedures_example3 procedures_density procedures_example4 procedures_examples
   procedures_speed preconditioners procedures_random)
-speed=(lattice stresses resolve table many time_loop loop curve saved_body)
+speed=(lattice irregular stresses resolve table many time_loop loop curve saved_body)
 
 mkdir -p "$build/records"
 cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DROLLCON_BENCH=ON \

@@ -66,6 +66,9 @@ class HalfspaceCompliance final : public Compliance {
   std::int64_t nodes() const override { return nodes_; }
   bool couples() const override { return c_.ck != 0; }
   std::shared_ptr<const TranslationKernel> translation() const override { return kernel_; }
+  std::unique_ptr<Compliance> on_part(const Frame& part) const override {
+    return std::make_unique<HalfspaceCompliance>(part, c_, tolerance_, 1);
+  }
   bool follow_frame() override {
     grouped_.store(false);
     return true;

@@ -88,6 +88,12 @@ class HalfspaceKernel final : public TranslationKernel {
     const double unit = 2 * std::numbers::pi / k;
     return {unit * c_.cn, unit * c_.cn, unit * (c_.cn + c_.cv)};
   }
+  bool knows_points() const override { return true; }
+  PointDisplacements of_point(double dx, double dy) const override {
+    const double r2 = dx * dx + dy * dy, r = std::sqrt(r2), normal = c_.cn / r, shear = c_.cv / (r * r2);
+    return {normal,          normal + shear * dx * dx, normal + shear * dy * dy,
+            shear * dx * dy, c_.ck / r2 * dx,          c_.ck / r2 * dy};
+  }
 
  private:
   HalfspaceConstants c_;

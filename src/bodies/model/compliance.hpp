@@ -17,6 +17,7 @@
 namespace rollcon {
 
 class Condensed;
+struct Frame;
 class TranslationKernel;
 
 /// Names points of the contact surface by their coordinates in the plane of the frame's axes (t1, t2): on a curved
@@ -94,6 +95,9 @@ class Compliance {
   /// Returns the kernel of displacements that depend on the offset alone, under the frame's own shape functions; null:
   /// they depend on the place.
   virtual std::shared_ptr<const TranslationKernel> translation() const { return nullptr; }
+  /// Returns the compliance of the same bodies under some elements of the frame, a frame in the same axes, which must
+  /// outlive it; null: not known. It uses one thread.
+  virtual std::unique_ptr<Compliance> on_part(const Frame& /*part*/) const { return nullptr; }
   /// Follows nodes of the frame that have moved in its plane. False: the compliance has to be made again.
   virtual bool follow_frame() { return false; }
   /// Fills the entries of bodies that have a mesh.

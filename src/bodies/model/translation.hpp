@@ -2,6 +2,7 @@
 /// Describes surfaces that respond alike wherever they are loaded: a displacement depends on its offset from the load
 /// alone. On lattices this saves integrals and matrices.
 
+#include <array>
 #include <complex>
 #include <cstdint>
 #include <memory>
@@ -36,6 +37,11 @@ class LatticeRows {
   virtual void row(std::int64_t j, std::int64_t first, std::int64_t count, double* const (&u)[3][3]) const = 0;
 };
 
+/// Holds displacements by a unit force at a point, from source to observer: u_nn, u_11, u_22, u_12, u_1n, u_2n by index
+/// [component, force]; u_21 = u_12, u_n1 = -u_1n and u_n2 = -u_2n.
+inline constexpr int point_displacements = 6;
+using PointDisplacements = std::array<double, point_displacements>;
+
 class TranslationKernel {
  public:
   virtual ~TranslationKernel() = default;
@@ -56,6 +62,10 @@ class TranslationKernel {
     double normal, along, across;
   };
   virtual Softness softness(double k) const = 0;
+  /// Says whether of_point() knows displacements by forces at points, which fall with the distance alone.
+  virtual bool knows_points() const { return false; }
+  /// Returns displacements at the offset (dx, dy) from a force.
+  virtual PointDisplacements of_point(double /*dx*/, double /*dy*/) const { return {}; }
   /// Returns the factor of displacements of bodies that creep, under waves exp(i k1 x) along the rolling direction.
   virtual std::complex<double> delay(double /*k1*/) const { return 1; }
 };

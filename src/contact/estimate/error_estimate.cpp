@@ -91,32 +91,59 @@ std::optional<Variant> solved(const Solution& s, bool given_load, double step, M
   return std::nullopt;
 }
 
-// Estimates from coarser lattices. Errors of forces are of second order in the spacing for pressures and of first order
-// for friction; those of tractions are of first order, because of their edges.
-void estimate_on_lattice(const Solution& s, ErrorEstimate& e) {
-  constexpr double tolerance = 1e-6;
-  Iterate coarse, coarser;
-  if (!solve_on_coarser_lattice(s, tolerance, 1, coarse)) return;
+// Estimates from frames with a half and a quarter of the nodes along each axis: coarser(halvings, tractions) solves
+// there and gives tractions at the nodes, or returns false. Errors of forces are of second order in the spacing for
+// pressures and of first order for friction; those of tractions are of first order, because of their edges.
+template <class Coarser>
+void estimate_by_coarser(const Solution& s, ErrorEstimate& e, Coarser coarser) {
+  Tractions half, quarter;
+  if (!coarser(1, half)) return;
   const Sums whole = sums_of(s, s.iterate.lambda);
-  e.normal = ratio(difference(s, coarse.lambda, s.iterate.lambda).normal, whole.normal) / 3;
+  e.normal = ratio(difference(s, half, s.iterate.lambda).normal, whole.normal) / 3;
   // Under a given load friction does not feel that the approach was off.
-  const auto carry_the_load = [&](Iterate& it) {
-    const double carried = sums_of(s, it.lambda).normal;
+  const auto carry_the_load = [&](Tractions& t) {
+    const double carried = sums_of(s, t).normal;
     if (!s.given.by_force[approach] || !(carried > 0)) return;
-    for (auto& lambda : it.lambda)
-      for (double& l : lambda) l *= whole.normal / carried;
+    for (auto& component : t)
+      for (double& l : component) l *= whole.normal / carried;
   };
-  carry_the_load(coarse);
-  const Sums change = difference(s, coarse.lambda, s.iterate.lambda);
+  carry_the_load(half);
+  const Sums change = difference(s, half, s.iterate.lambda);
   e.tangential = ratio(change.tangential, whole.magnitude);
-  // Where the edge of the contact falls between the nodes two lattices can agree by accident, three hardly do.
-  if (!s.frictionless && solve_on_coarser_lattice(s, tolerance, 2, coarser)) {
-    carry_the_load(coarser);
-    const Sums step = difference(s, coarser.lambda, coarse.lambda);
+  // Where the edge of the contact falls between the nodes two frames can agree by accident, three hardly do.
+  if (!s.frictionless && coarser(2, quarter)) {
+    carry_the_load(quarter);
+    const Sums step = difference(s, quarter, half);
     e.tangential = std::max(e.tangential, ratio(step.tangential, whole.magnitude) / 2);
   }
   e.tractions =
       std::sqrt(std::max(ratio(change.pressure2, whole.pressure2), ratio(change.tangential2, whole.tangential2)));
+}
+
+void estimate_on_lattice(const Solution& s, ErrorEstimate& e) {
+  constexpr double tolerance = 1e-6;
+  estimate_by_coarser(s, e, [&](int halvings, Tractions& found) {
+    Iterate iterate;
+    if (!solve_on_coarser_lattice(s, tolerance, halvings, iterate)) return false;
+    for (std::size_t c = 0; c < 3; ++c) found[c] = std::move(iterate.lambda[c]);
+    return true;
+  });
+}
+
+// Estimates where rows are not formed, by another step of the scheme and on a frame of a quarter of the nodes.
+void estimate_on_large_frame(const Solution& s, ErrorEstimate& e) {
+  estimate_by_coarser(s, e, [&](int halvings, Tractions& found) {
+    if (halvings > 1) return false;
+    const std::optional<Variant> coarse =
+        solved(s, false, characteristic_step, [&](double d) { return Variant::coarse(s, d); });
+    for (std::size_t c = 0; coarse && c < 3; ++c) found[c] = coarse->tractions()[c];
+    return coarse.has_value();
+  });
+  if (s.frictionless || s.prepared->scheme != Scheme::characteristic) return;
+  Variant other = Variant::other_step(s, longer * characteristic_step);
+  if (other.solve(s, false))
+    e.tangential +=
+        ratio(difference(s, other.tractions(), s.iterate.lambda).tangential, sums_of(s, s.iterate.lambda).magnitude);
 }
 
 void estimate(const Solution& s, ErrorEstimate& e) {
@@ -129,6 +156,7 @@ void estimate(const Solution& s, ErrorEstimate& e) {
   // A comparison of two discretisations of an edge says nothing about a contact.
   if (too_few_nodes(s)) return;
   if (s.prepared->problem.op->on_lattice()) return estimate_on_lattice(s, e);
+  if (s.prepared->problem.op->all_at_once()) return estimate_on_large_frame(s, e);
   const Sums whole = sums_of(s, solution);
   const bool characteristic = s.prepared->scheme == Scheme::characteristic;
 

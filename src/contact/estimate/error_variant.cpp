@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/operators/dense_operators.hpp"
+#include "contact/operators/hierarchical/hierarchical_operator.hpp"
 #include "contact/solution.hpp"
 #include "support/index.hpp"
 
@@ -113,6 +114,13 @@ void Variant::move_given_slip(const Solution& s) {
 
 void Variant::assemble(const Solution& s, bool tangential) {
   frictionless_ = !tangential;
+  if (s.prepared->problem.op->all_at_once()) {
+    compliance_ = s.prepared->compliance->on_part(space_->frame);
+    problem_.op = std::make_shared<HierarchicalOperator>(space_->frame, *compliance_, problem_.convection, tangential,
+                                                         good_enough * tolerance, 1);
+    if (tangential) move_given_slip(s);
+    return set_scales(problem_);
+  }
   const auto op = std::make_shared<DenseOperators>();
   // A monolithic solve has no rows to take.
   if (s.prepared->problem.op->normal) take_normal_rows(*s.prepared->problem.op, *space_, *op);
@@ -139,6 +147,18 @@ Variant Variant::same_nodes(const Solution& s, bool tangential, double step) {
     std::fill(v.iterate_.lambda[0].begin(), v.iterate_.lambda[0].end(), 0.0);
     std::fill(v.iterate_.lambda[1].begin(), v.iterate_.lambda[1].end(), 0.0);
   }
+  v.iterate_.invalidate();
+  return v;
+}
+
+Variant Variant::other_step(const Solution& s, double step) {
+  Variant v;
+  const Frame& frame = s.prepared->frame;
+  v.space_ = std::make_unique<TractionSpace>(whole_space(frame));
+  v.take_problem(s);
+  v.problem_.convection = make_convection(frame, Scheme::characteristic, s.prepared->ends_at_edge, step);
+  v.assemble(s, true);
+  for (std::size_t c = 0; c < 3; ++c) v.iterate_.lambda[c] = s.iterate.lambda[c];
   v.iterate_.invalidate();
   return v;
 }

@@ -16,6 +16,8 @@ class Variant {
   /// Keeps the solution's nodes in contact alone, with tangential rows by the characteristic scheme. tangential: false
   /// leaves these out.
   static Variant same_nodes(const Solution& state, bool tangential, double step);
+  /// Keeps all nodes, where rows are not formed, and takes another step of the characteristic scheme.
+  static Variant other_step(const Solution& state, double step);
   /// Keeps about a quarter of the nodes. Throws Error where the coarse triangles are no valid frame.
   static Variant coarse(const Solution& state, double step);
 

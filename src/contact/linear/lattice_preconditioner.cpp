@@ -5,8 +5,7 @@
 /// the infinite plane,
 ///   k / (2 pi) (e e^T / cn + (1 - e e^T) / (cn + cv)),   e = k / |k|,
 /// divided by the delay of waves along the flow where bodies creep, and restricted to the nodes in question. Rows of
-/// the normal law are inverted by k / (2 pi cn), rows of sliding nodes node by node, borders exactly. Iterations grow
-/// slowly with the lattice (docs/theory.md, section 7).
+/// the normal law are inverted by k / (2 pi cn). Iterations grow slowly with the lattice (docs/theory.md, section 7).
 
 #include <algorithm>
 #include <array>
@@ -15,9 +14,8 @@
 #include <numbers>
 #include <vector>
 
-#include "contact/linear/reduced_system.hpp"
+#include "contact/linear/node_preconditioner.hpp"
 #include "contact/operators/lattice/lattice_operator.hpp"
-#include "linalg/lu.hpp"
 #include "linalg/plane_fft.hpp"
 #include "support/index.hpp"
 
@@ -29,7 +27,7 @@ constexpr std::int64_t margin(std::int64_t n) {
   return n + n / 10 + 2;
 }
 
-class LatticePreconditioner final : public FieldPreconditioner {
+class LatticePreconditioner final : public NodePreconditioner {
  public:
   explicit LatticePreconditioner(const LatticeInfluence& influence)
       : lattice_(influence.lattice),
@@ -41,22 +39,18 @@ class LatticePreconditioner final : public FieldPreconditioner {
     make_symbols(influence.kernel);
   }
 
-  void take(const ReducedSystem& system) override;
-  void apply(const double* x, double* y) override;
   std::size_t bytes() const override {
-    std::size_t sum = fft_.bytes() + spectrum_[0].bytes() + spectrum_[1].bytes();
+    std::size_t sum = NodePreconditioner::bytes() + fft_.bytes() + spectrum_[0].bytes() + spectrum_[1].bytes();
     for (const auto& s : symbol_) sum += s.capacity() * sizeof(float);
     sum += ahead_.capacity() * sizeof(std::complex<float>);
     for (const auto& g : grid_) sum += g.capacity() * sizeof(float);
-    return sum + masked_.capacity() * sizeof(float) + place_.capacity() * sizeof(std::int32_t) +
-           (inverse_.capacity() + columns_.capacity() + work_.capacity()) * sizeof(double);
+    return sum + masked_.capacity() * sizeof(float) + place_.capacity() * sizeof(std::int32_t);
   }
 
  private:
   void make_symbols(const TranslationKernel& kernel);
-  void apply_rows(const double* x, double* y);
-  void tangential_rows(const double* x, double* y);
-  void normal_rows(const double* x, double* y);
+  void sticking_rows(const double* x, double* y) override;
+  void normal_rows(const double* x, double* y) override;
   void sum_along_flow(std::vector<float>& s) const;
 
   Lattice lattice_;
@@ -69,12 +63,6 @@ class LatticePreconditioner final : public FieldPreconditioner {
   std::vector<float> masked_;
   AlignedArray<std::complex<float>> spectrum_[2];
 
-  const ReducedSystem* system_ = nullptr;
-  std::vector<std::uint8_t> stick_;  ///< flags by active node
-  std::vector<double> inverse_;      ///< inverses of sliding nodes' own 2 x 2, by active node
-  std::vector<double> columns_, work_;
-  Lu<double> schur_;
-  int borders_ = 0;
   double softness_ = 1;  ///< softness under normal waves of 2 pi dx
 };
 
@@ -115,80 +103,22 @@ void LatticePreconditioner::make_symbols(const TranslationKernel& kernel) {
   for (auto& s : spectrum_) s = fft_.make_spectrum();
 }
 
-void LatticePreconditioner::take(const ReducedSystem& system) {
-  system_ = &system;
-  const std::int64_t na = system.active();
-  stick_.assign(at(na), 0);
-  inverse_.assign(at(4 * na), 0.0);
-  if (system.part() != Part::normal)
-    for (std::int64_t a = 0; a < na; ++a) {
-      const TangentialLaw& law = system.law(a);
-      stick_[at(a)] = !law.sliding;
-      if (!law.sliding) continue;
-      double block[3][3];
-      system.pair_block(a, block);
-      const double det = block[0][0] * block[1][1] - block[0][1] * block[1][0];
-      double* inverse = inverse_.data() + 4 * a;
-      inverse[0] = block[1][1] / det, inverse[1] = -block[0][1] / det;
-      inverse[2] = -block[1][0] / det, inverse[3] = block[0][0] / det;
-    }
-  // The Schur complement of [A b; c 0] solves for the borders.
-  borders_ = system.borders();
-  const std::int64_t rows = system.components() * na;
-  work_.resize(at(rows));
-  columns_.resize(at(borders_ * rows));
-  for (int k = 0; k < borders_; ++k) {
-    system.border_column(k, work_.data());
-    apply_rows(work_.data(), columns_.data() + k * rows);
-  }
-  if (borders_ == 0) return;
-  double* s = schur_.prepare(borders_);
-  for (int i = 0; i < borders_; ++i)
-    for (int j = 0; j < borders_; ++j) s[i * borders_ + j] = system.border_product(i, columns_.data() + j * rows);
-  if (!schur_.factor()) borders_ = 0;
-}
-
-void LatticePreconditioner::apply(const double* x, double* y) {
-  const std::int64_t rows = system_->components() * system_->active();
-  apply_rows(x, y);
-  const int all = system_->borders();
-  if (borders_ == 0) {
-    std::copy(x + rows, x + rows + all, y + rows);
-    return;
-  }
-  double motion[motion_count];
-  for (int k = 0; k < borders_; ++k) motion[k] = system_->border_product(k, y) - x[rows + k];
-  schur_.solve(motion);
-  for (int k = 0; k < borders_; ++k) {
-    y[rows + k] = motion[k];
-    const double* column = columns_.data() + k * rows;
-    for (std::int64_t i = 0; i < rows; ++i) y[i] -= motion[k] * column[i];
-  }
-}
-
-void LatticePreconditioner::apply_rows(const double* x, double* y) {
-  // Normal tractions come first: sliding nodes follow them.
-  if (system_->part() != Part::tangential) normal_rows(x, y);
-  if (system_->part() != Part::normal) tangential_rows(x, y);
-}
-
 void LatticePreconditioner::normal_rows(const double* x, double* y) {
-  const std::int64_t na = system_->active(), first = (system_->components() - 1) * na;
-  const auto nodes = system_->nodes();
+  const std::int64_t na = system().active();
+  const auto nodes = system().nodes();
   std::vector<float>& grid = grid_[0];
   std::fill(grid.begin(), grid.end(), 0.0f);
   double largest = 0;
-  for (std::int64_t a = 0; a < na; ++a) largest = std::max(largest, std::abs(x[first + a]));
+  for (std::int64_t a = 0; a < na; ++a) largest = std::max(largest, std::abs(x[a]));
   const double unit = largest > 0 ? 1 / largest : 0;
-  for (std::int64_t a = 0; a < na; ++a) grid[at(place_[at(nodes[at(a)])])] = static_cast<float>(unit * x[first + a]);
+  for (std::int64_t a = 0; a < na; ++a) grid[at(place_[at(nodes[at(a)])])] = static_cast<float>(unit * x[a]);
   fft_.forward(grid.data(), spectrum_[0].data());
   std::complex<float>* wave = spectrum_[0].data();
   for (std::size_t s = 0; s < symbol_[3].size(); ++s) wave[s] *= symbol_[3][s];
   for (std::size_t s = 0; s < ahead_.size(); ++s) wave[s] *= ahead_[s];
   fft_.backward(spectrum_[0].data(), grid.data());
   for (std::int64_t a = 0; a < na; ++a)
-    y[first + a] =
-        largest / (softness_ * system_->normal_scale(a)) * static_cast<double>(grid[at(place_[at(nodes[at(a)])])]);
+    y[a] = largest / (softness_ * system().normal_scale(a)) * static_cast<double>(grid[at(place_[at(nodes[at(a)])])]);
 }
 
 // Sums w_i = (cx w_(i+1) + cy w_(j+1) + s) / (cx + cy), where i + 1 and j + 1 lie upstream; w in units of dx.
@@ -214,19 +144,18 @@ void LatticePreconditioner::sum_along_flow(std::vector<float>& s) const {
   }
 }
 
-void LatticePreconditioner::tangential_rows(const double* x, double* y) {
-  const std::int64_t na = system_->active();
-  const auto nodes = system_->nodes();
-  const bool full = system_->part() == Part::full;
+void LatticePreconditioner::sticking_rows(const double* x, double* y) {
+  const std::int64_t na = system().active();
+  const auto nodes = system().nodes();
   double largest = 0;
   for (std::int64_t a = 0; a < na; ++a)
-    if (stick_[at(a)]) largest = std::max({largest, std::abs(x[a]), std::abs(x[na + a])});
+    if (sticks(a)) largest = std::max({largest, std::abs(x[a]), std::abs(x[na + a])});
   const double unit = largest > 0 ? 1 / largest : 0;
   for (std::size_t c = 0; c < 2; ++c) {
     std::vector<float>& grid = grid_[c];
     std::fill(grid.begin(), grid.end(), 0.0f);
     for (std::int64_t a = 0; a < na; ++a)
-      if (stick_[at(a)])
+      if (sticks(a))
         grid[at(place_[at(nodes[at(a)])])] = static_cast<float>(unit * x[static_cast<std::int64_t>(c) * na + a]);
   }
   if (largest > 0) {
@@ -235,7 +164,7 @@ void LatticePreconditioner::tangential_rows(const double* x, double* y) {
       std::vector<float>& mask = masked_;
       std::fill(mask.begin(), mask.end(), 0.0f);
       for (std::int64_t a = 0; a < na; ++a)
-        if (stick_[at(a)]) {
+        if (sticks(a)) {
           const std::size_t k = at(place_[at(nodes[at(a)])]);
           mask[k] = grid_[c][k];
         }
@@ -251,19 +180,11 @@ void LatticePreconditioner::tangential_rows(const double* x, double* y) {
     for (std::size_t c = 0; c < 2; ++c) fft_.backward(spectrum_[c].data(), grid_[c].data());
   }
   for (std::int64_t a = 0; a < na; ++a) {
-    if (stick_[at(a)]) {
-      const std::size_t k = at(place_[at(nodes[at(a)])]);
-      const double scale = largest * (displacements_ ? 1 : lattice_.dx) / (softness_ * system_->slip_scale(a));
-      y[a] = scale * static_cast<double>(grid_[0][k]);
-      y[na + a] = scale * static_cast<double>(grid_[1][k]);
-      continue;
-    }
-    const TangentialLaw& law = system_->law(a);
-    const double ln = full ? y[2 * na + a] : 0;
-    const double r1 = x[a] - law.own[0][2] * ln, r2 = x[na + a] - law.own[1][2] * ln;
-    const double* inverse = inverse_.data() + 4 * a;
-    y[a] = inverse[0] * r1 + inverse[1] * r2;
-    y[na + a] = inverse[2] * r1 + inverse[3] * r2;
+    if (!sticks(a)) continue;
+    const std::size_t k = at(place_[at(nodes[at(a)])]);
+    const double scale = largest * (displacements_ ? 1 : lattice_.dx) / (softness_ * system().slip_scale(a));
+    y[a] = scale * static_cast<double>(grid_[0][k]);
+    y[na + a] = scale * static_cast<double>(grid_[1][k]);
   }
 }
 

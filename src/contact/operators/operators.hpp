@@ -41,8 +41,8 @@ class Operators {
   bool coupling_vanished = false;           ///< assembled and found to be zero to rounding
   bool normal = false, tangential = false;  ///< rows that are there
 
-  /// Computes image[r], the wanted rows times the tractions of the wanted columns, at these nodes at least. Several
-  /// threads may ask at once.
+  /// Computes image[r], the wanted rows times the tractions of the wanted columns, at these nodes at least, or
+  /// at all where none are named. Several threads may ask at once.
   virtual void images(Components wanted, Components columns, std::span<const std::int32_t> nodes,
                       const std::vector<double> (&lambda)[3], std::vector<double> (&image)[3]) const = 0;
   /// Says whether images() finds those of all nodes at once, and with coupling all rows at the price of one: rows are

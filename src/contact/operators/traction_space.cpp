@@ -136,6 +136,18 @@ TractionSpace coarse_space(const Frame& fine) {
   return space;
 }
 
+TractionSpace whole_space(const Frame& fine) {
+  TractionSpace space{fine, {}, {}};
+  space.fine.start.push_back(0);
+  for (std::size_t k = 0; k < fine.x.size(); ++k) {
+    space.node.push_back(static_cast<std::int32_t>(k));
+    space.fine.column.push_back(static_cast<std::int32_t>(k));
+    space.fine.value.push_back(1);
+    end_row(space.fine);
+  }
+  return space;
+}
+
 TractionSpace loaded_space(const Frame& fine, const std::vector<double>& normal) {
   TractionSpace space;
   space.frame.axes = fine.axes;

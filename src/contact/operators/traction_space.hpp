@@ -22,6 +22,8 @@ struct TractionSpace {
 /// Makes linear triangles on about a quarter of the nodes (mesh/coarsen.hpp); tractions in between are interpolated in
 /// the projection, by components in the local triads. err_mesh: the coarse triangles do not make a valid frame.
 TractionSpace coarse_space(const Frame& fine);
+/// Takes all nodes of the frame.
+TractionSpace whole_space(const Frame& fine);
 /// Takes the nodes with pressure; all others are unloaded.
 TractionSpace loaded_space(const Frame& fine, const std::vector<double>& normal);
 

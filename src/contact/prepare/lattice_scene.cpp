@@ -5,6 +5,7 @@
 #include <string>
 
 #include "contact/newton/nested_start.hpp"
+#include "contact/operators/hierarchical/hierarchical_operator.hpp"
 #include "contact/operators/lattice/lattice_dense.hpp"
 #include "contact/operators/lattice/lattice_operator.hpp"
 #include "contact/prepare/preparation.hpp"
@@ -18,6 +19,8 @@ namespace {
 // FFT takes less time from so many nodes on, one cold solve and one warm taken together (docs/speed.md): cold solves
 // gain from the first node on, warm ones lose where few nodes touch.
 constexpr std::int64_t fft_from = 400;
+// Hierarchical operators take less time than matrices from so many nodes on (docs/speed.md).
+constexpr std::int64_t hierarchical_from = 4000;
 
 // Says why a table of one node's influence does not serve for all; null: it does.
 const char* obstacle_to_table(const Prepared& on) {
@@ -49,6 +52,25 @@ std::shared_ptr<const Operators> make_operators(const Prepared& on, bool frictio
   return op;
 }
 
+// Says why operators cannot be hierarchical; null: they can.
+const char* obstacle_to_hierarchy(const Preparation& preparation) {
+  const Prepared& on = *preparation.made;
+  const Procedure& procedure = preparation.procedure;
+  const auto kernel = on.compliance->translation();
+  if (!kernel || !kernel->knows_points() || on.frame.curved() || on.frame.strips || on.frame.section)
+    return "the frame is not a plane one above elastic half-spaces";
+  if (on.scheme == Scheme::time_step) return "time steps take displacements of the step before from matrices";
+  if (procedure.monolithic) return "system is monolithic";
+  if (!procedure.standard()) return "jacobian is not 'exact'";
+  if (procedure.linear == LinearMethod::lu) return "linear_solver is 'lu'";
+  return nullptr;
+}
+
+std::shared_ptr<const Operators> make_hierarchical(const Prepared& on, int threads) {
+  return std::make_shared<HierarchicalOperator>(on.frame, *on.compliance, on.problem.convection, !on.frictionless,
+                                                on.accuracy, threads);
+}
+
 // Forgets rows that are of another kind than is needed now.
 void forget_rows(Preparation& preparation) {
   forget_operators(preparation);
@@ -77,19 +99,27 @@ void build_lattice_operators(Preparation& preparation, const Options& options) {
     on.lattice = find_lattice(on.frame, &on.no_lattice);
     on.no_lattice.insert(0, "the frame is not a regular grid of quad4 elements: ");
   }
-  const char *no_fft = obstacle_to_fft(preparation), *no_table = obstacle_to_table(on);
-  const bool any = options.operators == "auto";
-  const bool ask_fft = options.operators == "fft", ask_table = options.operators == "table";
-  if (const char* reason = ask_fft ? no_fft : ask_table ? no_table : nullptr)
-    fail(Status::err_unsupported, "option operators is '%s' but %s", options.operators.c_str(), reason);
-  const bool fft = !no_fft && (ask_fft || (any && on.frame.nodes() >= fft_from));
-  choose_table(preparation, !fft && !no_table && (any || ask_table));
+  const char *no_fft = obstacle_to_fft(preparation), *no_table = obstacle_to_table(on),
+             *no_hierarchy = obstacle_to_hierarchy(preparation);
+  const std::string& asked = options.operators;
+  const bool any = asked == "auto";
+  const char* reason = asked == "fft"            ? no_fft
+                       : asked == "table"        ? no_table
+                       : asked == "hierarchical" ? no_hierarchy
+                                                 : nullptr;
+  if (reason) fail(Status::err_unsupported, "option operators is '%s' but %s", asked.c_str(), reason);
+  const bool fft = !no_fft && (asked == "fft" || (any && on.frame.nodes() >= fft_from));
+  const bool hierarchy =
+      !fft && !no_hierarchy && (asked == "hierarchical" || (any && on.frame.nodes() >= hierarchical_from));
+  choose_table(preparation, !fft && !hierarchy && !no_table && (any || asked == "table"));
   const bool formed = preparation.dense != nullptr;
-  if (!fft && !formed) return forget_rows(preparation);
-  if (!fft || (!formed && (on.problem.op->tangential || on.frictionless))) return;
+  if (!fft && !hierarchy) return formed ? void() : forget_rows(preparation);
+  const bool kept = !formed && on.problem.op->on_lattice() == fft;
+  if (kept && (on.problem.op->tangential || on.frictionless)) return;
   const Stopwatch watch(preparation.timings.compliance);
   forget_rows(preparation);
-  on.problem.op = make_operators(on, on.frictionless, *on.lattice, on.problem.convection);
+  on.problem.op = fft ? make_operators(on, on.frictionless, *on.lattice, on.problem.convection)
+                      : make_hierarchical(on, preparation.threads);
   preparation.dense.reset();
   preparation.changes.images = true;
   ++preparation.rows;
@@ -169,6 +199,14 @@ std::string describe_lattice(const Prepared& on) {
            "integrals" +
            describe_flaws(on);
   const Operators& op = *on.problem.op;
+  if (op.all_at_once() && !op.on_lattice()) {
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "operators: hierarchical, integrals near each node and series between squares; %.1f MB, applied %lld "
+                  "time(s)",
+                  static_cast<double>(op.bytes()) / 1e6, static_cast<long long>(op.applications()));
+    return text;
+  }
   if (!op.on_lattice())
     return on.compliance->translation() && !on.lattice ? "operators: dense, by integrals; " + on.no_lattice
                                                        : std::string();

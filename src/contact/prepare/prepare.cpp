@@ -71,9 +71,12 @@ FrameSource present_source(const Scene& scene, const PairOfBodies& pair) {
 
 // Refuses frames of which memory does not hold one block of the operators, before anybody waits for their checks. Grids
 // may do without the block.
-void refuse_too_many_nodes(const Preparation& preparation, const SurfaceMesh& mesh) {
+void refuse_too_many_nodes(const Preparation& preparation, const Scene& scene) {
+  const SurfaceMesh& mesh = scene.mesh();
   constexpr std::int64_t few = 10'000;
-  if (mesh.nodes() <= few || preparation.procedure.monolithic || may_be_lattice(mesh)) return;
+  const bool hierarchy = preparation.made->pair.half_spaces() && scene.step_kind() == StepKind::steady &&
+                         (scene.options.operators == "auto" || scene.options.operators == "hierarchical");
+  if (mesh.nodes() <= few || preparation.procedure.monolithic || may_be_lattice(mesh) || hierarchy) return;
   DenseOperators op;
   op.nodes = mesh.nodes();
   op.require_memory_for({{false, false, false}, {false, false, false}, {false, false, true}});
@@ -139,7 +142,7 @@ void build_frame_part(Preparation& preparation, const Scene& scene) {
       scene.ends_at_edge() && !scene.frame_moves() && known ? where_gap_ends(scene, on.pair) : Poses{-1, -1};
   if (preparation.frame.enter(scene.revision.mesh, placed, scene.revision.axes, poses_of_frame(scene, on.pair), ends,
                               conformal)) {
-    refuse_too_many_nodes(preparation, scene.mesh());
+    refuse_too_many_nodes(preparation, scene);
     ++preparation.builds.frames;
     Frame frame = build_frame(scene.mesh(), scene.axes());
     on.frame_source = present_source(scene, on.pair);

@@ -39,7 +39,7 @@ void Iterate::update(const Problem& problem, Components wanted, std::int64_t i) 
   const bool all = op.all_at_once();
   if (all && op.coupled && op.tangential) wanted = {};
   const auto node = static_cast<std::int32_t>(i);
-  op.images(wanted, {}, {&node, 1}, lambda, image);
+  op.images(wanted, {}, all ? std::span<const std::int32_t>{} : std::span(&node, 1), lambda, image);
   const auto mark = [&](std::vector<std::uint8_t>& valid) {
     if (all)
       std::fill(valid.begin(), valid.end(), std::uint8_t{1});

@@ -30,8 +30,9 @@ const SettingTable<Options>& table() {
       {"warm_start", &Options::warm_start, 0, 2,
        "2: a solve starts from the last solution, moved on along the line of the last change where that helps; 1: from "
        "the last solution; 0: from nothing."},
-      {"operators", &Options::operators, "auto|dense|table|fft",
-       "Matrices of integrals; on regular frames above half-spaces from a table, or convolutions."},
+      {"operators", &Options::operators, "auto|dense|table|fft|hierarchical",
+       "Matrices of integrals; on regular frames above half-spaces from a table, or convolutions; on irregular ones "
+       "integrals nearby and series far away."},
       {"linear_tolerance", &Options::linear_tolerance, 0, 0.9,
        "Relative residual at which gmres stops, and the largest of gmres_adaptive, eta_max of (73); 0: chosen by the "
        "iteration, 0.01."},
