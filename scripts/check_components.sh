@@ -6,11 +6,12 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 cd "$root"
 
-all=(FEM BEM PROCEDURES VTU OPENMP CHOLMOD UMFPACK FFTW)
+all=(FEM BEM PROCEDURES VTU OPENMP CHOLMOD MUMPS UMFPACK FFTW)
 # Each entry has the name and the components of a build.
 builds=(
   "everything: FEM BEM PROCEDURES VTU OPENMP CHOLMOD UMFPACK FFTW"
   "without the GPL: BEM PROCEDURES VTU OPENMP"
+  "finite elements without the GPL: FEM BEM PROCEDURES VTU OPENMP MUMPS"
   "finite elements alone: FEM OPENMP CHOLMOD"
   "boundary elements alone: BEM OPENMP"
   "no OpenMP: FEM BEM PROCEDURES VTU CHOLMOD UMFPACK FFTW"
@@ -34,10 +35,11 @@ declare -A symbols=(
   [PROCEDURES]='rollcon::(Gnmls::solve|StepSystem::solve)'
   [OPENMP]=' (GOMP_|omp_get_|__kmpc_)'
   [CHOLMOD]=' U cholmod_'
+  [MUMPS]=' U dmumps_c'
   [UMFPACK]=' U umfpack_'
   [FFTW]=' U fftwf?_'
 )
-declare -A needed=([OPENMP]='lib(gomp|omp|iomp5)\.' [CHOLMOD]='libcholmod' [UMFPACK]='libumfpack'
+declare -A needed=([OPENMP]='lib(gomp|omp|iomp5)\.' [CHOLMOD]='libcholmod' [MUMPS]='libdmumps_seq' [UMFPACK]='libumfpack'
   [FFTW]='libfftw3')
 
 options() {  # of a build with these components

@@ -8,7 +8,7 @@ namespace rollcon::fem {
 void require_support() {
   fail(Status::err_unsupported,
        "kind is 1 (FEM), but this build of rollcon has no finite-element bodies (component FEM: "
-       "ROLLCON_WITH_FEM is OFF, or CHOLMOD is not built in)");
+       "ROLLCON_WITH_FEM is OFF, or neither CHOLMOD nor MUMPS is built in)");
 }
 
 // No call gets here: there is no body that could ask.
@@ -31,7 +31,7 @@ namespace rollcon::section {
 void require_support() {
   fail(Status::err_unsupported,
        "kind is 5 (SECTION), but this build of rollcon has no bodies given by sections (component FEM: "
-       "ROLLCON_WITH_FEM is OFF, or CHOLMOD is not built in)");
+       "ROLLCON_WITH_FEM is OFF, or neither CHOLMOD nor MUMPS is built in)");
 }
 
 std::unique_ptr<Condensed> make_response(const BodyMesh& /*mesh*/, const TractionNodes& /*fans*/,

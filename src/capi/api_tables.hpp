@@ -17,6 +17,7 @@ constexpr Feature feature_table[] = {
     {"bem", ROLLCON_BUILD_BEM != 0},
     {"procedures", ROLLCON_BUILD_PROCEDURES != 0},
     {"cholmod", ROLLCON_BUILD_CHOLMOD != 0},
+    {"mumps", ROLLCON_BUILD_MUMPS != 0},
     {"umfpack", ROLLCON_BUILD_UMFPACK != 0},
     {"fftw", ROLLCON_BUILD_FFTW != 0},
     {"openmp", ROLLCON_BUILD_OPENMP != 0},

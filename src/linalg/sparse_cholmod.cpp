@@ -57,11 +57,14 @@ struct FreeFactor {
 
 class CholmodFactor final : public SparseFactor {
  public:
-  CholmodFactor(const SparseMatrix& matrix, std::span<const std::int64_t> condensed)
+  CholmodFactor(const SparseMatrix& matrix, std::span<const std::int64_t> condensed,
+                std::span<const std::int64_t> known_order)
       : size_(matrix.columns), condensed_(static_cast<std::int64_t>(condensed.size())) {
     check_sparse(matrix, condensed);
     check_diagonal(matrix);
-    {
+    if (!known_order.empty()) {
+      unknown_.assign(known_order.begin(), known_order.end());
+    } else {
       const Stopwatch watch(statistics_.seconds_order);
       SparseOrder order = order_unknowns(matrix, condensed);
       unknown_ = std::move(order.unknown);
@@ -221,8 +224,9 @@ void CholmodFactor::solve_block(double* b, std::int64_t count) {
 
 }  // namespace
 
-std::unique_ptr<SparseFactor> factor_by_cholmod(const SparseMatrix& matrix, std::span<const std::int64_t> condensed) {
-  return std::make_unique<CholmodFactor>(matrix, condensed);
+std::unique_ptr<SparseFactor> factor_definite(const SparseMatrix& matrix, std::span<const std::int64_t> condensed,
+                                              std::span<const std::int64_t> order) {
+  return std::make_unique<CholmodFactor>(matrix, condensed, order);
 }
 
 }  // namespace rollcon

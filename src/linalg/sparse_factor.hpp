@@ -1,6 +1,7 @@
 #pragma once
 /// Factorises large sparse symmetric systems once, with some unknowns condensed: these come last, and the end of the
-/// factor is that of the condensed matrix. CHOLMOD computes LL' of positive definite matrices.
+/// factor is that of the condensed matrix. CHOLMOD computes LL' of positive definite matrices, or MUMPS where it is not
+/// built.
 
 #include <cstddef>
 #include <cstdint>
@@ -58,7 +59,9 @@ class SparseFactor {
 
 /// Factorises a matrix given by its lower triangle. The condensed unknowns are distinct; there may be none. Throws
 /// ZeroPivot, or Error: err_memory with the need, err_nonfinite, err_unsupported in a build without the method. BLAS
-/// threads are the caller's matter; CHOLMOD starts no others.
-std::unique_ptr<SparseFactor> factor_by_cholmod(const SparseMatrix& matrix, std::span<const std::int64_t> condensed);
+/// threads are the caller's matter; no others are started.
+/// order: order_unknowns() of a matrix of the same pattern and the same condensed unknowns; empty: it is found anew.
+std::unique_ptr<SparseFactor> factor_definite(const SparseMatrix& matrix, std::span<const std::int64_t> condensed,
+                                              std::span<const std::int64_t> order = {});
 
 }  // namespace rollcon

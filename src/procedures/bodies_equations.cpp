@@ -134,7 +134,7 @@ BodiesEquations::Factor BodiesEquations::factor(const BodyEquations& e) {
     good = made.dense.factor();
   } else if (e.symmetric) {
     const SparseMatrix lower = lower_triangle(e.matrix);
-    made.symmetric = factor_by_cholmod(lower, {});
+    made.symmetric = factor_definite(lower, {});
   } else {
     good = made.sparse.factor(e.matrix);
   }

@@ -41,7 +41,7 @@ void compare_with_dense(const char* what, const SparseMatrix& a, const Unknowns&
   std::vector<double> condensed_exact;
   for (std::int64_t r = 0; r < count; ++r)
     for (const std::int64_t u : condensed) condensed_exact.push_back(exact[at(r * a.columns + u)]);
-  const auto factor = factor_by_cholmod(a, condensed);
+  const auto factor = factor_definite(a, condensed);
   EXPECT_EQ(factor->size(), a.columns);
   std::vector<double> full(exact.size());
   for (std::int64_t r = 0; r < count; ++r) full[at(r * a.columns + condensed[at(r)])] = 1;
@@ -82,7 +82,7 @@ TEST_F(sparse_factor, no_unknown_condensed) {
   const SparseMatrix a = springs(6, 3, 1);
   std::vector<double> exact(at(a.columns));
   for (std::size_t k = 0; k < exact.size(); ++k) exact[k] = std::sin(static_cast<double>(k));
-  const auto factor = factor_by_cholmod(a, {});
+  const auto factor = factor_definite(a, {});
   std::vector<double> x = multiply(a, exact);
   factor->solve(x.data(), 1);
   EXPECT_TRUE(report("nothing condensed", difference(x, exact), 1e-12));
@@ -94,7 +94,7 @@ TEST_F(sparse_factor, no_unknown_condensed) {
 TEST_F(sparse_factor, no_unknown_at_all) {
   SparseMatrix a;
   a.start = {0};
-  const auto factor = factor_by_cholmod(a, {});
+  const auto factor = factor_definite(a, {});
   factor->solve(nullptr, 1);
   factor->solve_condensed(nullptr, 1);
   factor->keep_condensed();
@@ -113,14 +113,14 @@ TEST_F(sparse_factor, many_right_sides) {
     b.insert(b.end(), y.begin(), y.end());
   }
   std::vector<double> x = b;
-  factor_by_cholmod(a, scattered(a.columns))->solve(x.data(), count);
+  factor_definite(a, scattered(a.columns))->solve(x.data(), count);
   EXPECT_TRUE(report("71 right sides", difference(x, exact), 1e-12));
 }
 
 // Springs of 1e-3 to 1e3 stand on a soft ground.
 TEST_F(sparse_factor, ill_conditioned_against_dense) {
   const SparseMatrix a = springs(7, 3, 1e-3, 1e3);
-  const auto factor = factor_by_cholmod(a, scattered(a.columns));
+  const auto factor = factor_definite(a, scattered(a.columns));
   std::printf("  condition %.1e\n", factor->statistics().condition);
   EXPECT_GT(factor->statistics().condition, 1e6);
   compare_with_dense("ill conditioned", a, scattered(a.columns), 1e-9);
@@ -128,7 +128,7 @@ TEST_F(sparse_factor, ill_conditioned_against_dense) {
 
 std::int64_t zero_pivot(const SparseMatrix& a, const Unknowns& condensed) {
   try {
-    factor_by_cholmod(a, condensed);
+    factor_definite(a, condensed);
   } catch (const ZeroPivot& pivot) {
     return pivot.unknown();
   }
@@ -181,7 +181,7 @@ TEST_F(sparse_factor, entries_that_are_not_finite_are_named) {
     SparseMatrix a = springs(4, 3, 1);
     const std::int64_t column = 7, entry = a.start[7] + 1;
     a.value[at(entry)] = bad;
-    EXPECT_EQ(status_of([&] { factor_by_cholmod(a, {}); }, &message), Status::err_nonfinite);
+    EXPECT_EQ(status_of([&] { factor_definite(a, {}); }, &message), Status::err_nonfinite);
     const std::string where = "(" + std::to_string(a.row[at(entry)]) + ", " + std::to_string(column) + ")";
     EXPECT_NE(message.find(where), std::string::npos) << message;
   }
@@ -194,7 +194,7 @@ TEST_F(sparse_factor, overflow_does_not_pass_for_a_solution) {
   std::string message;
   bool refused = false;
   try {
-    factor_by_cholmod(a, {});
+    factor_definite(a, {});
   } catch (const std::exception&) {
     refused = true;
   }
@@ -205,7 +205,7 @@ TEST_F(sparse_factor, condensed_unknowns_are_checked) {
   const SparseMatrix a = springs(3, 3, 1);
   std::string message;
   for (const Unknowns& wrong : {Unknowns{-1}, Unknowns{a.columns}, Unknowns{4, 4}}) {
-    EXPECT_EQ(status_of([&] { factor_by_cholmod(a, wrong); }, &message), Status::err_internal);
+    EXPECT_EQ(status_of([&] { factor_definite(a, wrong); }, &message), Status::err_internal);
     EXPECT_NE(message.find(std::to_string(wrong[0])), std::string::npos) << message;
   }
 }
@@ -219,7 +219,7 @@ TEST_F(sparse_factor, too_large_a_condensed_matrix_is_refused_with_the_need) {
   a.row.assign(a.start.begin(), a.start.end() - 1);
   a.value.assign(at(a.columns), 1.0);
   std::string message;
-  const auto call = [&] { factor_by_cholmod(a, a.row)->keep_condensed(); };
+  const auto call = [&] { factor_definite(a, a.row)->keep_condensed(); };
   EXPECT_EQ(status_of(call, &message), Status::err_memory);
   double need = 0;
   const std::size_t number = message.find("needs ");
@@ -232,7 +232,7 @@ TEST_F(sparse_factor, too_large_a_condensed_matrix_is_refused_with_the_need) {
 TEST_F(sparse_factor, statistics) {
   const SparseMatrix a = springs(12, 3, 1);
   const Unknowns condensed = {5, 4, 3, 100, 101, 102};
-  const auto factor = factor_by_cholmod(a, condensed);
+  const auto factor = factor_definite(a, condensed);
   const SparseStatistics full = factor->statistics();
   const auto entries = static_cast<std::int64_t>(a.row.size());
   EXPECT_GT(full.nonzeros, 2 * entries);
@@ -260,7 +260,7 @@ TEST_F(sparse_factor, threads_give_the_same_bits_and_leave_random_numbers_alone)
   EXPECT_EQ(rand(), first);
   const auto run = [&](std::vector<double>& x) {
     x.assign(at(a.columns), 1.0);
-    factor_by_cholmod(a, condensed)->solve(x.data(), 1);
+    factor_definite(a, condensed)->solve(x.data(), 1);
   };
   std::vector<double> alone;
   run(alone);
@@ -283,7 +283,7 @@ TEST_F(sparse_factor, cholmod_starts_no_threads) {
   if (!std::filesystem::exists("/proc/self/task")) GTEST_SKIP() << "needs /proc";
   const SparseMatrix a = springs(14, 3, 1);
   const std::int64_t before = threads_alive();
-  const auto factor = factor_by_cholmod(a, scattered(a.columns));
+  const auto factor = factor_definite(a, scattered(a.columns));
   std::vector<double> x(at(a.columns), 1.0);
   factor->solve(x.data(), 1);
   EXPECT_EQ(threads_alive(), before);

@@ -100,7 +100,7 @@ std::unique_ptr<SparseFactor> System::factor_of(std::span<const std::int64_t> co
   std::unique_ptr<SparseFactor> factor;
   try {
     const Stopwatch watch(seconds);
-    factor = factor_by_cholmod(matrix_, condensed);
+    factor = factor_definite(matrix_, condensed);
   } catch (const ZeroPivot& pivot) {
     const auto found = std::find(unknowns_.of.begin(), unknowns_.of.end(), pivot.unknown());
     const auto place = found - unknowns_.of.begin();

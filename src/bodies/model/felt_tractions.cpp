@@ -125,7 +125,7 @@ FeltTractions felt_tractions(const SurfaceMesh& surface, std::span<const std::in
   for (std::int64_t i = 0; i < n; ++i) place[at(mass.node[at(i)])] = i;
   SparseMatrix matrix = symmetric(mass, place);
   add_smoothing(surface, face, share, place, matrix);
-  const auto factor = factor_by_cholmod(matrix, {});
+  const auto factor = factor_definite(matrix, {});
 
   // B, column by column, then solved in place.
   std::vector<std::int64_t> number;

@@ -62,7 +62,7 @@ std::vector<std::int64_t> System::profile_unknowns() const {
 
 std::unique_ptr<SparseFactor> System::factor_of(double n, std::span<const std::int64_t> condensed) const {
   try {
-    return factor_by_cholmod(stiffness_.matrix(n), condensed);
+    return factor_definite(stiffness_.matrix(n), condensed);
   } catch (const ZeroPivot& pivot) {
     const auto& of = stiffness_.numbers();
     const auto place = std::find(of.begin(), of.end(), pivot.unknown()) - of.begin();
