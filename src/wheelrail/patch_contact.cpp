@@ -100,9 +100,11 @@ void PatchContact::solve_contact(const Fineness& fineness) {
 bool PatchContact::solve_on_strips(const Fineness& fineness) {
   Solver& on = *contact_->solver;
   on.pair();
-  strips::StripStatus found = strips_->fit(on, box(), fineness.strips, false);
-  if (found == strips::StripStatus::unfit || found == strips::StripStatus::not_converged)
-    found = strips_->fit(on, box(), fineness.finer);
+  strips::StripStatus found = strips::StripStatus::unfit;
+  for (const auto& [counts, patient] :
+       {std::pair{fineness.strips, false}, {fineness.strips, true}, {fineness.finer, true}})
+    if (found == strips::StripStatus::unfit || found == strips::StripStatus::not_converged)
+      found = strips_->fit(on, box(), counts, patient);
   if (found == strips::StripStatus::no_contact) {
     now_.status = Status::no_contact;
     return true;

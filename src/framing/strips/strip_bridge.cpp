@@ -170,8 +170,8 @@ StripReport StripContact::solve(const StripScene& scene, const Rectangle& box, S
     if (solution.share == 0) start_from_neighbours(scene, solution);
     return {};
   }
-  if (report.status != StripStatus::solved && patient)
-    report = finder_.find(scene, box, counts, solution.strips, false);
+  if (!patient) return {StripStatus::unfit};
+  if (report.status != StripStatus::solved) report = finder_.find(scene, box, counts, solution.strips, false);
   solution.share = 1;
   return report;
 }

@@ -139,13 +139,17 @@ void StripFinder::look_closer(const StripScene& scene, StripCounts counts, Probe
   }
 }
 
-bool StripFinder::start(const StripScene& scene, const Rectangle& box, StripCounts counts, int cells,
+bool StripFinder::start(const StripScene& scene, const Rectangle& box, StripCounts counts, int cells, bool joined,
                         StripState& state) {
   const bool finer = counts.along * counts.across > most_without_rough;
   StripState& first = finer ? coarse_ : state;
-  status_ = probe_.start(scene, box, finer ? rough : counts, first, probes[cells]);
-  if (status_ == StripStatus::solved && first.layout.parts > 1)
-    look_closer(scene, first.layout.counts, probes[cells], first);
+  if (joined) {
+    probe_.join(scene, first);
+  } else {
+    status_ = probe_.start(scene, box, finer ? rough : counts, first, probes[cells]);
+    parts_seen_ = status_ == StripStatus::solved ? first.layout.parts : 0;
+    if (parts_seen_ > 1) look_closer(scene, first.layout.counts, probes[cells], first);
+  }
   if (status_ != StripStatus::solved || !finer) return status_ == StripStatus::solved;
   if (solver_.solve(scene, coarse_, StripStart::geometry).status != StripStatus::solved) return false;
   if (!(state.layout.counts == counts) || state.layout.parts != coarse_.layout.parts)
@@ -179,10 +183,14 @@ bool StripFinder::inside(const StripState& state, const Vec2& at, double reach) 
   for (int part = 0; part < l.parts; ++part) {
     const double u = (at[1] - g[l.centre_of(part)]) / g[l.width_of(part)];
     if (std::abs(u) > reach) continue;
-    const int row =
-        static_cast<int>(std::lower_bound(l.across.begin() + 1, l.across.end() - 2, u) - l.across.begin()) - 1;
-    const int k = part * l.rows_each + row;
-    if (std::abs(at[0] - g[k]) < reach * g[l.half_of(k)] + (reach - 1) * g[l.width_of(part)]) return true;
+    // Chords are straight between rows.
+    const int above =
+        std::clamp(static_cast<int>(std::lower_bound(l.across.begin(), l.across.end(), u) - l.across.begin()) - 1, 1,
+                   l.rows_each - 1);
+    const double t = std::clamp((u - l.across[above]) / (l.across[above + 1] - l.across[above]), 0.0, 1.0);
+    const int k = part * l.rows_each + above;
+    const double middle = (1 - t) * g[k - 1] + t * g[k], half = (1 - t) * g[l.half_of(k - 1)] + t * g[l.half_of(k)];
+    if (std::abs(at[0] - middle) < reach * half + (reach - 1) * g[l.width_of(part)]) return true;
   }
   return false;
 }
@@ -257,20 +265,23 @@ StripReport StripFinder::find(const StripScene& scene, const Rectangle& box, Str
   report.status = StripStatus::unfit;
   const int attempts = patient ? static_cast<int>(std::size(probes)) : 1;
   warm = warm && state.layout.counts == counts && !state.pressure.empty();
-  for (int attempt = warm ? -1 : 0; attempt < attempts; ++attempt) {
-    if (attempt >= 0 && !start(scene, box, counts, attempt, state)) {
-      if (status_ == StripStatus::no_contact) return {status_};
-      continue;
+  for (int attempt = warm ? -1 : 0; attempt < attempts; ++attempt)
+    // A waist may look like two parts to the probe.
+    for (const bool joined : {false, true}) {
+      if (joined && (attempt < 0 || parts_seen_ != 2)) break;
+      if (attempt >= 0 && !start(scene, box, counts, attempt, joined, state)) {
+        if (status_ == StripStatus::no_contact) return {status_};
+        continue;
+      }
+      const bool refined = counts.along * counts.across > most_without_rough;
+      report = solver_.solve(scene, state,
+                             attempt < 0 ? StripStart::solution
+                             : refined   ? StripStart::shares
+                                         : StripStart::geometry);
+      while (report.status == StripStatus::solved && more_parts(scene, box, state))
+        report = solver_.solve(scene, state, StripStart::geometry);
+      if (report.status == StripStatus::solved || report.status == StripStatus::beyond_friction) return report;
     }
-    const bool refined = counts.along * counts.across > most_without_rough;
-    report = solver_.solve(scene, state,
-                           attempt < 0 ? StripStart::solution
-                           : refined   ? StripStart::shares
-                                       : StripStart::geometry);
-    while (report.status == StripStatus::solved && more_parts(scene, box, state))
-      report = solver_.solve(scene, state, StripStart::geometry);
-    if (report.status == StripStatus::solved || report.status == StripStatus::beyond_friction) break;
-  }
   return report;
 }
 

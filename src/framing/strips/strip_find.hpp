@@ -19,12 +19,14 @@ class StripFinder {
 
  private:
   void look_closer(const StripScene& scene, StripCounts counts, ProbeCells cells, StripState& state);
-  bool start(const StripScene& scene, const Rectangle& box, StripCounts counts, int cells, StripState& state);
+  bool start(const StripScene& scene, const Rectangle& box, StripCounts counts, int cells, bool joined,
+             StripState& state);
   bool more_parts(const StripScene& scene, const Rectangle& box, StripState& state);
   double deformed_gap(const StripScene& scene, const StripState& state, const Vec2& at, bool near);
   bool inside(const StripState& state, const Vec2& at, double reach) const;
 
   StripStatus status_ = StripStatus::solved;
+  int parts_seen_ = 0;  ///< parts that the probe saw last
   StripSolver solver_;
   StripProbe probe_, part_probe_;
   StripState coarse_, part_;

@@ -165,6 +165,17 @@ double StripProbe::beyond(const StripScene& scene, int part, int outer, int to) 
   return low;
 }
 
+// Gives a row without pressures, between two parts that are taken for one, a load by which its chord is a waist.
+void StripProbe::fill_waist(int row) {
+  constexpr double waist = 0.4;
+  int below = row, above = row;
+  while (line_[below].nodes == 0) --below;
+  while (line_[above].nodes == 0) ++above;
+  const double t = static_cast<double>(row - below) / (above - below);
+  line_[row].load = waist * ((1 - t) * line_[below].load + t * line_[above].load);
+  line_[row].middle = (1 - t) * line_[below].middle + t * line_[above].middle;
+}
+
 // Half chords are the roots of a row's load times a ratio, which the variance of rows with four nodes tells (an ellipse
 // of pressure has a fourth of its squared half chord), smoothed along y and constant beyond.
 void StripProbe::fit(const StripScene& scene, int part, const StripLayout& l, std::vector<double>& geometry) {
@@ -198,6 +209,8 @@ void StripProbe::fit(const StripScene& scene, int part, const StripLayout& l, st
     slant += line.load * line.middle * y;
     spread += line.load * y * y;
   }
+  for (int j = first + 1; j < last; ++j)
+    if (!(line_[j].load > 0)) fill_waist(j);
   const double mean_x = moment_x / load, mean_y = moment_y / load;
   const double variance_y = spread / load - mean_y * mean_y + hy * hy / 6;
   const double lean = (slant / load - mean_x * mean_y) / variance_y;
@@ -298,11 +311,21 @@ StripStatus StripProbe::start(const StripScene& scene, const Rectangle& box, Str
     }
     if (lattice + 1 == most_lattices) box_ = now;
   }
+  lay(scene, counts, state);
+  return StripStatus::solved;
+}
+
+void StripProbe::lay(const StripScene& scene, StripCounts counts, StripState& state) {
   if (!(state.layout.counts == counts) || state.layout.parts != parts_) state.layout = StripLayout(counts, parts_);
   state.geometry.assign(state.layout.geometry, 0);
   state.approach = approach_;
   for (int part = 0; part < parts_; ++part) fit(scene, part, state.layout, state.geometry);
-  return StripStatus::solved;
+}
+
+void StripProbe::join(const StripScene& scene, StripState& state) {
+  for (int& part : part_) part = std::min(part, 0);
+  parts_ = 1;
+  lay(scene, state.layout.counts, state);
 }
 
 }  // namespace rollcon::strips

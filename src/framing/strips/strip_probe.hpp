@@ -18,6 +18,8 @@ class StripProbe {
   /// do not touch at the approach that is given.
   StripStatus start(const StripScene& scene, const Rectangle& box, StripCounts counts, StripState& state,
                     ProbeCells cells = {});
+  /// Makes one part of the two that the last start() found, with a waist between them.
+  void join(const StripScene& scene, StripState& state);
   /// Returns middles of both halves of the last lattice's pressures, on both sides of its least row between two peaks.
   bool halves(Vec2& first, Vec2& second) const;
   /// Returns the part's box, one cell wider, and loads at the last lattice's nodes that belong to other parts.
@@ -33,6 +35,8 @@ class StripProbe {
   void find_parts();
   bool close_in();
   double beyond(const StripScene& scene, int part, int outer, int to) const;
+  void fill_waist(int row);
+  void lay(const StripScene& scene, StripCounts counts, StripState& state);
   void fit(const StripScene& scene, int part, const StripLayout& layout, std::vector<double>& geometry);
 
   Rectangle box_{};

@@ -26,7 +26,7 @@ struct StripTrust {
   /// Depth to which the outline is hollow over the longest half chord.
   double hollow = 0;
   /// Outlines as hollow as that are not trusted; waists are less so until they part.
-  static constexpr double most_hollow = 0.45;
+  static constexpr double most_hollow = 0.7;
   /// Returns the weight of the strips beside their neighbours (strip_bridge.hpp): 1 where no neck is near, 0 before
   /// strips fail.
   double share() const;
