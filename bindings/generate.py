@@ -19,7 +19,7 @@ sys.dont_write_bytecode = True
 ROOT = Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(ROOT / "bindings"), str(ROOT / "scripts")]
 
-from generator import (c_header, capi_plain, capi_tests, cpp_enumerators, cpp_tables, fortran_77,  # noqa: E402
+from generator import (c_header, calls, capi_plain, capi_tests, cpp_enumerators, cpp_tables, fortran_77,  # noqa: E402
                        fortran_77_include, fortran_module, fortran_plain, fortran_tests, octave, python_module,
                        python_plain, python_tests, recorder, reference, reference_fortran, reference_python,
                        symbol_map, table)
@@ -77,6 +77,7 @@ def outputs(api):
 
     def read(name):
         return made.get(name) or (ROOT / name).read_text(encoding="utf-8")
+    made["docs/calls.md"] = with_list("docs/calls.md", calls.every_language(api, read))
     for language in (reference_fortran, reference_python):
         name = language.__name__.removeprefix("generator.")
         made[f"docs/{name}.md"] = wrapped(language.write(read))

@@ -105,3 +105,10 @@ string(REGEX REPLACE "/$" "" ROLLCON_PC_PREFIX "${ROLLCON_PC_PREFIX}")
 configure_file("${PROJECT_SOURCE_DIR}/cmake/rollcon.pc.in" "${PROJECT_BINARY_DIR}/rollcon.pc" @ONLY)
 install(FILES "${PROJECT_BINARY_DIR}/rollcon.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig"
   COMPONENT development)
+
+# Settings for the shell of a user whose prefix is none of the system's.
+file(RELATIVE_PATH ROLLCON_SETTINGS_PREFIX "/${CMAKE_INSTALL_DATADIR}/rollcon" "/")
+string(REGEX REPLACE "/$" "" ROLLCON_SETTINGS_PREFIX "${ROLLCON_SETTINGS_PREFIX}")
+configure_file("${PROJECT_SOURCE_DIR}/cmake/environment.sh.in" "${PROJECT_BINARY_DIR}/environment.sh" @ONLY)
+install(FILES "${PROJECT_BINARY_DIR}/environment.sh" DESTINATION "${CMAKE_INSTALL_DATADIR}/rollcon"
+  COMPONENT development)

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """documents.py check               links, spelling of names and sizes of the documents as plain files
    documents.py stage FOLDER        pages for MkDocs: links to files outside docs/ lead to copies
+   documents.py search FOLDER       makes the search of a built site work where it is opened as a file
    documents.py links FOLDER        links of a built site
 
 Of links to the web only the form is looked at. The references, which git does not hold, are written first. Pages that
@@ -17,8 +18,8 @@ import urllib.parse
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 LINK = re.compile(r"(!?\[(?:[^\[\]]|\[[^\]]*\])*\]\()([^)\s]+)(\))")
-FENCE = re.compile(r"^```.*?^```$", re.M | re.S)
-OUTSIDE = ["README.md", "CHANGELOG.md", "CONTRIBUTING.md", "RELEASING.md", "SECURITY.md", "AUTHORS.md",
+FENCE = re.compile(r"^ *```.*?^ *```$", re.M | re.S)
+OUTSIDE = ["README.md", "CHANGELOG.md", "CONTRIBUTING.md", "RELEASING.md", "SECURITY.md", "SUPPORT.md", "AUTHORS.md",
            "fortran/README.md", "bindings/python/README.md"]
 REFERENCES = [ROOT / "docs" / f"{name}.md" for name in ("api", "reference_fortran", "reference_python")]
 CONTRACT = ROOT / "bindings/api_contract.md"
@@ -112,15 +113,16 @@ def check():
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
     if readme.count("\n") > README_LINES:
         wrong.append(f"README.md has {readme.count(chr(10))} lines; allowed: {README_LINES}")
-    if (ROOT / "examples/first_contact.c").read_text(encoding="utf-8") not in readme:
-        wrong.append("README.md: its first program is not examples/first_contact.c")
+    if (ROOT / "examples/first_contact.c").read_text(encoding="utf-8") not in (ROOT / "docs/start/research.md").read_text(encoding="utf-8"):
+        wrong.append("docs/start/research.md: its first program is not examples/first_contact.c")
     for page in sorted((ROOT / "docs").rglob("*.md")):
         name = page.relative_to(ROOT / "docs").as_posix()
         if name != "README.md" and f": {name}\n" not in (ROOT / "docs/mkdocs.yml").read_text(encoding="utf-8"):
             wrong.append(f"docs/mkdocs.yml does not name docs/{name}")
     for page in pages():
-        # Lines of api.md are wrapped where its generator can.
-        for number, line in enumerate(page.read_text(encoding="utf-8").splitlines(), 1):
+        # Lines of api.md are wrapped where its generator can; messages come in one line.
+        lines = re.sub(r"^```text$.*?^```$", lambda m: "\n" * m[0].count("\n"), page.read_text(encoding="utf-8"), flags=re.M | re.S)
+        for number, line in enumerate(lines.splitlines(), 1):
             if len(line.rstrip()) > 120 and page.name != "api.md" and not re.match(r"\s*(\||#|!\[|<!--)|    |- `", line) and "](" not in line:
                 wrong.append(f"{page.relative_to(ROOT)}:{number}: {len(line)} characters")
     print("\n".join(wrong) or f"documents: {len(pages())} pages, no dead link")
@@ -140,10 +142,25 @@ def staged(path):
     return inside if inside in OUTSIDE else f"source/{inside}.txt"
 
 
+def tabbed(text):
+    """Makes tabs of MkDocs from what stands between <!-- tabs --> and <!-- end of tabs -->: a line **Name** begins each."""
+    def tabs(match):
+        parts = re.split(r"^\*\*(.+)\*\*$", match.group(1), flags=re.M)[1:]
+        return "".join(f'=== "{name}"\n' + re.sub(r"^(?=.)", "    ", body, flags=re.M) for name, body in zip(parts[::2], parts[1::2]))
+    return re.sub(r"^<!-- tabs -->$\n(.*?)^<!-- end of tabs -->$", tabs, text, flags=re.M | re.S)
+
+
+def searchable(folder):
+    """Gives the index of the search to a page that is opened as a file, which may not read it by itself."""
+    index = (folder / "search/search_index.json").read_text(encoding="utf-8")
+    (folder / "search/search_index.js").write_text(f"var __search = {{ index: Promise.resolve({index}) }}", encoding="utf-8")
+
+
 def stage(folder):
     shutil.rmtree(folder, ignore_errors=True)
     shutil.copytree(ROOT / "docs/images", folder / "images")
-    shutil.copy(ROOT / "docs/site.css", folder)
+    for name in ("site.css", "site.js"):
+        shutil.copy(ROOT / "docs" / name, folder)
     for page in pages():
         target = folder / staged(page)
 
@@ -158,12 +175,14 @@ def stage(folder):
                 shutil.copy(file, goal)
             up = "../" * (len(target.relative_to(folder).parts) - 1)
             return match.group(1) + up + goal.relative_to(folder).as_posix() + hash_sign + anchor + match.group(3)
-        parts, last, text = [], 0, page.read_text(encoding="utf-8")
+        parts, last, text = [], 0, tabbed(page.read_text(encoding="utf-8"))
         for fence in FENCE.finditer(text):
             parts += [LINK.sub(moved, text[last:fence.start()]), fence.group(0)]
             last = fence.end()
         target.parent.mkdir(parents=True, exist_ok=True)
-        target.write_text("".join(parts) + LINK.sub(moved, text[last:]), encoding="utf-8")
+        # A wide table has the screen for itself.
+        head = "---\nhide: [navigation, toc]\n---\n" if page.name == "calls.md" else ""
+        target.write_text(head + "".join(parts) + LINK.sub(moved, text[last:]), encoding="utf-8")
 
 
 def site_links(folder):
@@ -182,6 +201,7 @@ def site_links(folder):
                 continue
             count += 1
             path, _, anchor = target.partition("#")
+            path = path.partition("?")[0]
             goal = (file.parent / path).resolve() if path else file
             goal = goal / "index.html" if goal.is_dir() else goal
             if not goal.exists() or (anchor and goal in ids and anchor not in ids[goal] | {"__comments"}):
@@ -196,8 +216,8 @@ def main():
         write_references()
     if command == "check" and not rest:
         return check()
-    if command in ("stage", "links") and len(rest) == 1:
-        return {"stage": stage, "links": site_links}[command](pathlib.Path(rest[0]).resolve())
+    if command in ("stage", "links", "search") and len(rest) == 1:
+        return {"stage": stage, "links": site_links, "search": searchable}[command](pathlib.Path(rest[0]).resolve())
     sys.exit(__doc__)
 
 

@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
-"""run_documents.py [--pictures] PREFIX [FILE...]: runs the programs in the documents from their text, over the library installed in
-PREFIX.
+"""run_documents.py [--pictures | --install] PREFIX [FILE...]: runs what documents show, as their reader would type it.
 
-Of each page, blocks with a title are files (blocks of one title are one file), blocks of sh run in their order, and a
-block of text after one is what it must print: numbers within 1 %, everything else to the letter. Lines of sh with a #
-at their beginning are comments. Each page runs in a folder of its own. Without files: README.md and all pages that have
-such blocks. A picture of docs/images that a page shows must come out under its name where the page saves it; --pictures
-puts the new ones there.
+The reader has installed rollcon in ~/rollcon (a link to PREFIX), and nothing else: variables are those of a login. Of
+each page, blocks with a title are files (blocks of one title are one file). Blocks of sh are typed in their order, into
+one shell, in an empty folder of the page's own. A block of text after one is what it must print: numbers within 1 %,
+everything else to the letter. Between <!-- tabs --> and <!-- end of tabs --> a page says the same in several languages;
+a block of text behind them is what each block of sh there prints. Blocks of C, Fortran, Python and MATLAB without a
+title are programs by themselves: they are compiled, or run. Blocks of sh entitled "install" need the network, root or
+minutes: --install runs those of README.md alone, in a copy of the sources. Blocks that call octave-cli are passed over
+where it is not installed. Without files: all pages that have such blocks. A picture of docs/images that a page shows
+must come out under its name where the page saves it; --pictures puts the new ones there.
 """
 
 import os
@@ -18,13 +21,18 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-BLOCK = re.compile(r"^```(\w+)(?: title=\"([^\"]+)\")?\n(.*?)^```$", re.M | re.S)
+BLOCK = re.compile(r"^```(\w+)(?: title=\"([^\"]+)\")?\n(.*?)^```$|^<!-- ((?:end of )?tabs) -->$", re.M | re.S)
 NUMBER = re.compile(r"[-+]?\d+\.?\d*(?:[eE][-+]?\d+)?")
+MARK = "=== block"
+SETTINGS = "source ~/rollcon/share/rollcon/environment.sh\n"
+# What types a program without a title, which reads the program from its standard input.
+ALONE = {"python": "python3 -", "matlab": "octave-cli -q", "fortran": "gfortran -fsyntax-only -x f95 -",
+         "c": "cc -fsyntax-only $(pkg-config --cflags rollcon) -x c -"}
 
 
 def pages():
     found = [ROOT / "README.md", ROOT / "bindings/python/README.md", ROOT / "fortran/README.md", *sorted((ROOT / "docs").rglob("*.md"))]
-    return [page for page in found if any(b[0] == "sh" for b in BLOCK.findall(page.read_text(encoding="utf-8")))]
+    return [page for page in found if any(b[0] in ("sh", *ALONE) for b in BLOCK.findall(page.read_text(encoding="utf-8")))]
 
 
 def same(printed, wanted):
@@ -40,40 +48,51 @@ def same(printed, wanted):
     return ""
 
 
-def environment(prefix):
-    lib = next(prefix.rglob("librollcon.so")).parent
-    python = next(prefix.rglob("dist-packages/rollcon")).parent
-    octave = next(prefix.rglob("rollcon_build.m"), prefix).parent
-    return {**os.environ, "ROLLCON_OCTAVE": str(octave), "PREFIX": str(prefix), "PKG_CONFIG_PATH": str(lib / "pkgconfig"), "LD_LIBRARY_PATH": str(lib),
-            "PYTHONPATH": str(python), "PATH": "/usr/bin:/bin", "MPLBACKEND": "Agg", "SOURCES": str(ROOT)}
+def commands(page):
+    """Returns for each block that the reader types its text and what it must print (None: anything)."""
+    found, waiting, tabs = [], [], False
+    for language, title, text, mark in BLOCK.findall(page.read_text(encoding="utf-8")):
+        if mark:
+            tabs, waiting = mark == "tabs", [] if mark == "tabs" else waiting
+        elif language == "text" and not title:
+            for block in waiting:
+                block[1] = text
+            waiting = []
+        elif language == "sh" and title != "install" or language in ALONE and not title:
+            typed = text if language == "sh" else f"({SETTINGS}{ALONE[language]} <<'END'\n{text}END\n)\n"
+            if "octave-cli" in typed and not (shutil.which("octave-cli") and shutil.which("mkoctfile")):
+                continue
+            found.append([typed, None])
+            waiting = waiting * tabs + [found[-1]]
+    return found
 
 
-def run(page, env, folder):
-    """Returns what fails on a page, or nothing; None: what it needs is not installed."""
-    last, runs = None, 0
-    if page.name == "octave.md" and not (shutil.which("octave-cli") and shutil.which("mkoctfile")):
-        return None
-    blocks = BLOCK.findall(page.read_text(encoding="utf-8"))
-    for _, title, text in blocks:
-        if title:
-            (pathlib.Path(folder) / title).parent.mkdir(exist_ok=True)
-            with open(pathlib.Path(folder) / title, "a", encoding="utf-8") as file:
+def shell(lines, home, folder):
+    """Types lines into the shell of a user who has just logged in."""
+    login = {"HOME": str(home), "PATH": "/usr/bin:/bin", "LANG": "C.UTF-8", "USER": "reader", "SHELL": "/bin/bash"}
+    return subprocess.run(["bash", "-ec", lines], cwd=folder, env=login, text=True, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, check=False)
+
+
+def run(page, home, folder):
+    """Returns what fails on a page, or nothing."""
+    for _, title, text, _ in BLOCK.findall(page.read_text(encoding="utf-8")):
+        if title and title != "install":
+            (folder / title).parent.mkdir(exist_ok=True, parents=True)
+            with open(folder / title, "a", encoding="utf-8") as file:
                 file.write(text)
-    for language, title, text in blocks:
-        if language == "sh":
-            # The installation itself is done already.
-            lines = [line for line in text.splitlines() if not re.match(r"#|PREFIX=|cmake |export PKG_CONFIG", line)]
-            done = subprocess.run(["bash", "-euc", "\n".join(lines)], cwd=folder, env=env, text=True, capture_output=True)
-            if done.returncode:
-                return f"status {done.returncode} of\n{text}{done.stdout}{done.stderr}"
-            last, runs = done.stdout, runs + 1
-        elif language == "text" and not title and last is not None:
-            wrong = same(last, text)
-            if wrong:
-                return f"prints {wrong}\n--- all of it\n{last}"
-            last = None
-    missing = [name for name in saved(page) if not (pathlib.Path(folder) / name).exists()]
-    return f"draws no {missing[0]}" if missing else "" if runs else "runs nothing"
+    blocks = commands(page)
+    done = shell("".join(f"echo '{MARK}'\n{typed}" for typed, _ in blocks), home, folder)
+    printed = done.stdout.split(MARK + "\n")[1:]
+    for (typed, wanted), said in zip(blocks, printed):
+        wrong = wanted is not None and same(said, wanted)
+        if wrong and not (done.returncode and said is printed[-1]):
+            return f"prints {wrong}, at\n{typed}--- all of it\n{said}"
+    if done.returncode:
+        return f"status {done.returncode} of\n{blocks[len(printed) - 1][0]}--- it says\n{printed[-1]}"
+    missing = [name for name in saved(page) if not (folder / name).exists()]
+    octave = not shutil.which("octave-cli") and "print('-dpng'" in page.read_text(encoding="utf-8")
+    return f"draws no {missing[0]}" if missing and not octave else ""
 
 
 def saved(page):
@@ -83,21 +102,51 @@ def saved(page):
             if f'savefig("{name}")' in text or f"print('-dpng', '{name}')" in text]
 
 
+def install():
+    """Types the installation that README.md shows, in a copy of the sources, for a user without anything."""
+    with tempfile.TemporaryDirectory() as work:
+        home, sources = pathlib.Path(work) / "home", pathlib.Path(work) / "sources"
+        home.mkdir()
+        tracked = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True).stdout
+        for name in tracked.split("\0")[:-1]:
+            (sources / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(ROOT / name, sources / name)
+        for language, title, text, _ in BLOCK.findall((ROOT / "README.md").read_text(encoding="utf-8")):
+            if language == "sh" and title == "install":
+                done = shell(text, home, sources)
+                print(text, done.stdout[-2000:] if done.returncode else f"status {done.returncode}", flush=True)
+                if done.returncode:
+                    return 1
+        return check([ROOT / "README.md"], (home / "rollcon").resolve())
+
+
+def check(chosen, prefix):
+    failed = 0
+    with tempfile.TemporaryDirectory() as work:
+        home = pathlib.Path(work) / "home"
+        home.mkdir()
+        (home / "rollcon").symlink_to(prefix)
+        # Matplotlib says once that it looks for fonts, and Octave complains of a home that has nowhere for its history.
+        shell("mkdir -p .local/share/octave; python3 -c 'import matplotlib.pyplot'", home, home)
+        for number, page in enumerate(chosen):
+            folder = pathlib.Path(work) / str(number)
+            folder.mkdir()
+            wrong = run(page, home, folder)
+            for name in saved(page) if "--pictures" in sys.argv and not wrong else ():
+                if (folder / name).exists():
+                    shutil.copy(folder / name, ROOT / "docs/images" / name)
+            failed += bool(wrong)
+            print(f"{page.relative_to(ROOT)}: {f'FAILED: {wrong}' if wrong else 'runs as it says'}", flush=True)
+    return 1 if failed else 0
+
+
 def main():
-    arguments = [argument for argument in sys.argv[1:] if argument != "--pictures"]
+    arguments = [argument for argument in sys.argv[1:] if not argument.startswith("--")]
+    if "--install" in sys.argv:
+        return install()
     if not arguments:
         sys.exit(__doc__)
-    prefix, failed = pathlib.Path(arguments[0]).resolve(), 0
-    chosen = [pathlib.Path(name).resolve() for name in arguments[1:]] or pages()
-    for page in chosen:
-        with tempfile.TemporaryDirectory() as folder:
-            wrong = run(page, environment(prefix), folder)
-            for name in saved(page) if "--pictures" in sys.argv and not wrong else ():
-                shutil.copy(pathlib.Path(folder) / name, ROOT / "docs/images" / name)
-        failed += bool(wrong)
-        said = "not run: Octave is not installed" if wrong is None else f"FAILED: {wrong}" if wrong else "runs as it says"
-        print(f"{page.relative_to(ROOT)}: {said}", flush=True)
-    return 1 if failed else 0
+    return check([pathlib.Path(name).resolve() for name in arguments[1:]] or pages(), pathlib.Path(arguments[0]).resolve())
 
 
 if __name__ == "__main__":

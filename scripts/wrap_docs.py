@@ -69,7 +69,7 @@ def main():
     files = options.files or [ROOT / "README.md", ROOT / "CHANGELOG.md", *sorted((ROOT / "docs").glob("*.md")),
                               ROOT / "fortran/README.md", ROOT / "bindings/api_contract.md",
                               ROOT / "bindings/python/README.md", *sorted((ROOT / "docs").glob("*/*.md")),
-                              *(ROOT / f"{name}.md" for name in ("CONTRIBUTING", "RELEASING", "SECURITY", "AUTHORS"))]
+                              *(ROOT / f"{name}.md" for name in ("CONTRIBUTING", "RELEASING", "SECURITY", "SUPPORT", "AUTHORS"))]
     stale = 0
     for file in files:
         old = file.read_text(encoding="utf-8")

@@ -1,0 +1,36 @@
+// Formulas: MathJax, which is loaded after this file, sets those that MkDocs marks.
+window.MathJax = {
+  messageStyle: "none",
+  showMathMenu: false,
+  tex2jax: { inlineMath: [["\\(", "\\)"]], displayMath: [["\\[", "\\]"]], ignoreClass: ".*", processClass: "arithmatex" },
+  SVG: { scale: 95 }
+};
+
+// Search in pages that are opened as files: browsers start no workers from files and read none. A frame without an
+// address, which has the page's own rights, stands for the worker, and a script has the index.
+if (location.protocol === "file:") {
+  const base = new URL(".", document.currentScript.src);
+  const index = document.createElement("script");
+  index.src = new URL("search/search_index.js", base);
+  index.async = false;
+  document.currentScript.after(index);
+  window.IFrameWorker = window.Worker = class extends EventTarget {
+    constructor(url) {
+      super();
+      this.frame = document.createElement("iframe");
+      this.frame.hidden = true;
+      document.body.append(this.frame);
+      const inside = this.frame.contentWindow;
+      inside.postMessage = data => this.dispatchEvent(new MessageEvent("message", { data }));
+      inside.document.open();
+      inside.document.write(`<script src="${url}"></` + "script>");
+      inside.document.close();
+      this.ready = new Promise(resolve => { this.frame.onload = resolve; });
+    }
+    postMessage(data) {
+      this.ready.then(() => this.frame.contentWindow.dispatchEvent(new MessageEvent("message", { data })));
+    }
+    terminate() { this.frame.remove(); }
+    set onmessage(call) { this.addEventListener("message", call); }
+  };
+}
