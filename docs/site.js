@@ -1,4 +1,6 @@
-// Formulas: MathJax, which is loaded after this file, sets those that MkDocs marks.
+// This file stands in the head of every page, before all other scripts.
+
+// Formulas: MathJax sets those that MkDocs marks.
 window.MathJax = {
   messageStyle: "none",
   showMathMenu: false,
@@ -10,10 +12,7 @@ window.MathJax = {
 // address, which has the page's own rights, stands for the worker, and a script has the index.
 if (location.protocol === "file:") {
   const base = new URL(".", document.currentScript.src);
-  const index = document.createElement("script");
-  index.src = new URL("search/search_index.js", base);
-  index.async = false;
-  document.currentScript.after(index);
+  document.write(`<script src="${new URL("search/search_index.js", base)}"></` + "script>");
   window.IFrameWorker = window.Worker = class extends EventTarget {
     constructor(url) {
       super();
@@ -21,8 +20,8 @@ if (location.protocol === "file:") {
       this.frame.hidden = true;
       document.body.append(this.frame);
       const inside = this.frame.contentWindow;
-      inside.postMessage = data => this.dispatchEvent(new MessageEvent("message", { data }));
       inside.document.open();
+      inside.postMessage = data => this.dispatchEvent(new MessageEvent("message", { data }));
       inside.document.write(`<script src="${url}"></` + "script>");
       inside.document.close();
       this.ready = new Promise(resolve => { this.frame.onload = resolve; });

@@ -151,7 +151,12 @@ def tabbed(text):
 
 
 def searchable(folder):
-    """Gives the index of the search to a page that is opened as a file, which may not read it by itself."""
+    """Puts site.js first in every page, and makes a script of the index of the search, which a page that is opened as a
+    file may not read by itself."""
+    for page in folder.rglob("*.html"):
+        up = "../" * (len(page.relative_to(folder).parts) - 1)
+        text = page.read_text(encoding="utf-8")
+        page.write_text(text.replace("</head>", f'<script src="{up}site.js"></script></head>', 1), encoding="utf-8")
     index = (folder / "search/search_index.json").read_text(encoding="utf-8")
     (folder / "search/search_index.js").write_text(f"var __search = {{ index: Promise.resolve({index}) }}", encoding="utf-8")
 
