@@ -76,9 +76,28 @@ install(FILES "${PROJECT_BINARY_DIR}/rollconConfig.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/rollconExternal.cmake"
   DESTINATION "${_package_dir}" COMPONENT development)
 
-# The pkg-config file lists libraries by name, and their folder only where the linker would not look by itself.
+# The pkg-config file lists libraries by name, and their folder only where the linker would not look by itself. Archives
+# of SuiteSparse and of a LAPACK need archives of their own, where shared libraries bring along what they need.
+set(_behind_external "")
+set(_behind_lapack "")
+if(ROLLCON_BUILD_CHOLMOD OR ROLLCON_BUILD_UMFPACK)
+  foreach(_name IN ITEMS amd camd colamd ccolamd metis suitesparseconfig)
+    find_library(ROLLCON_${_name}_ARCHIVE lib${_name}.a)
+    mark_as_advanced(ROLLCON_${_name}_ARCHIVE)
+    if(ROLLCON_${_name}_ARCHIVE)
+      list(APPEND _behind_external "${ROLLCON_${_name}_ARCHIVE}")
+    endif()
+  endforeach()
+endif()
+foreach(_name IN ITEMS gfortran quadmath)
+  execute_process(COMMAND ${CMAKE_C_COMPILER} -print-file-name=lib${_name}.a OUTPUT_VARIABLE _file
+    OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+  if(IS_ABSOLUTE "${_file}")
+    list(APPEND _behind_lapack "-l${_name}")
+  endif()
+endforeach()
 set(_private "")
-foreach(_library IN LISTS _external_libraries LAPACK_LIBRARIES ROLLCON_RUNTIME)
+foreach(_library IN LISTS _external_libraries _behind_external LAPACK_LIBRARIES _behind_lapack ROLLCON_RUNTIME)
   if(IS_ABSOLUTE "${_library}")
     get_filename_component(_folder "${_library}" DIRECTORY)
     get_filename_component(_name "${_library}" NAME_WE)
