@@ -22,6 +22,7 @@ FENCE = re.compile(r"^ *```.*?^ *```$", re.M | re.S)
 OUTSIDE = ["README.md", "CHANGELOG.md", "CONTRIBUTING.md", "RELEASING.md", "SECURITY.md", "SUPPORT.md", "AUTHORS.md",
            "fortran/README.md", "bindings/python/README.md"]
 REFERENCES = [ROOT / "docs" / f"{name}.md" for name in ("api", "reference_fortran", "reference_python")]
+PROGRAM = re.compile(r"^\[([\w.]+)\]\((\S*examples/\S+)\)$", re.M)  # a link alone in its line: the site shows the file
 CONTRACT = ROOT / "bindings/api_contract.md"
 README_LINES = 120
 
@@ -113,8 +114,6 @@ def check():
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
     if readme.count("\n") > README_LINES:
         wrong.append(f"README.md has {readme.count(chr(10))} lines; allowed: {README_LINES}")
-    if (ROOT / "examples/first_contact.c").read_text(encoding="utf-8") not in (ROOT / "docs/start/research.md").read_text(encoding="utf-8"):
-        wrong.append("docs/start/research.md: its first program is not examples/first_contact.c")
     for page in sorted((ROOT / "docs").rglob("*.md")):
         name = page.relative_to(ROOT / "docs").as_posix()
         if name != "README.md" and f": {name}\n" not in (ROOT / "docs/mkdocs.yml").read_text(encoding="utf-8"):
@@ -140,6 +139,16 @@ def staged(path):
     if inside.startswith("docs/"):
         return inside.removeprefix("docs/")
     return inside if inside in OUTSIDE else f"source/{inside}.txt"
+
+
+def with_programs(page, text):
+    """Shows whole the programs of examples/ that a page names by a link alone in its line."""
+    languages = {".c": "c", ".f": "fortranfixed", ".f90": "fortran", ".py": "python", ".m": "matlab"}
+
+    def shown(match):
+        file = (page.parent / match[2]).resolve()
+        return f'```{languages[file.suffix]} title="{match[1]}"\n{file.read_text(encoding="utf-8")}```'
+    return PROGRAM.sub(shown, text)
 
 
 def tabbed(text):
@@ -180,7 +189,7 @@ def stage(folder):
                 shutil.copy(file, goal)
             up = "../" * (len(target.relative_to(folder).parts) - 1)
             return match.group(1) + up + goal.relative_to(folder).as_posix() + hash_sign + anchor + match.group(3)
-        parts, last, text = [], 0, tabbed(page.read_text(encoding="utf-8"))
+        parts, last, text = [], 0, tabbed(with_programs(page, page.read_text(encoding="utf-8")))
         for fence in FENCE.finditer(text):
             parts += [LINK.sub(moved, text[last:fence.start()]), fence.group(0)]
             last = fence.end()

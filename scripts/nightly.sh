@@ -5,6 +5,7 @@
 #     sanitizers   all tests in all rooms under the address and undefined-behaviour sanitizers
 #     tidy         clang-tidy on all sources, to the analyzer's own limit
 #     components   builds without components
+#     documents    the installation that README.md shows, from nothing, and its first program
 #     random       random scenes from seeds that nobody has tried before
 #     fuzz         the fuzzers, ROLLCON_FUZZ_TIME seconds (3600)
 #     valgrind     memcheck
@@ -16,7 +17,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 cd "$root"
 logs=$root/build/nightly
 mkdir -p "$logs"
-[ $# -gt 0 ] || set -- tests sanitizers tidy components random fuzz valgrind mutants accuracy
+[ $# -gt 0 ] || set -- tests sanitizers tidy components documents random fuzz valgrind mutants accuracy
 
 stage_tests() {
   configure release -DROLLCON_WERROR=ON -DROLLCON_BENCH=ON
@@ -34,6 +35,7 @@ stage_tidy() {
   "$python" scripts/tidy.py build/tsan "$jobs" --deep
 }
 stage_components() { bash scripts/check_components.sh; }
+stage_documents() { "$python" scripts/run_documents.py --install; }
 stage_random() {
   configure release -DROLLCON_WERROR=ON -DROLLCON_BENCH=ON
   cmake --build --preset release -j "$jobs" --target test_stability

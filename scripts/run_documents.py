@@ -2,14 +2,15 @@
 """run_documents.py [--pictures | --install] PREFIX [FILE...]: runs what documents show, as their reader would type it.
 
 The reader has installed rollcon in ~/rollcon (a link to PREFIX), and nothing else: variables are those of a login. Of
-each page, blocks with a title are files (blocks of one title are one file). Blocks of sh are typed in their order, into
-one shell, in an empty folder of the page's own. A block of text after one is what it must print: numbers within 1 %,
-everything else to the letter. Between <!-- tabs --> and <!-- end of tabs --> a page says the same in several languages;
-a block of text behind them is what each block of sh there prints. Blocks of C, Fortran, Python and MATLAB without a
-title are programs by themselves: they are compiled, or run. Blocks of sh entitled "install" need the network, root or
-minutes: --install runs those of README.md alone, in a copy of the sources. Blocks that call octave-cli are passed over
-where it is not installed. Without files: all pages that have such blocks. A picture of docs/images that a page shows
-must come out under its name where the page saves it; --pictures puts the new ones there.
+each page, blocks with a title are files (blocks of one title are one file), and so are programs of examples/ that a page
+names by a link alone in its line. Blocks of sh are typed in their order, into one shell, in a folder of the page's own.
+A block of text after one is what it must print: numbers within 1 %, everything else to the letter. Between <!-- tabs -->
+and <!-- end of tabs --> a page says the same in several languages; a block of text behind them is what each block of sh
+there prints. Blocks of C, Fortran, Python and MATLAB without a title are programs by themselves: they are compiled, or
+run. Blocks that call octave-cli are passed over where it is not installed. Blocks of sh entitled "install" need the
+network, root or minutes: --install runs those of README.md alone, in a copy of the sources. Without files: all pages
+that have such blocks. A picture of docs/images that a page shows must come out under its name where the page saves it;
+--pictures puts the new ones there.
 """
 
 import os
@@ -22,6 +23,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 BLOCK = re.compile(r"^```(\w+)(?: title=\"([^\"]+)\")?\n(.*?)^```$|^<!-- ((?:end of )?tabs) -->$", re.M | re.S)
+PROGRAM = re.compile(r"^\[([\w.]+)\]\((\S*examples/\S+)\)$", re.M)
 NUMBER = re.compile(r"[-+]?\d+\.?\d*(?:[eE][-+]?\d+)?")
 MARK = "=== block"
 SETTINGS = "source ~/rollcon/share/rollcon/environment.sh\n"
@@ -76,6 +78,8 @@ def shell(lines, home, folder):
 
 def run(page, home, folder):
     """Returns what fails on a page, or nothing."""
+    for title, path in PROGRAM.findall(page.read_text(encoding="utf-8")):
+        shutil.copy(page.parent / path, folder / title)
     for _, title, text, _ in BLOCK.findall(page.read_text(encoding="utf-8")):
         if title and title != "install":
             (folder / title).parent.mkdir(exist_ok=True, parents=True)
@@ -91,13 +95,14 @@ def run(page, home, folder):
     if done.returncode:
         return f"status {done.returncode} of\n{blocks[len(printed) - 1][0]}--- it says\n{printed[-1]}"
     missing = [name for name in saved(page) if not (folder / name).exists()]
-    octave = not shutil.which("octave-cli") and "print('-dpng'" in page.read_text(encoding="utf-8")
+    octave = page.name == "octave.md" and not shutil.which("octave-cli")
     return f"draws no {missing[0]}" if missing and not octave else ""
 
 
 def saved(page):
     """Returns pictures that a page both shows and saves."""
     text = page.read_text(encoding="utf-8")
+    text += "".join((page.parent / path).read_text(encoding="utf-8") for _, path in PROGRAM.findall(text))
     return [name for name in re.findall(r"images/(\w+\.png)", text)
             if f'savefig("{name}")' in text or f"print('-dpng', '{name}')" in text]
 

@@ -1,0 +1,20 @@
+context = rollcon.context_create();
+block = rollcon.body_create(context, 'fem');
+rollcon.body_read_mesh(block, 'block.inp');
+rollcon.body_tag_group(block, 'steel', 1);
+rollcon.body_set_elastic(block, 1, 1e4, 0.3);
+rollcon.body_set_support(block, rollcon.body_get_group_nodes(block, 'bottom'), 'x y z');
+rollcon.body_tag_group(block, 'top', 2);
+rollcon.body_set_contact_faces(block, 2);
+ball = rollcon.body_create(context, 'rigid');
+contact = rollcon.contact_create(context, block, ball);
+rollcon.contact_frame_rectangle(contact, 'quad4', 12, 12, -5, 5, -5, 5);
+rollcon.contact_set_gap_quadratic(contact, 1/400, 1/400);
+rollcon.contact_set_friction(contact, 'coulomb', 0.3);
+rollcon.contact_set_rolling(contact, 10);
+rollcon.contact_set_creep(contact, -0.002, 0, 0);
+rollcon.contact_prescribe(contact, 'normal', 'force', 1500);
+rollcon.contact_solve(contact);
+force = rollcon.contact_get_resultant(contact, 'local');
+printf('largest pressure %.1f MPa, approach %.4f mm, friction %.0f N\n', ...
+       rollcon.contact_get_stat(contact, 'max_pressure'), rollcon.contact_get_motion(contact), force(1));
