@@ -39,7 +39,7 @@ if(ROLLCON_DOCS)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT documents
     PATTERN CMakeLists.txt EXCLUDE PATTERN __pycache__ EXCLUDE)
   # The pages go to their places, so that links between them lead there.
-  foreach(_page IN ITEMS README.md CHANGELOG.md CONTRIBUTING.md RELEASING.md SECURITY.md AUTHORS.md CITATION.cff
+  foreach(_page IN ITEMS README.md CHANGELOG.md CONTRIBUTING.md RELEASING.md SECURITY.md SUPPORT.md AUTHORS.md CITATION.cff
       fortran/README.md bindings/python/README.md bindings/api_contract.md)
     get_filename_component(_folder "${_page}" DIRECTORY)
     install(FILES "${PROJECT_SOURCE_DIR}/${_page}" DESTINATION "${CMAKE_INSTALL_DOCDIR}/${_folder}" COMPONENT documents)
