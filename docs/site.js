@@ -8,7 +8,7 @@ window.MathJax = {
   SVG: { scale: 95 }
 };
 
-// Search in pages that are opened as files: browsers start no workers from files and read none. A frame without an
+// Pages that are opened as files have a search, too: browsers start no workers from files and read none. A frame without an
 // address, which has the page's own rights, stands for the worker, and a script has the index.
 if (location.protocol === "file:") {
   const base = new URL(".", document.currentScript.src);

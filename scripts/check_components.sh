@@ -108,7 +108,7 @@ for build in "${builds[@]}"; do
   }
   say "$name"
   check_library "$folder" "${components[@]}"
-  # Only without SuiteSparse is there an archive of each library: Debian has none of METIS.
+  # Debian has no archive of METIS, which SuiteSparse needs; all other libraries have one.
   if [[ " ${components[*]} " != *" CHOLMOD "* && " ${components[*]} " != *" UMFPACK "* ]]; then
     cmake --install "$folder" --prefix "$work/prefix" >/dev/null
     bash tests/package/pkg_config.sh "$work/prefix" whole c cc "$work/consumer" || fail "$name: a program without shared libraries"

@@ -120,7 +120,8 @@ def check():
             wrong.append(f"docs/mkdocs.yml does not name docs/{name}")
     for page in pages():
         # Lines of api.md are wrapped where its generator can; messages come in one line.
-        lines = re.sub(r"^```text$.*?^```$", lambda m: "\n" * m[0].count("\n"), page.read_text(encoding="utf-8"), flags=re.M | re.S)
+        lines = re.sub(r"^```text$.*?^```$", lambda m: "\n" * m[0].count("\n"), page.read_text(encoding="utf-8"),
+                       flags=re.M | re.S)
         for number, line in enumerate(lines.splitlines(), 1):
             if len(line.rstrip()) > 120 and page.name != "api.md" and not re.match(r"\s*(\||#|!\[|<!--)|    |- `", line) and "](" not in line:
                 wrong.append(f"{page.relative_to(ROOT)}:{number}: {len(line)} characters")
@@ -152,10 +153,11 @@ def with_programs(page, text):
 
 
 def tabbed(text):
-    """Makes tabs of MkDocs from what stands between <!-- tabs --> and <!-- end of tabs -->: a line **Name** begins each."""
+    """Makes tabs of MkDocs of what stands between <!-- tabs --> and <!-- end of tabs -->; a line **Name** begins one."""
     def tabs(match):
         parts = re.split(r"^\*\*(.+)\*\*$", match.group(1), flags=re.M)[1:]
-        return "".join(f'=== "{name}"\n' + re.sub(r"^(?=.)", "    ", body, flags=re.M) for name, body in zip(parts[::2], parts[1::2]))
+        bodies = (re.sub(r"^(?=.)", "    ", body, flags=re.M) for body in parts[1::2])
+        return "".join(f'=== "{name}"\n{body}' for name, body in zip(parts[::2], bodies))
     return re.sub(r"^<!-- tabs -->$\n(.*?)^<!-- end of tabs -->$", tabs, text, flags=re.M | re.S)
 
 
@@ -167,7 +169,8 @@ def searchable(folder):
         text = page.read_text(encoding="utf-8")
         page.write_text(text.replace("</head>", f'<script src="{up}site.js"></script></head>', 1), encoding="utf-8")
     index = (folder / "search/search_index.json").read_text(encoding="utf-8")
-    (folder / "search/search_index.js").write_text(f"var __search = {{ index: Promise.resolve({index}) }}", encoding="utf-8")
+    script = f"var __search = {{ index: Promise.resolve({index}) }}"
+    (folder / "search/search_index.js").write_text(script, encoding="utf-8")
 
 
 def stage(folder):

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """modes.py [railway] [bearings] [finite_elements] [research]: measures what the modes of docs/start/*.md cost and give.
 
-Needs the Python package. Writes the tables into the pages, between <!-- modes: NAME --> and <!-- end of modes -->. Times
-are of processor, of one thread. Without names: all four.
+Needs the Python package. Writes the tables into the pages, between <!-- modes: NAME --> and <!-- end of modes -->.
+Times are of processor, of one thread. Without names: all four.
 """
 
 import math
@@ -53,10 +53,17 @@ def steel(owner, young=210000, poisson=0.28):
 
 
 def measured(contact, again):
-    """Solves from nothing, then as `again` changes the case; returns both times (the median of five) and the first case."""
+    """Solves from nothing, then as `again` changes the case five times; returns the first time, the median of the
+    others, and of the first case the tangential force, the largest pressure and the approach."""
     first = seconds(contact.solve)
     answer = np.array(contact.resultant()[0][:2]), contact.stat("max_pressure"), contact.motion()[0]
     return first, statistics.median(seconds(lambda k=k: (again(k), contact.solve())) for k in range(1, 6)), *answer
+
+
+def by_pressure_and_approach(rows):
+    return "| mode | gives | first | again | largest pressure off | approach off |", [
+        f"| {name} | {gives} | {spent(first)} | {spent(again)} | {off(abs(pressure / rows[-1][5] - 1))} | "
+        f"{off(abs(approach / rows[-1][6] - 1))} |" for name, gives, first, again, _, pressure, approach in rows]
 
 
 def railway():
@@ -102,15 +109,20 @@ def railway():
 
 
 def bearings():
+    def grid(along, across):
+        return lambda contact: contact.frame_rectangle("quad4", along, across, -0.18, 0.18, -4.9, 4.9)
+
+    def tilt(contact, k):
+        contact.set_pose(2, [[1, 0, 0], [0, 1, -1e-5 * k], [0, 1e-5 * k, 1]])
+
     rows = []
     for name, gives, set_up in (
             ("no frame, `frame_accuracy` 0.05", "strips of the library's own", lambda c: c.set("frame_accuracy", 0.05)),
             ("no frame, 0.005 (standard)", "the same", lambda c: None),
             ("no frame, 0.002", "the same", lambda c: c.set("frame_accuracy", 0.002)),
-            ("`frame_rectangle`, 16 x 64 quad4", "your own grid, FFT",
-             lambda c: c.frame_rectangle("quad4", 16, 64, -0.18, 0.18, -4.9, 4.9)),
-            ("`frame_rectangle`, 32 x 128", "the same", lambda c: c.frame_rectangle("quad4", 32, 128, -0.18, 0.18, -4.9, 4.9)),
-            ("`frame_rectangle`, 128 x 512", "the same", lambda c: c.frame_rectangle("quad4", 128, 512, -0.18, 0.18, -4.9, 4.9))):
+            ("`frame_rectangle`, 16 x 64 quad4", "your own grid, FFT", grid(16, 64)),
+            ("`frame_rectangle`, 32 x 128", "the same", grid(32, 128)),
+            ("`frame_rectangle`, 128 x 512", "the same", grid(128, 512))):
         owner = context()
         ring, roller = steel(owner, 208e3, 0.3)
         ring.set_profile_shape("line", [10, 0])
@@ -121,10 +133,8 @@ def bearings():
         contact.set_friction(0.05)
         contact.prescribe("normal", "force", 1500)
         set_up(contact)
-        rows.append((name, gives, *measured(contact, lambda k: contact.set_pose(2, [[1, 0, 0], [0, 1, -1e-5 * k], [0, 1e-5 * k, 1]]))))
-    return "| mode | gives | first | again | largest pressure off | approach off |", [
-        f"| {name} | {gives} | {spent(a)} | {spent(b)} | {off(abs(p / rows[-1][5] - 1))} | {off(abs(d / rows[-1][6] - 1))} |"
-        for name, gives, a, b, _, p, d in rows]
+        rows.append((name, gives, *measured(contact, lambda k, contact=contact: tilt(contact, k))))
+    return by_pressure_and_approach(rows)
 
 
 def block(owner, size, kind="fem"):
@@ -155,7 +165,8 @@ def finite_elements():
                 ("half-space", "no edges, no bottom", lambda owner: steel(owner, 1e4, 0.3)[0]),
                 ("`fem`, 2 mm", "stresses inside, supports", lambda owner: block(owner, 2)),
                 ("`fem`, 1 mm", "the same", lambda owner: block(owner, 1)),
-                ("`fem`, 1 mm, `rollcon_body_load`", "prepared once and saved", lambda owner: rc.Body.load(owner, path)),
+                ("`fem`, 1 mm, `rollcon_body_load`", "prepared once and saved",
+                 lambda owner: rc.Body.load(owner, path)),
                 ("`fem`, 0.5 mm", "the same", lambda owner: block(owner, 0.5)),
                 ("`fem`, 0.4 mm", "the same", lambda owner: block(owner, 0.4))):
             owner, kept = context(), []
@@ -173,9 +184,7 @@ def finite_elements():
             contact = kept[0]
             first, again, *answer = measured(contact, lambda k, contact=contact: contact.set_creep(-0.002 - 1e-5 * k))
             rows.append((name, gives, made + first, again, *answer))
-    return "| mode | gives | first | again | largest pressure off | approach off |", [
-        f"| {name} | {gives} | {spent(a)} | {spent(b)} | {off(abs(p / rows[-1][5] - 1))} | {off(abs(d / rows[-1][6] - 1))} |"
-        for name, gives, a, b, _, p, d in rows]
+    return by_pressure_and_approach(rows)
 
 
 def research():
@@ -196,7 +205,8 @@ def research():
             ("`frame_ellipse`, 24 x 16", "a frame that stays", lambda c: c.frame_ellipse(24, 16, 6.7, 5.1)),
             ("`frame_rectangle`, 32 x 32 quad4", "a grid, FFT", grid(32)),
             ("`frame_rectangle`, 64 x 64", "the same", grid(64)),
-            ("64 x 64, `convection` least_squares", "the same, better under spin", grid(64, convection="least_squares")),
+            ("64 x 64, `convection` least_squares", "the same, better under spin",
+             grid(64, convection="least_squares")),
             ("`frame_rectangle`, 512 x 512, least_squares", "the same", grid(512, convection="least_squares"))):
         owner = context()
         contact = rc.Contact(owner, *steel(owner))
@@ -207,9 +217,10 @@ def research():
         contact.prescribe("normal", "force", 80000)
         set_up(contact)
         rows.append((name, gives, *measured(contact, lambda k: contact.set_creep(-0.001 - 1e-5 * k, 0.0005, 1e-4))))
+    force, largest = rows[-1][4:6]
     return "| mode | gives | first | again | force off | largest pressure off |", [
-        f"| {name} | {gives} | {spent(a)} | {spent(b)} | {off(np.hypot(*(f - rows[-1][4])) / np.hypot(*rows[-1][4]))} | "
-        f"{off(abs(p / rows[-1][5] - 1))} |" for name, gives, a, b, f, p, _ in rows]
+        f"| {name} | {gives} | {spent(a)} | {spent(b)} | {off(np.hypot(*(f - force)) / np.hypot(*force))} | "
+        f"{off(abs(p / largest - 1))} |" for name, gives, a, b, f, p, _ in rows]
 
 
 def main():
@@ -219,7 +230,8 @@ def main():
         page = DOCS / f"{name}.md"
         words = (f"<!-- modes: {name} -->\n{head}\n{'| --- ' * head.count(' | ')}| --- |\n" + "\n".join(rows) +
                  f"\n\n`python3 scripts/modes.py {name}` makes this table.\n<!-- end of modes -->")
-        page.write_text(re.sub(r"<!-- modes: .*<!-- end of modes -->", lambda _: words, page.read_text(encoding="utf-8"), flags=re.S),
+        old = page.read_text(encoding="utf-8")
+        page.write_text(re.sub(r"<!-- modes: .*<!-- end of modes -->", lambda _, words=words: words, old, flags=re.S),
                         encoding="utf-8")
         print(words)
 

@@ -2,15 +2,15 @@
 """run_documents.py [--pictures | --install] PREFIX [FILE...]: runs what documents show, as their reader would type it.
 
 The reader has installed rollcon in ~/rollcon (a link to PREFIX), and nothing else: variables are those of a login. Of
-each page, blocks with a title are files (blocks of one title are one file), and so are programs of examples/ that a page
-names by a link alone in its line. Blocks of sh are typed in their order, into one shell, in a folder of the page's own.
-A block of text after one is what it must print: numbers within 1 %, everything else to the letter. Between <!-- tabs -->
-and <!-- end of tabs --> a page says the same in several languages; a block of text behind them is what each block of sh
-there prints. Blocks of C, Fortran, Python and MATLAB without a title are programs by themselves: they are compiled, or
-run. Blocks that call octave-cli are passed over where it is not installed. Blocks of sh entitled "install" need the
-network, root or minutes: --install runs those of README.md alone, in a copy of the sources. Without files: all pages
-that have such blocks. A picture of docs/images that a page shows must come out under its name where the page saves it;
---pictures puts the new ones there.
+each page, blocks with a title are files (blocks of one title are one file), and so are programs of examples/ that a
+page names by a link alone in its line. Blocks of sh are typed in their order, into one shell, in a folder of the page's
+own. A block of text after one is what it must print: numbers within 1 %, everything else to the letter. Between <!--
+tabs --> and <!-- end of tabs --> a page says the same in several languages; a block of text behind them is what each
+block of sh there prints. Blocks of C, Fortran, Python and MATLAB without a title are programs by themselves: they are
+compiled, or run. Blocks that call octave-cli are passed over where it is not installed. Blocks of sh entitled "install"
+need the network, root or minutes: --install runs those of README.md alone, in a copy of the sources. Without files: all
+pages that have such blocks. A picture of docs/images that a page shows must come out under its name where the page
+saves it; --pictures puts the new ones there.
 """
 
 import os
@@ -28,14 +28,14 @@ NUMBER = re.compile(r"[-+]?\d+\.?\d*(?:[eE][-+]?\d+)?")
 MARK = "=== block"
 OCTAVE = bool(shutil.which("octave-cli") and shutil.which("mkoctfile"))
 SETTINGS = "source ~/rollcon/share/rollcon/environment.sh\n"
-# What types a program without a title, which reads the program from its standard input.
+# The commands for programs without a title, which they read from their standard input.
 ALONE = {"python": "python3 -", "matlab": "octave-cli -q", "fortran": "gfortran -fsyntax-only -x f95 -",
          "c": "cc -fsyntax-only $(pkg-config --cflags rollcon) -x c -"}
 
 
 def pages():
-    found = [ROOT / "README.md", ROOT / "bindings/python/README.md", ROOT / "fortran/README.md", *sorted((ROOT / "docs").rglob("*.md"))]
-    return [page for page in found if any(b[0] in ("sh", *ALONE) for b in BLOCK.findall(page.read_text(encoding="utf-8")))]
+    return [page for page in (ROOT / "README.md", ROOT / "fortran/README.md", *sorted((ROOT / "docs").rglob("*.md")))
+            if any(block[0] in ("sh", *ALONE) for block in BLOCK.findall(page.read_text(encoding="utf-8")))]
 
 
 def same(printed, wanted):
@@ -112,8 +112,8 @@ def install():
     with tempfile.TemporaryDirectory() as work:
         home, sources = pathlib.Path(work) / "home", pathlib.Path(work) / "sources"
         home.mkdir()
-        tracked = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True).stdout
-        for name in tracked.split("\0")[:-1]:
+        tracked = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True)
+        for name in tracked.stdout.split("\0")[:-1]:
             (sources / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(ROOT / name, sources / name)
         for language, title, text, _ in BLOCK.findall((ROOT / "README.md").read_text(encoding="utf-8")):
@@ -142,7 +142,8 @@ def check(chosen, prefix):
                     shutil.copy(folder / name, ROOT / "docs/images" / name)
             failed += bool(wrong)
             without = "octave-cli" in page.read_text(encoding="utf-8") and not OCTAVE
-            said = f"FAILED: {wrong}" if wrong else "runs as it says" + ", but for Octave, which is not installed" * without
+            passed = "runs as it says" + ", but for Octave, which is not installed" * without
+            said = f"FAILED: {wrong}" if wrong else passed
             print(f"{page.relative_to(ROOT)}: {said}", flush=True)
     return 1 if failed else 0
 
@@ -153,7 +154,8 @@ def main():
         return install()
     if not arguments:
         sys.exit(__doc__)
-    return check([pathlib.Path(name).resolve() for name in arguments[1:]] or pages(), pathlib.Path(arguments[0]).resolve())
+    prefix, *names = (pathlib.Path(name).resolve() for name in arguments)
+    return check(names or pages(), prefix)
 
 
 if __name__ == "__main__":

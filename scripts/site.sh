@@ -13,7 +13,7 @@ codespell --quiet-level 3 --ignore-words-list tread,cant,statics,fro,numer,mater
 "$python" scripts/documents.py stage build/site/pages
 /usr/bin/mkdocs build --quiet --strict --config-file docs/mkdocs.yml
 "$python" scripts/documents.py search build/site/html
-# Of MathJax what sets the formulas of these pages as SVG, without fonts that a browser does not load from a file.
+# This part of MathJax sets formulas as SVG, without fonts, which a browser does not load from a file.
 mathjax=/usr/share/javascript/mathjax
 for part in MathJax.js config/TeX-AMS_SVG-full.js extensions jax/element jax/input/TeX jax/output/SVG/{autoload,fonts/TeX} \
   jax/output/SVG/{config,jax}.js; do

@@ -2,7 +2,7 @@
 
 from generator import reference_fortran, reference_python
 
-# Task and names of C functions without rollcon_. Each function must be there; each layer's name is looked up.
+# Tasks, each with names of C functions without rollcon_. The names in the other layers are looked up.
 TASKS = [
     ("Begin and end", [
         ("begin; one for each thread of your own", ["context_create"]),

@@ -8,6 +8,8 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(sys.argv[1]) / "scripts"))
 import run_documents  # noqa: E402
 
+SHELL = "export SET='by the installation' PKG_CONFIG_PATH=$HOME\n"
+PACKAGE = "Name: rollcon\nDescription: none\nVersion: 0\nCflags:\n"
 SETTINGS = "source ~/rollcon/share/rollcon/environment.sh\n"
 
 
@@ -35,10 +37,11 @@ PAGES = [
     ("a program without a title that fails", "```python\nprint(\n```\n", "status 1"),
     ("a fragment of C", "```c\nint f(void) { return 1 }\n```\n", "status 1"),
     ("tabs", "<!-- tabs -->\n" + sh("echo 1") + sh("echo 1") + "<!-- end of tabs -->\n" + prints("1"), ""),
-    ("tabs of which one differs", "<!-- tabs -->\n" + sh("echo 2") + sh("echo 1") + "<!-- end of tabs -->\n" + prints("1"), "prints"),
+    ("tabs of which one differs",
+     "<!-- tabs -->\n" + sh("echo 2") + sh("echo 1") + "<!-- end of tabs -->\n" + prints("1"), "prints"),
     ("an installation", '```sh title="install"\nfalse\n```\n', ""),
-    ("a picture that nothing draws", "![x](images/y.png)\n" + '```python title="c.py"\nx.savefig("y.png")\n```\n' + sh("true"),
-     "draws no y.png"),
+    ("a picture that nothing draws",
+     "![x](images/y.png)\n" + '```python title="c.py"\nx.savefig("y.png")\n```\n' + sh("true"), "draws no y.png"),
 ]
 
 
@@ -49,8 +52,8 @@ def main():
             work = pathlib.Path(work)
             settings = work / "home/rollcon/share/rollcon"
             settings.mkdir(parents=True)
-            (settings / "environment.sh").write_text("export SET='by the installation' PKG_CONFIG_PATH=$HOME\n", encoding="utf-8")
-            (work / "home/rollcon.pc").write_text("Name: rollcon\nDescription: none\nVersion: 0\nCflags:\n", encoding="utf-8")
+            (settings / "environment.sh").write_text(SHELL, encoding="utf-8")
+            (work / "home/rollcon.pc").write_text(PACKAGE, encoding="utf-8")
             (work / "examples").mkdir()
             (work / "examples/b.py").write_text("print(4)\n", encoding="utf-8")
             (work / "folder").mkdir()
