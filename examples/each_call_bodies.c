@@ -136,6 +136,7 @@ static void pressed(rollcon_context* context) {
   must(rollcon_contact_get_fields_at(contact, ROLLCON_BODY1, 1, inside, ROLLCON_IN_BODY, NULL, stress));
   printf("below the ball it is pressed by %.2f\n", -stress[0]);
   must(rollcon_contact_write_body(contact, ROLLCON_BODY1, "each_call.vtu"));
+  must(rollcon_contact_write_loads(contact, ROLLCON_BODY1, "each_call.inp"));
   rollcon_contact_release(contact);
   rollcon_body_release(ball);
   rollcon_body_release(bar);

@@ -1391,6 +1391,16 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_contact_write_body
 
+    function rollcon_contact_write_loads(contact, which, path) &
+        result(rc) bind(C, name="rollcon_contact_write_loads")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t), value :: which
+      character(kind=c_char), intent(in) :: path(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_write_loads
+
     function rollcon_contact_get_temperatures_at(contact, n, xy, temperature) &
         result(rc) bind(C, name="rollcon_contact_get_temperatures_at")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr

@@ -54,6 +54,7 @@ module rollcon_contact_plain
     procedure :: get_motion => contact_get_motion
     procedure :: get_tilt => contact_get_tilt
     procedure :: get_sensitivity => contact_get_sensitivity
+    procedure :: write_loads => contact_write_loads
     procedure :: get_fatigue_index => contact_get_fatigue_index
     procedure :: get_equivalent_ellipse => contact_get_equivalent_ellipse
     procedure :: get_stat => contact_get_stat
@@ -766,6 +767,25 @@ contains
     creep = 0
     call finish(rollcon_contact_get_sensitivity(self%p, parameter, force, moment, approach, creep), self%p, &
       'rc_contact%get_sensitivity', stat, errmsg)
+  end subroutine
+
+  !> Writes what the contact does to a body with a mesh as forces on the body's own nodes, in its axes: the integrals of
+  !> the last solve's tractions times the nodes' shape functions. A name that ends in .inp gets *CLOAD cards of Abaqus
+  !> and CalculiX, of components that are not zero; one that ends in .mtx a MatrixMarket vector of x, y, z of each node
+  !> in the order of the body. Nodes have the numbers of the file that the mesh was read from; of arrays the first is 1.
+  !> The sums of force and moment are those of the contact (rollcon_contact_get_resultant; the second body takes the
+  !> opposite): a frame and curved faces under it are not one surface, and what is missing is spread linearly over the
+  !> loaded nodes. The file tells the resultant about the origin of the body's axes, and by how much that moved the
+  !> forces. Forces of the body's own loads and supports are not among them. ROLLCON_ERR_UNSUPPORTED: a body without a
+  !> mesh, or a build without finite elements.
+  subroutine contact_write_loads(self, which, path, stat, errmsg)
+    class(rc_contact_plain), intent(in) :: self
+    integer(rc_int), intent(in) :: which
+    character(len=*), intent(in) :: path
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_write_loads(self%p, which, c_text(path)), self%p, 'rc_contact%write_loads', stat, &
+      errmsg)
   end subroutine
 
   !> Returns the index of surface-initiated rolling contact fatigue, FI = sqrt(F1^2 + F2^2)/Fn - 2 A k/(3 Fn), with the

@@ -1232,6 +1232,15 @@ subroutine rcwbod(icon, iwhich, path, ierr)
   ierr = rollcon_contact_write_body(contact_of(icon), narrow(iwhich), c_text(path))
 end subroutine
 
+!> Writes what the contact does to a body with a mesh as forces on the body's own nodes, in its axes.
+subroutine rcwlds(icon, iwhich, path, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, iwhich, ierr
+  character(len=*) :: path
+  ierr = rollcon_contact_write_loads(contact_of(icon), narrow(iwhich), c_text(path))
+end subroutine
+
 !> Returns temperatures of the surfaces of both bodies at any points of the plane of the axes by the frictional h.
 subroutine rctmps(icon, n, xy, temperature, ierr)
   use rollcon_f77_support

@@ -1907,6 +1907,27 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_write_body(
     const rollcon_contact *contact, int32_t which, const char *path);
 
 /*
+ * Writes what the contact does to a body with a mesh as forces on the body's own nodes, in its
+ * axes: the integrals of the last solve's tractions times the nodes' shape functions. A name that
+ * ends in .inp gets *CLOAD cards of Abaqus and CalculiX, of components that are not zero; one
+ * that ends in .mtx a MatrixMarket vector of x, y, z of each node in the order of the body. Nodes
+ * have the numbers of the file that the mesh was read from; of arrays the first is 1. The sums of
+ * force and moment are those of the contact (rollcon_contact_get_resultant; the second body takes
+ * the opposite): a frame and curved faces under it are not one surface, and what is missing is
+ * spread linearly over the loaded nodes. The file tells the resultant about the origin of the
+ * body's axes, and by how much that moved the forces. Forces of the body's own loads and supports
+ * are not among them. ROLLCON_ERR_UNSUPPORTED: a body without a mesh, or a build without finite
+ * elements.
+ *   which    ROLLCON_BODY1 or ROLLCON_BODY2
+ *   path     name of the file, which ends in .inp or .mtx; an existing one is replaced
+ * Also returns: ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_IO,
+ *   ROLLCON_ERR_MEMORY.
+ * Source: docs/howto/calculix.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_write_loads(
+    const rollcon_contact *contact, int32_t which, const char *path);
+
+/*
  * Returns temperatures of the surfaces of both bodies at any points of the plane of the axes by
  * the frictional heat of the last solve, steady rolling, and what the bodies have far away
  * (rollcon_contact_set_heat): before the contact, in it, where both have the same, and behind it.

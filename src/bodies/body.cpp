@@ -47,6 +47,7 @@ std::shared_ptr<Body> Body::copy() const {
   to.contact_material = model_->contact_material;
   body->options_ = options_;
   body->group_ = group_;
+  body->number_ = number_;
   return body;
 }
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,6 +42,8 @@ class Body {
   /// Gives a tag to the elements of a group of that file and to its faces; a group of nodes alone names the faces
   /// between them. err_argument: no such group.
   void tag_group(const char* name, std::int32_t tag);
+  /// Returns the numbers of a prepared body's nodes in the mesh's file; empty: they count from 1.
+  std::span<const std::int64_t> node_numbers() const;
   std::int32_t group_count() const;
   std::string group_name(std::int64_t i) const;
   std::vector<std::int32_t> group_nodes(const char* name) const;  ///< nodes counted from 0, ascending
@@ -194,7 +197,8 @@ class Body {
   bool shared_equations_ = false;     ///< a body under other loads had the equations
   std::shared_ptr<BodyModel> model_;  ///< the body's own model until prepared
   BodyOptions options_;
-  std::vector<BodyGroup> group_;  ///< groups of the file that the mesh came from
+  std::vector<BodyGroup> group_;      ///< groups of the file that the mesh came from
+  std::vector<std::int64_t> number_;  ///< numbers of the nodes in that file; empty: they count from 1
 };
 
 }  // namespace rollcon

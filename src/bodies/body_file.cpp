@@ -1,11 +1,12 @@
-/// Prepared bodies to and from files. Sections: "body", what was given; "relax", how a material relaxes; of bodies with
-/// equations "response", numbers about them and the displacements under the body's own loads; "factors", the factorised
-/// matrix (boundary elements: all of it; finite elements: what is condensed); "kept", the responses to frames. Whatever
-/// else a body has is found again from the mesh.
+/// Prepared bodies to and from files. Sections: "body", what was given; "relax", how a material relaxes; "numbers",
+/// those of the nodes in the mesh's file; of bodies with equations "response", numbers about them and the displacements
+/// under the body's own loads; "factors", the factorised matrix (boundary elements: all of it; finite elements: what is
+/// condensed); "kept", the responses to frames. Whatever else a body has is found again from the mesh.
 
 #include <utility>
 
 #include "bodies/body.hpp"
+#include "bodies/model/archive.hpp"
 #include "build_info.hpp"
 #include "io/section_file.hpp"
 #include "rollcon.h"
@@ -29,6 +30,11 @@ void Body::save(const std::string& path) {
   prepare();
   SectionWriter file(path, body_file);
   write_content(*model_, file);
+  if (!number_.empty()) {
+    file.begin("numbers");
+    OutArchive ar(file);
+    ar(number_);
+  }
   if (response() && response()->saved()) response()->saved()->save(file, own());
   file.commit();
 }
@@ -49,6 +55,13 @@ std::shared_ptr<Body> Body::load(std::shared_ptr<Context> context, const std::st
                          e.status() == Status::err_argument || e.status() == Status::err_singular;
     if (!unsound) throw;
     file.fail_here(e.what());
+  }
+  if (file.has("numbers")) {
+    file.begin("numbers");
+    InArchive ar(file);
+    ar(body->number_);
+    file.end();
+    if (std::ssize(body->number_) != body->size().first) file.fail_here("counts of nodes and numbers do not match");
   }
   file.verify_rest();
   return body;

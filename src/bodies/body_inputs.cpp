@@ -124,6 +124,7 @@ void Body::set_nodes(std::int64_t n, const double* x, std::int64_t node_stride, 
   BodyMesh mesh = empty_mesh(n, x, node_stride, component_stride);
   std::swap(given(), mesh);
   group_.clear();
+  number_.clear();
 }
 
 void Body::add_elements(std::int32_t type, std::int64_t n, const std::int32_t* connectivity, std::int32_t index_base,

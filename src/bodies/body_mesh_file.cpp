@@ -109,6 +109,7 @@ void Body::read_mesh(const char* path, const char* part) {
   for (const MeshGroup& g : file.group) groups.push_back(group_of(g, file, mesh.volume));
   std::swap(given(), mesh);
   std::swap(group_, groups);
+  number_ = file.number;
 }
 
 const BodyGroup& Body::group(const char* name) const {
@@ -136,6 +137,10 @@ void Body::tag_group(const char* name, std::int32_t tag) {
   }
   for (const std::int32_t e : g.element) tags[static_cast<std::size_t>(e)] = tag;
   mesh.boundary_current = false;
+}
+
+std::span<const std::int64_t> Body::node_numbers() const {
+  return traits_.section ? std::span<const std::int64_t>{} : number_;  // a section's surface has nodes of its own
 }
 
 std::int32_t Body::group_count() const {

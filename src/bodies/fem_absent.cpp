@@ -1,6 +1,7 @@
 /// Stands for finite-element bodies, and those given by sections, in a build without them.
 
 #include "bodies/model/mesh_models.hpp"
+#include "bodies/nodal_loads.hpp"
 #include "support/error.hpp"
 
 namespace rollcon::fem {
@@ -42,3 +43,15 @@ std::unique_ptr<Condensed> make_response(const BodyMesh& /*mesh*/, const Tractio
 }
 
 }  // namespace rollcon::section
+
+namespace rollcon {
+
+NodalLoads nodal_loads(const Frame& /*frame*/, const PairOfBodies& /*pair*/, int /*which*/,
+                       std::span<const double> /*traction*/, const Resultant& /*contact*/) {
+  fail(
+      Status::err_unsupported,
+      "this build of rollcon puts no contact on nodes (component FEM: ROLLCON_WITH_FEM is OFF, or CHOLMOD is not built "
+      "in)");
+}
+
+}  // namespace rollcon

@@ -453,6 +453,13 @@ rollcon_status rollcon_contact_reset(rollcon_contact *contact) {
   });
 }
 
+rollcon_status rollcon_contact_write_loads(const rollcon_contact *contact, int32_t which,
+    const char *path) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    self.write_loads(which, path);
+  });
+}
+
 rollcon_status rollcon_contact_get_stat(const rollcon_contact *contact, const char *name,
     double *value) {
   return with_contact(__func__, contact, [&](Contact& self) {

@@ -103,6 +103,8 @@ class Contact {
   std::int64_t body_displacements(std::int32_t body, double* u) const;
   /// Writes the body's elements and fields as a VTU file. err_io.
   void write_body(std::int32_t body, const char* path) const;
+  /// Writes the forces of the last solution on the body's nodes, see nodal_loads and write_loads.
+  void write_loads(std::int32_t body, const char* path) const;
   /// Adds worn volumes as add_wear() (contact/results/wear.hpp) does.
   double wear(const WearLaw& law, std::span<const double> y, double share, double* volume) const;
   /// Returns the least and the greatest t2 of nodes in contact; without contact the first is above the second.

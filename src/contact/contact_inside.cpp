@@ -1,13 +1,16 @@
 /// Finds displacements, strains and stresses in and on the bodies under the last solution.
 
 #include <algorithm>
+#include <cstdio>
 #include <iterator>
 
 #include "bodies/body_results.hpp"
+#include "bodies/nodal_loads.hpp"
 #include "contact/contact.hpp"
 #include "contact/prepare/lattice_scene.hpp"
 #include "contact/results/stresses.hpp"
 #include "contact/solver.hpp"
+#include "io/load_file.hpp"
 #include "support/input_checks.hpp"
 
 namespace rollcon {
@@ -95,6 +98,22 @@ std::int64_t Contact::body_displacements(std::int32_t body, double* u) const {
 
 void Contact::write_body(std::int32_t body, const char* path) const {
   rollcon::write_body(this->body(body), surface_state(body), path);
+}
+
+void Contact::write_loads(std::int32_t body, const char* path) const {
+  if (body != 1 && body != 2) fail(Status::err_argument, "which is %d; allowed: 1, 2", body);
+  require_pointer(path, "path");
+  const auto [force, moment] = solver->loads();
+  const Solution& s = solver->solution();
+  const NodalLoads loads =
+      nodal_loads(s.prepared->frame, s.prepared->pair, body - 1, tractions_by_node(s), {force, moment});
+  const Vec3 &f = loads.sum.force, &m = loads.sum.moment;
+  char title[400];
+  std::snprintf(title, sizeof title,
+                "Contact of rollcon on body %d: force %.9e %.9e %.9e\nmoment about the origin %.9e %.9e %.9e; to have "
+                "them, forces moved by up to %.1e of the largest",
+                body, f[0], f[1], f[2], m[0], m[1], m[2], loads.moved);
+  rollcon::write_loads(path, loads.force, this->body(body).node_numbers(), title);
 }
 
 void Contact::fields_at(std::int32_t body, bool in_body, std::int64_t n, const double* xyz, double* u,

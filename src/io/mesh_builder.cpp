@@ -53,6 +53,7 @@ void MeshBuilder::add_node(std::int64_t number, const Vec3& x, std::int64_t at) 
   for (const double c : x)
     if (!std::isfinite(c)) fail_(at, "a coordinate of node " + std::to_string(number) + " is not finite");
   nodes_.add(number);
+  file_.number.push_back(number);
   node_at_.push_back(at);
   file_.node.push_back(x);
 }

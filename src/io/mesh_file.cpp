@@ -86,6 +86,7 @@ MeshFile part_of(const MeshFile& file, const std::string& path, const std::strin
     if (used[i] == 0) continue;
     node[i] = static_cast<std::int32_t>(result.nodes());
     result.node.push_back(file.node[i]);
+    result.number.push_back(file.number[i]);
   }
   for (const bool surfaces : {false, true}) {  // volumes first
     for (std::int64_t e = 0; e < file.elements(); ++e) {

@@ -28,6 +28,7 @@ struct MeshGroup {
 /// Holds a file's mesh, its nodes and elements counted from 0 in the order of the file, whatever their numbers there.
 struct MeshFile {
   std::vector<Vec3> node;
+  std::vector<std::int64_t> number;     ///< number of each node in the file
   std::vector<std::int32_t> type;       ///< type of each element: a number of VolumeType or ElementType; 0: a point or
                                         ///< line
   std::vector<std::int32_t> tag;        ///< tag of each element: Gmsh's physical group, else 0

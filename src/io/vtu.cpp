@@ -1,17 +1,9 @@
 #include "io/vtu.hpp"
 
-#include <unistd.h>
-
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
-#include <filesystem>
-#include <new>
-#include <system_error>
 
-#include "io/part_file.hpp"
+#include "io/whole_file.hpp"
 #include "support/error.hpp"
 
 namespace rollcon {
@@ -149,37 +141,6 @@ std::string file_text(const SurfaceMesh& mesh, const Cells& cells, std::span<con
   return out.str();
 }
 
-[[noreturn]] void fail_io(const std::string& path, int error) {
-  if (error == ENOMEM) throw std::bad_alloc();
-  fail(Status::err_io, "cannot write '%s': %s", path.c_str(), std::generic_category().message(error).c_str());
-}
-
-void write_file(const std::string& name, const std::string& text) {
-  std::string path = name, part;
-  const int descriptor = open_part(path, part);
-  if (descriptor < 0) fail_io(path, errno);
-  std::FILE* file = fdopen(descriptor, "wb");
-  if (!file) {
-    const int error = errno;
-    close(descriptor);
-    std::remove(part.c_str());
-    fail_io(path, error);
-  }
-  errno = 0;
-  bool good = std::fwrite(text.data(), 1, text.size(), file) == text.size();
-  int error = errno;
-  // Closing writes what is buffered: a full disk may only show here.
-  if (std::fclose(file) != 0 && good) good = false, error = errno;
-  if (good) {
-    std::error_code renamed;
-    std::filesystem::rename(part, path, renamed);
-    if (!renamed) return;
-    error = renamed.value();
-  }
-  std::remove(part.c_str());
-  fail_io(path, error);
-}
-
 void check_finite(std::span<const PointArray> arrays, const SurfaceMesh& mesh) {
   for (const PointArray& array : arrays)
     if (array.real) check_finite(array, mesh);
@@ -189,13 +150,13 @@ void check_finite(std::span<const PointArray> arrays, const SurfaceMesh& mesh) {
 
 void write_vtu(const std::string& path, const SurfaceMesh& mesh, std::span<const PointArray> arrays) {
   check_finite(arrays, mesh);
-  write_file(path, file_text(mesh, mesh, arrays));
+  write_whole_file(path, file_text(mesh, mesh, arrays));
 }
 
 void write_vtu(const std::string& path, const SurfaceMesh& surface, const VolumeElements& volume,
                std::span<const PointArray> arrays) {
   check_finite(arrays, surface);
-  write_file(path, file_text(surface, volume, arrays));
+  write_whole_file(path, file_text(surface, volume, arrays));
 }
 
 }  // namespace rollcon

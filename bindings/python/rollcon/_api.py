@@ -372,6 +372,7 @@ FUNCTIONS = {
         c_void_p, c_int32, c_int64,
         POINTER(c_double), POINTER(c_int64)]),
     "rollcon_contact_write_body": (c_int32, [c_void_p, c_int32, c_char_p]),
+    "rollcon_contact_write_loads": (c_int32, [c_void_p, c_int32, c_char_p]),
     "rollcon_contact_get_temperatures_at": (c_int32, [
         c_void_p, c_int64,
         POINTER(c_double), POINTER(c_double)]),
@@ -760,6 +761,7 @@ ARGUMENTS = {
         "")
     ],
     "rollcon_contact_write_body": [("contact", ""), ("which", "body of a contact"), ("path", "")],
+    "rollcon_contact_write_loads": [("contact", ""), ("which", "body of a contact"), ("path", "")],
     "rollcon_contact_get_temperatures_at": [
         ("contact", ""), ("n", ""), ("xy", ""), ("temperature", "")
     ],

@@ -793,6 +793,24 @@ class ContactPlain:
         self._call("get_sensitivity", parameter, force_at, moment_at, byref(approach), creep_at)
         return force, moment, approach.value, creep
 
+    def write_loads(self, which: int | str, path: str | PathLike) -> None:
+        """Writes what the contact does to a body with a mesh as forces on the body's own nodes,
+        in its axes: the integrals of the last solve's tractions times the nodes' shape functions.
+        A name that ends in .inp gets *CLOAD cards of Abaqus and CalculiX, of components that are
+        not zero; one that ends in .mtx a MatrixMarket vector of x, y, z of each node in the order
+        of the body. Nodes have the numbers of the file that the mesh was read from; of arrays the
+        first is 1. The sums of force and moment are those of the contact (resultant(); the second
+        body takes the opposite): a frame and curved faces under it are not one surface, and what
+        is missing is spread linearly over the loaded nodes. The file tells the resultant about
+        the origin of the body's axes, and by how much that moved the forces. Forces of the body's
+        own loads and supports are not among them. ERR_UNSUPPORTED: a body without a mesh, or a
+        build without finite elements.
+
+        which: BODY1 or BODY2.
+        path: name of the file, which ends in .inp or .mtx; an existing one is replaced.
+        """
+        self._call("write_loads", which, c_path(path))
+
     def fatigue_index(self, shear_yield: float) -> float:
         """Returns the index of surface-initiated rolling contact fatigue, FI = sqrt(F1^2 +
         F2^2)/Fn - 2 A k/(3 Fn), with the area A in contact (statistic contact_area; pi a b for an

@@ -143,6 +143,20 @@ std::vector<std::int32_t> marked(const std::vector<std::uint8_t>& wanted) {
 
 }  // namespace
 
+std::vector<std::int64_t> contact_elements_facing(const BodyMesh& mesh, const Vec3& normal) {
+  constexpr double least_cosine = 0.25;
+  std::vector<std::int64_t> face;
+  const SurfaceMesh& surface = mesh.surface;
+  for (const std::int64_t e : contact_elements(mesh)) {
+    const auto nodes = surface.element(e);
+    const auto corner = [&](std::size_t i) { return surface.node[at(nodes[i])]; };
+    const std::size_t last = at(corner_count(surface.type[at(e)])) - 1;
+    const Vec3 n = cross(corner(last - 1) - corner(0), corner(last) - corner(last == 3 ? 1 : 0));
+    if (dot(n, normal) > least_cosine * length(n)) face.push_back(e);
+  }
+  return face;
+}
+
 std::vector<std::int32_t> nodes_of(const SurfaceMesh& surface, const std::vector<std::int64_t>& element) {
   return marked(touched_nodes(surface, element));
 }

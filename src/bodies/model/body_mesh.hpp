@@ -129,6 +129,8 @@ std::vector<std::uint8_t> held_elements(const BodyMesh& mesh);
 
 /// Returns the elements that may come into contact, ascending.
 std::vector<std::int64_t> contact_elements(const BodyMesh& mesh);
+/// Returns those of them whose corners look the way of a normal: walls of the body beside it are left out.
+std::vector<std::int64_t> contact_elements_facing(const BodyMesh& mesh, const Vec3& normal);
 
 /// Returns the given faces' nodes, ascending.
 std::vector<std::int32_t> nodes_of(const SurfaceMesh& surface, const std::vector<std::int64_t>& element);

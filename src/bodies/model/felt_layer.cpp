@@ -33,21 +33,6 @@ void limit_by_thickness(const SurfaceMesh& surface, const std::vector<std::int64
   }
 }
 
-// Finds the contact faces whose corners look the way of the layer; walls of the body beside it are left out.
-std::vector<std::int64_t> facing(const BodyMesh& mesh, const Vec3& normal) {
-  constexpr double least_cosine = 0.25;
-  std::vector<std::int64_t> face;
-  const SurfaceMesh& surface = mesh.surface;
-  for (const std::int64_t e : contact_elements(mesh)) {
-    const auto nodes = surface.element(e);
-    const auto corner = [&](std::size_t i) { return surface.node[at(nodes[i])]; };
-    const std::size_t last = at(corner_count(surface.type[at(e)])) - 1;
-    const Vec3 n = cross(corner(last - 1) - corner(0), corner(last) - corner(last == 3 ? 1 : 0));
-    if (dot(n, normal) > least_cosine * length(n)) face.push_back(e);
-  }
-  return face;
-}
-
 // The half-space under a layer has the material of most of the faces that feel it.
 void choose_material(const FeelingBody& body, SurfaceOutline& rows) {
   std::map<std::pair<double, double>, double> area;
@@ -120,7 +105,7 @@ FeltTractions feel(const FeelingBody& body, const SurfaceMesh& layer, SurfaceOut
   Vec3 normal{0, 0, 0};
   for (std::int64_t e = 0; e < layer.elements(); ++e)
     normal = normal + element_area(layer, e) * unit_normal(layer, e, middle, middle);
-  const std::vector<std::int64_t> candidates = facing(body.mesh, normalized(normal));
+  const std::vector<std::int64_t> candidates = contact_elements_facing(body.mesh, normalized(normal));
   const SurfaceCoupling coupling = couple_layer(surface, candidates, layer);
   // Nothing of such tractions is left to a half-space.
   if (coupling.in_faces && !as_tractions) return {coupling.node, {}, columns_of(coupling, outline.column)};
