@@ -73,6 +73,7 @@ std::vector<Case> linear_solver_cases();
 std::vector<Case> friction_law_cases();
 std::vector<Case> body_cases();
 std::vector<Case> ring_load_cases();
+void ring_sections(Runner& runner);  ///< case of ring_load_cases()
 std::vector<Case> fem_cases();
 std::vector<Case> effectivity_cases();
 std::vector<Case> lame_cases();

@@ -105,6 +105,31 @@ def rings(records, docs):
             + f"\n![rings]({image})\n")
 
 
+def ring_sections(records, docs):
+    rows, by_time = [], defaultdict(list)
+    for r in of_case(records, "ring_sections"):
+        e = r["extra"]
+        rows.append([r["model"], r["mesh"], int(e["body_unknowns"]), percent(e["p0"]), percent(e["approach"]),
+                     percent(r["error"]), percent(e["lateral"]), seconds(e["processor"]),
+                     megabytes(r["peak_bytes"])])
+        worst = max(abs(x) for x in (e["p0"], e["approach"], r["error"], e["lateral"]))
+        by_time[r["model"]].append((e["processor"], worst))
+    if not rows:
+        return ""
+    image = plot(f"{docs}/images/accuracy_bodies_sections.png", "Two rings: worst error of all components",
+                 "processor seconds, arrays to results", "relative difference", by_time)
+    return ("## Sections beside finite and boundary elements\n\n"
+            "The same two rings on one frame, of 24 lines along the contact and 12 across, graded to the contact's "
+            "edges: by sections ([sections](sections.md)), hex20 and quad8 of boundary elements. Pressure in the "
+            "middle, approach, and creepages under a force of 0.6271 mu Fn along and across are compared with a section "
+            f"of 24 x 24 quad8; its pressure is {percent(e['fine_p0'])} off, and its creepage "
+            f"{percent(e['fine_creepage'])} off that of the fine hex20 above. Processor time is that of bodies and "
+            "first solve.\n\n"
+            + table(["by", "mesh", "unknowns of a ring", "pressure", "approach", "creepage along", "across",
+                     "processor", "memory"], rows)
+            + f"\n![sections]({image})\n")
+
+
 def wheel(records, _docs):
     rows = [[r["mesh"], f"{r['value']:.1f} N", percent(r["error"]), f"{r['extra']['p0']:.1f}",
              r["iterations"], seconds(r["seconds"]["assembly"]), seconds(r["seconds"]["factor"]),
@@ -167,7 +192,7 @@ def main():
     text = ["# Bodies with a mesh: accuracy, time and memory\n",
             f"Made by `{command}` on {processor()}, one thread unless said otherwise. Times are "
             "those of single runs on a shared machine, good to a few ten per cent.\n"]
-    for section in (kernel, ring_loads, rings, wheel, growth):
+    for section in (kernel, ring_loads, rings, ring_sections, wheel, growth):
         text.append(section(records, docs))
     with open(f"{docs}/accuracy_bodies.md", "w", encoding="utf-8") as out:
         out.write("\n".join(part.rstrip() + "\n" for part in text if part))

@@ -232,7 +232,8 @@ std::vector<Case> ring_load_cases() {
   return {{"ring_loads", "a ring under pressure, shear and axial load on a patch: boundary elements",
            [](Runner& r) { run(r, "ring_loads", boundary_element_meshes(r.quick)); }},
           {"fem_ring_loads", "the same by finite elements",
-           [](Runner& r) { run(r, "fem_ring_loads", finite_element_meshes(r.quick)); }}};
+           [](Runner& r) { run(r, "fem_ring_loads", finite_element_meshes(r.quick)); }},
+          {"ring_sections", "two rings by sections, finite and boundary elements: errors over time", ring_sections}};
 }
 
 }  // namespace rollcon::bench

@@ -34,7 +34,7 @@ endmacro()
 
 list(FILTER ROLLCON_SOURCES EXCLUDE REGEX "_absent\\.cpp$")
 
-rollcon_belongs("bodies/(fem/|section/|nodal_loads|model/felt_)" FEM)
+rollcon_belongs("bodies/(fem/|section/|condensed/|nodal_loads|model/felt_)" FEM)
 rollcon_belongs("mesh/volume_" FEM)
 rollcon_belongs("geometry/(surface_coupling|coupled_element|plane_chart|convex_polygon)" FEM)
 rollcon_stands_for(bodies/fem_absent.cpp FEM)

@@ -136,7 +136,7 @@ static void pressed(rollcon_context* context) {
   must(rollcon_contact_get_fields_at(contact, ROLLCON_BODY1, 1, inside, ROLLCON_IN_BODY, NULL, stress));
   printf("below the ball it is pressed by %.2f\n", -stress[0]);
   must(rollcon_contact_write_body(contact, ROLLCON_BODY1, "each_call.vtu"));
-  must(rollcon_contact_write_loads(contact, ROLLCON_BODY1, "each_call.inp"));
+  must(rollcon_contact_write_loads(contact, ROLLCON_BODY1, "each_call.mtx"));
   rollcon_contact_release(contact);
   rollcon_body_release(ball);
   rollcon_body_release(bar);
@@ -164,6 +164,30 @@ static void section(rollcon_context* context) {
   printf("a roller and a strip by their sections\n");
   rollcon_body_release(strip);
   rollcon_body_release(roller);
+}
+
+static void condensed(rollcon_context* context) {
+  /* Four nodes on springs, as another program might have condensed them; then their flexibility from a file. */
+  const double corner[4][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  const int32_t quad[4] = {0, 1, 2, 3};
+  double stiffness[144] = {0};
+  rollcon_body* pad[2];
+  int k;
+  for (k = 0; k < 12; ++k) stiffness[13 * k] = 5;
+  for (k = 0; k < 2; ++k) {
+    must(rollcon_body_create(context, ROLLCON_BODY_CONDENSED, &pad[k]));
+    must(rollcon_body_set_nodes(pad[k], 4, &corner[0][0], 3, 1));
+    must(rollcon_body_add_elements(pad[k], ROLLCON_QUAD4, 1, quad, 0, 0));
+    must(rollcon_body_set_elastic(pad[k], 0, 10, 0.3));
+  }
+  must(rollcon_body_set_condensed(pad[0], ROLLCON_STIFFNESS, 144, stiffness));
+  must(rollcon_body_prepare(pad[0]));
+  must(rollcon_body_write_condensed(pad[0], ROLLCON_FLEXIBILITY, "each_call.mtx"));
+  must(rollcon_body_read_condensed(pad[1], ROLLCON_FLEXIBILITY, "each_call.mtx"));
+  must(rollcon_body_prepare(pad[1]));
+  printf("a pad by its stiffness, and by its flexibility\n");
+  rollcon_body_release(pad[0]);
+  rollcon_body_release(pad[1]);
 }
 
 static void tables_of_bodies(void) {
@@ -218,11 +242,13 @@ int main(void) {
   mesh(context);
   pressed(context);
   if (rollcon_has_feature("fem")) section(context);
+  if (rollcon_has_feature("fem")) condensed(context);
   tables_of_bodies();
   profiles(context);
   frame(context);
   rollcon_context_release(context);
   remove("each_call.inp");
+  remove("each_call.mtx");
   remove("each_call.body");
   remove("each_call.txt");
   remove("each_call.vtu");

@@ -33,6 +33,9 @@ module rollcon_body_plain
     procedure :: set_contact_faces => body_set_contact_faces
     procedure :: revolve => body_revolve
     procedure :: extrude => body_extrude
+    procedure :: set_condensed => body_set_condensed
+    procedure :: read_condensed => body_read_condensed
+    procedure :: write_condensed => body_write_condensed
     procedure :: read_mesh => body_read_mesh
     procedure :: tag_group => body_tag_group
     procedure :: get_group_count => body_get_group_count
@@ -393,15 +396,59 @@ contains
     call finish(rollcon_body_extrude(self%p, origin, direction, period), self%p, 'rc_body%extrude', stat, errmsg)
   end subroutine
 
+  !> Gives a body of kind ROLLCON_BODY_CONDENSED its matrix: stiffness or flexibility of all its nodes, in its axes,
+  !> rows x, y, z of each node in their order, as another program condensed it. rollcon_body_set_elastic gives the
+  !> constants of the half-space between the nodes. Supports hold nodes of a stiffness; a rigid motion that nothing
+  !> holds ends rollcon_body_prepare with ROLLCON_ERR_SINGULAR, which names it. ROLLCON_ERR_ARGUMENT names an entry that
+  !> is not symmetric (1e-6); preparing also checks that the matrix is definite. A matrix that gives way between
+  !> neighbouring nodes as one of a modulus more than 30 times larger or smaller does (other units) makes solves end
+  !> with ROLLCON_INACCURATE, and the caveat tells the factor.
+  subroutine body_set_condensed(self, form, matrix, stat, errmsg)
+    class(rc_body_plain), intent(inout) :: self
+    integer(rc_int), intent(in) :: form
+    real(rc_real), intent(in), contiguous :: matrix(:)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_body_set_condensed(self%p, form, size(matrix, 1, rc_long), matrix), self%p, &
+      'rc_body%set_condensed', stat, errmsg)
+  end subroutine
+
+  !> Reads what rollcon_body_set_condensed takes from a file: MatrixMarket (array or coordinate, general or symmetric),
+  !> or a stiffness that Abaqus or CalculiX wrote for a substructure (*SUBSTRUCTURE GENERATE and *SUBSTRUCTURE MATRIX
+  !> OUTPUT), whose nodes are found by the numbers that they have in the mesh's file, or are in the order in which the
+  !> substructure names them if the body's nodes are from arrays. ROLLCON_ERR_IO names file and line.
+  subroutine body_read_condensed(self, form, path, stat, errmsg)
+    class(rc_body_plain), intent(inout) :: self
+    integer(rc_int), intent(in) :: form
+    character(len=*), intent(in) :: path
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_body_read_condensed(self%p, form, c_text(path)), self%p, 'rc_body%read_condensed', stat, errmsg)
+  end subroutine
+
+  !> Writes the stiffness or flexibility of a prepared body with a mesh on the nodes of its contact faces, in the order
+  !> of their ids, as a symmetric MatrixMarket file that rollcon_body_read_condensed and other programs read. A comment
+  !> lists the nodes' numbers. A flexibility has zeros for components that supports hold; a stiffness then ends with
+  !> ROLLCON_ERR_SINGULAR.
+  subroutine body_write_condensed(self, form, path, stat, errmsg)
+    class(rc_body_plain), intent(in) :: self
+    integer(rc_int), intent(in) :: form
+    character(len=*), intent(in) :: path
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_body_write_condensed(self%p, form, c_text(path)), self%p, 'rc_body%write_condensed', stat, &
+      errmsg)
+  end subroutine
+
   !> Takes nodes, elements and names from a file, in place of the whole former mesh: a file of Gmsh if the name ends in
   !> .msh (versions 2 to 2.2 and 4.1, text or binary), of Abaqus or CalculiX if it ends in .inp. Linear and quadratic
   !> tetrahedra, wedges and hexahedra for finite-element bodies, with the surface elements that have a name; triangles
-  !> and quadrilaterals for all others. Orders of nodes are changed to those of rollcon; hexahedra of 27 nodes and
-  !> wedges of 18 lose those inside their faces. Nodes that no element has are left out, the others keep the order of
-  !> the file. Groups are Gmsh's physical groups (nameless ones: "surface 2", ...), Abaqus's sets and surfaces. An
-  !> element's tag is its (first) physical group in Gmsh, else 0: rollcon_body_tag_group. ROLLCON_ERR_IO names the file,
-  !> the line (in binary files the byte) and what is wrong there; ROLLCON_ERR_MESH: no element that the body could take.
-  !> Shapes are checked by rollcon_body_prepare.
+  !> and quadrilaterals for all others, also as faces of volume elements that the surface `part` names. Orders of nodes
+  !> are changed to those of rollcon; hexahedra of 27 nodes and wedges of 18 lose those inside their faces. Nodes that
+  !> no element has are left out, the others keep the order of the file. Groups are Gmsh's physical groups (nameless
+  !> ones: "surface 2", ...), Abaqus's sets and surfaces. An element's tag is its (first) physical group in Gmsh, else
+  !> 0: rollcon_body_tag_group. ROLLCON_ERR_IO names the file, the line (in binary files the byte) and what is wrong
+  !> there; ROLLCON_ERR_MESH: no element that the body could take. Shapes are checked by rollcon_body_prepare.
   subroutine body_read_mesh(self, path, part, stat, errmsg)
     class(rc_body_plain), intent(inout) :: self
     character(len=*), intent(in) :: path

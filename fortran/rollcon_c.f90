@@ -43,6 +43,11 @@ module rollcon_c
   integer(c_int32_t), parameter :: rollcon_body_halfspace = 3_c_int32_t
   integer(c_int32_t), parameter :: rollcon_body_rigid = 4_c_int32_t
   integer(c_int32_t), parameter :: rollcon_body_section = 5_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_body_condensed = 6_c_int32_t
+
+  ! form of a matrix
+  integer(c_int32_t), parameter :: rollcon_stiffness = 1_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_flexibility = 2_c_int32_t
 
   ! element type
   integer(c_int32_t), parameter :: rollcon_tri3 = 203_c_int32_t
@@ -525,6 +530,37 @@ module rollcon_c
       real(c_double), value :: period
       integer(c_int32_t) :: rc
     end function rollcon_body_extrude
+
+    function rollcon_body_set_condensed(body, form, n, matrix) &
+        result(rc) bind(C, name="rollcon_body_set_condensed")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int32_t), value :: form
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: matrix(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_body_set_condensed
+
+    function rollcon_body_read_condensed(body, form, path) &
+        result(rc) bind(C, name="rollcon_body_read_condensed")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int32_t), value :: form
+      character(kind=c_char), intent(in) :: path(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_body_read_condensed
+
+    function rollcon_body_write_condensed(body, form, path) &
+        result(rc) bind(C, name="rollcon_body_write_condensed")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int32_t), value :: form
+      character(kind=c_char), intent(in) :: path(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_body_write_condensed
 
     function rollcon_body_read_mesh(body, path, part) &
         result(rc) bind(C, name="rollcon_body_read_mesh")

@@ -401,6 +401,33 @@ subroutine rcbxtr(ibody, origin, direction, period, ierr)
   ierr = rollcon_body_extrude(body_of(ibody), origin, direction, period)
 end subroutine
 
+!> Gives a body of kind ROLLCON_BODY_CONDENSED its matrix.
+subroutine rcbcnd(ibody, iform, n, xmatrix, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, iform, n, ierr
+  double precision :: xmatrix(*)
+  ierr = rollcon_body_set_condensed(body_of(ibody), narrow(iform), int(n, c_int64_t), xmatrix)
+end subroutine
+
+!> Reads what rollcon_body_set_condensed takes from a file.
+subroutine rcbcrd(ibody, iform, path, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, iform, ierr
+  character(len=*) :: path
+  ierr = rollcon_body_read_condensed(body_of(ibody), narrow(iform), c_text(path))
+end subroutine
+
+!> Writes the stiffness or flexibility of a prepared body with a mesh on the nodes of its contact faces, in the o.
+subroutine rcbcwr(ibody, iform, path, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, iform, ierr
+  character(len=*) :: path
+  ierr = rollcon_body_write_condensed(body_of(ibody), narrow(iform), c_text(path))
+end subroutine
+
 !> Takes nodes, elements and names from a file, in place of the whole former mesh.
 subroutine rcbmsh(ibody, path, part, ierr)
   use rollcon_f77_support

@@ -109,7 +109,14 @@ enum {
   ROLLCON_BODY_BEM       = 2,    /* boundary elements: a closed surface mesh, one material (ROLLCON_ERR_UNSUPPORTED in builds without them) */
   ROLLCON_BODY_HALFSPACE = 3,    /* elastic half-space: material, no mesh; a profile only to compute gaps */
   ROLLCON_BODY_RIGID     = 4,    /* rigid: no material; a surface mesh or a profile only to compute gaps */
-  ROLLCON_BODY_SECTION   = 5     /* the plane mesh of a section, one material for each tag, turned about an axis (rollcon_body_revolve) or drawn along a line (rollcon_body_extrude); ROLLCON_ERR_UNSUPPORTED in builds without finite elements */
+  ROLLCON_BODY_SECTION   = 5,    /* the plane mesh of a section, one material for each tag, turned about an axis (rollcon_body_revolve) or drawn along a line (rollcon_body_extrude); ROLLCON_ERR_UNSUPPORTED in builds without finite elements */
+  ROLLCON_BODY_CONDENSED = 6     /* surface elements on nodes whose stiffness or flexibility is given (rollcon_body_set_condensed, rollcon_body_read_condensed), one material; ROLLCON_ERR_UNSUPPORTED in builds without finite elements */
+};
+
+/* What a given matrix tells of a body. */
+enum {
+  ROLLCON_STIFFNESS   = 1,    /* forces under displacements */
+  ROLLCON_FLEXIBILITY = 2     /* displacements under forces; a component that does not move has zeros */
 };
 
 /* Elements of contact frames, of the surfaces of bodies, and of finite-element bodies. Surface
@@ -764,17 +771,70 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_extrude(rollcon_body *body,
     const double *origin, const double *direction, double period);
 
 /*
+ * Gives a body of kind ROLLCON_BODY_CONDENSED its matrix: stiffness or flexibility of all its
+ * nodes, in its axes, rows x, y, z of each node in their order, as another program condensed it.
+ * rollcon_body_set_elastic gives the constants of the half-space between the nodes. Supports hold
+ * nodes of a stiffness; a rigid motion that nothing holds ends rollcon_body_prepare with
+ * ROLLCON_ERR_SINGULAR, which names it. ROLLCON_ERR_ARGUMENT names an entry that is not symmetric
+ * (1e-6); preparing also checks that the matrix is definite. A matrix that gives way between
+ * neighbouring nodes as one of a modulus more than 30 times larger or smaller does (other units)
+ * makes solves end with ROLLCON_INACCURATE, and the caveat tells the factor.
+ *   body    of kind condensed, with nodes, not prepared (else ROLLCON_ERR_STATE)
+ *   form    ROLLCON_STIFFNESS or ROLLCON_FLEXIBILITY
+ *   n       numbers, the square of three times the nodes
+ *   matrix  [n]; row by row, force/length or length/force
+ * Ownership: The numbers are copied. After a failure the body is unchanged.
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ * Source: docs/condensed.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_condensed(rollcon_body *body,
+    int32_t form, int64_t n, const double *matrix);
+
+/*
+ * Reads what rollcon_body_set_condensed takes from a file: MatrixMarket (array or coordinate,
+ * general or symmetric), or a stiffness that Abaqus or CalculiX wrote for a substructure
+ * (*SUBSTRUCTURE GENERATE and *SUBSTRUCTURE MATRIX OUTPUT), whose nodes are found by the numbers
+ * that they have in the mesh's file, or are in the order in which the substructure names them if
+ * the body's nodes are from arrays. ROLLCON_ERR_IO names file and line.
+ *   body  of kind condensed, with nodes, not prepared (else ROLLCON_ERR_STATE)
+ *   form  ROLLCON_STIFFNESS or ROLLCON_FLEXIBILITY
+ *   path  name of the file
+ * Ownership: The file is closed. After a failure the body is unchanged.
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_IO, ROLLCON_ERR_MEMORY.
+ * Source: docs/condensed.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_read_condensed(rollcon_body *body,
+    int32_t form, const char *path);
+
+/*
+ * Writes the stiffness or flexibility of a prepared body with a mesh on the nodes of its contact
+ * faces, in the order of their ids, as a symmetric MatrixMarket file that
+ * rollcon_body_read_condensed and other programs read. A comment lists the nodes' numbers. A
+ * flexibility has zeros for components that supports hold; a stiffness then ends with
+ * ROLLCON_ERR_SINGULAR.
+ *   body  elastic, with a mesh, prepared
+ *   form  ROLLCON_STIFFNESS or ROLLCON_FLEXIBILITY
+ *   path  name of the file; an existing one is replaced
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_IO,
+ *   ROLLCON_ERR_MEMORY.
+ * Source: docs/condensed.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_write_condensed(const rollcon_body *body,
+    int32_t form, const char *path);
+
+/*
  * Takes nodes, elements and names from a file, in place of the whole former mesh: a file of Gmsh
  * if the name ends in .msh (versions 2 to 2.2 and 4.1, text or binary), of Abaqus or CalculiX if
  * it ends in .inp. Linear and quadratic tetrahedra, wedges and hexahedra for finite-element
  * bodies, with the surface elements that have a name; triangles and quadrilaterals for all
- * others. Orders of nodes are changed to those of rollcon; hexahedra of 27 nodes and wedges of 18
- * lose those inside their faces. Nodes that no element has are left out, the others keep the
- * order of the file. Groups are Gmsh's physical groups (nameless ones: "surface 2", ...),
- * Abaqus's sets and surfaces. An element's tag is its (first) physical group in Gmsh, else 0:
- * rollcon_body_tag_group. ROLLCON_ERR_IO names the file, the line (in binary files the byte) and
- * what is wrong there; ROLLCON_ERR_MESH: no element that the body could take. Shapes are checked
- * by rollcon_body_prepare.
+ * others, also as faces of volume elements that the surface `part` names. Orders of nodes are
+ * changed to those of rollcon; hexahedra of 27 nodes and wedges of 18 lose those inside their
+ * faces. Nodes that no element has are left out, the others keep the order of the file. Groups
+ * are Gmsh's physical groups (nameless ones: "surface 2", ...), Abaqus's sets and surfaces. An
+ * element's tag is its (first) physical group in Gmsh, else 0: rollcon_body_tag_group.
+ * ROLLCON_ERR_IO names the file, the line (in binary files the byte) and what is wrong there;
+ * ROLLCON_ERR_MESH: no element that the body could take. Shapes are checked by
+ * rollcon_body_prepare.
  *   body  with a mesh, not prepared (else ROLLCON_ERR_STATE)
  *   path  name of the file, which ends in .msh or .inp
  *   part  name of a group (in any case): only its elements; "": those of the whole file

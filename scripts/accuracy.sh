@@ -34,7 +34,7 @@ done
 half_spaces=(hertz carter kalker creep_curve case_a case_b example3 linear_solver kernel)
 work_precision=(hertz hertz_block carter case_e case_a case_b kalker_meshes creep_curve_meshes lame
   example1 example2 example3 example4)
-bodies=(bem_kernel ring_loads rings wheel growth)
+bodies=(bem_kernel ring_loads rings ring_sections wheel growth)
 fem=(location fem_growth ring_loads fem_ring_loads same_block ring_pairs ring_on_halfspace)
 procedures=(procedures_example3 procedures_density procedures_example4 procedures_examples
   procedures_speed preconditioners procedures_random)

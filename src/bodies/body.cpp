@@ -169,6 +169,11 @@ void Body::require_complete() const {
     fail(Status::err_state, "the profile has no place: rollcon_body_extrude_profile or rollcon_body_revolve_profile");
   if (traits_.section && given().surface.elements() == 0)
     fail(Status::err_state, "the section has no elements: %s", remedy);
+  if (traits_.given && !given().matrix)
+    fail(Status::err_state,
+         "the body has no stiffness or flexibility: rollcon_body_set_condensed or rollcon_body_read_condensed");
+  if (traits_.given && given().surface.elements() == 0)
+    fail(Status::err_state, "the body has no surface elements: rollcon_body_add_elements");
   if (traits_.filled()) require_materials();
 }
 

@@ -73,6 +73,14 @@ class Body {
   void set_body_force(std::int32_t tag, const double* force);
   void set_rotation(std::int32_t tag, double density, const double* origin, const double* rate);
   void set_contact_faces(std::int64_t n, const std::int32_t* tag);
+  // A body of kind condensed has a stiffness or flexibility (form: MatrixForm) of all nodes, rows 3 * node + component.
+
+  /// Takes the n = (3 nodes)^2 numbers of the matrix. err_argument names the entry that cannot be.
+  void set_condensed(std::int32_t form, std::int64_t n, const double* matrix);
+  /// Reads it from a file, see matrix_file.hpp. err_io.
+  void read_condensed(std::int32_t form, const char* path);
+  /// Writes the matrix of a prepared body with equations on the nodes of its contact faces, ascending. err_io.
+  void write_condensed(std::int32_t form, const char* path) const;
   /// Turns a section about an axis.
   void revolve(const double* origin, const double* axis) { set_path(Sweep::revolved, origin, axis, 0); }
   /// Draws a section along a line; all on it repeats after the period.
@@ -171,6 +179,7 @@ class Body {
  private:
   void require_unprepared(const char* what) const;
   void require_takes_mesh() const;
+  void take_matrix(CondensedMatrix matrix);
   void set_path(Sweep sweep, const double* origin, const double* axis, double period);
   /// Makes a mesh with these nodes, none of them held, and no elements.
   BodyMesh empty_mesh(std::int64_t n, const double* x, std::int64_t node_stride, std::int64_t component_stride) const;

@@ -112,6 +112,13 @@ void mesh_content(Archive& ar, Mesh& mesh, const BodyTraits& traits) {
     a(load.rate);
   });
   ar(mesh.contact_tag);
+  if (traits.given) {
+    CondensedMatrix matrix;
+    if (!Archive::reads && mesh.matrix) matrix = *mesh.matrix;
+    ar(matrix.form);
+    ar(matrix.value);
+    if constexpr (Archive::reads) mesh.matrix = std::make_shared<const CondensedMatrix>(std::move(matrix));
+  }
   if (!traits.filled()) return;
   ar.list(mesh.spring, least_spring, [](auto& a, auto& spring) {
     a(spring.tag);
@@ -253,6 +260,7 @@ void check_mesh(BodyModel& model) {
   require(mesh.held.size() == mesh.surface.node.size() && mesh.held_value.size() == mesh.held.size(),
           "counts of nodes and supports do not match");
   for (const std::uint8_t held : mesh.held) require(held <= 7, "a support holds no such component");
+  if (model.traits().given) require_matrix(*mesh.matrix, nodes, mesh.surface.index_base);
   require_all_finite(mesh.surface.node);
   require_all_finite(mesh.held_value);
   for (const FaceLoad& load : mesh.load) {

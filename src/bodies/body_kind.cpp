@@ -32,6 +32,10 @@ std::unique_ptr<Condensed> by_section(BodyModel& model, int threads, SectionRead
   return section::make_response(model.mesh, model.smooth_fans, model.material, model.options, threads, saved);
 }
 
+std::unique_ptr<Condensed> by_matrix(BodyModel& model, int threads, SectionReader* saved) {
+  return condensed::make_response(model.mesh, model.smooth_fans, model.contact_material, model.options, threads, saved);
+}
+
 std::unique_ptr<Condensed> by_boundary_elements(BodyModel& model, int threads, SectionReader* saved) {
   const auto [young, poisson] = model.contact_material;
   refuse_incompressible_cavities(model.mesh, poisson);
@@ -78,6 +82,14 @@ constexpr BodyTraits kinds[] = {
      .require_support = section::require_support,
      .make_compliance = make_meshed_compliance,
      .make_response = by_section,
+     .worst_condition = 1e12},
+    {.kind = BodyKind::condensed,
+     .name = "condensed",
+     .parts = "given matrix",
+     .given = true,
+     .require_support = condensed::require_support,
+     .make_compliance = make_meshed_compliance,
+     .make_response = by_matrix,
      .worst_condition = 1e12},
     {.kind = BodyKind::rigid, .name = "rigid", .parts = "rigid", .elastic = false},
 };

@@ -17,7 +17,7 @@ class Compliance;
 class SectionReader;
 class Condensed;
 
-enum class BodyKind : std::int32_t { fem = 1, bem = 2, halfspace = 3, rigid = 4, section = 5 };
+enum class BodyKind : std::int32_t { fem = 1, bem = 2, halfspace = 3, rigid = 4, section = 5, condensed = 6 };
 
 struct BodyTraits {
   BodyKind kind;
@@ -27,6 +27,7 @@ struct BodyTraits {
   bool half_space = false;   ///< responds as a half-space of its material does
   bool volume = false;       ///< elements fill the body, and their tags name materials
   bool section = false;      ///< plane elements fill a section, which is carried round or along
+  bool given = false;        ///< stiffness or flexibility is given by the caller
   /// Tells whether tags of elements name materials, and faces or edges have tags of their own.
   bool filled() const { return volume || section; }
   SurfaceKind surface = SurfaceKind::open;

@@ -44,6 +44,9 @@ struct BodyModel {
 /// Checks that every model takes this Young's modulus and Poisson's ratio; err_argument, err_nonfinite.
 void require_elastic_constants(double young, double poisson);
 
+/// Checks form, size, symmetry and that all is finite; err_argument, err_nonfinite.
+void require_matrix(const CondensedMatrix& matrix, std::int64_t nodes, std::int32_t index_base);
+
 /// Names the source of a model's equations: they are assembled and factorised as far as known to be needed, unless a
 /// file has them, or a prepared body that differs in its loads alone.
 struct EquationSource {

@@ -108,7 +108,7 @@ void prepare_model(BodyModel& model, int threads, const EquationSource& from) {
   if (!traits.make_response) return;
 
   if (traits.filled()) choose_contact_material(model);
-  if (!traits.section) {
+  if (!traits.section && !traits.given) {
     require_supports(mesh);
     model.thin = thinness(mesh, traits.thin_linear, traits.thin_quadratic);
   }

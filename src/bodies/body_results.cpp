@@ -65,6 +65,8 @@ constexpr Statistic statistics[] = {
      [](const Body& body) { return imbalances_of(body.response()).pressure; }},
     {{"imbalance_loads", "what reactions miss of the body's own loads"},
      [](const Body& body) { return body.own().missed; }},
+    {{"local_young", "Young's modulus that a given matrix shows between neighbouring nodes; 0: none is given"},
+     [](const Body& body) { return imbalances_of(body.response()).local_young; }},
     {{"shared", "1: an equal body was prepared before, and nothing was assembled"},
      [](const Body& body) { return body.shared() ? 1.0 : 0.0; }},
     {{"loaded", "1: the body is from a file"}, [](const Body& body) { return body.loaded() ? 1.0 : 0.0; }},

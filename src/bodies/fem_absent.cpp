@@ -44,6 +44,30 @@ std::unique_ptr<Condensed> make_response(const BodyMesh& /*mesh*/, const Tractio
 
 }  // namespace rollcon::section
 
+namespace rollcon::condensed {
+
+void require_support() {
+  fail(Status::err_unsupported,
+       "kind is 6 (CONDENSED), but this build of rollcon has no bodies given by a matrix (component FEM: "
+       "ROLLCON_WITH_FEM is OFF, or CHOLMOD is not built in)");
+}
+
+std::unique_ptr<Condensed> make_response(const BodyMesh& /*mesh*/, const TractionNodes& /*fans*/,
+                                         const Elastic& /*contact*/, const BodyOptions& /*options*/, int /*threads*/,
+                                         SectionReader* /*saved*/) {
+  require_support();
+  return nullptr;
+}
+
+RowMatrix<double> matrix_on_faces(MatrixForm /*form*/, const SurfaceMesh& /*surface*/,
+                                  const std::vector<std::int64_t>& /*faces*/, Condensed& /*response*/,
+                                  int /*threads*/) {
+  require_support();
+  return {};
+}
+
+}  // namespace rollcon::condensed
+
 namespace rollcon {
 
 NodalLoads nodal_loads(const Frame& /*frame*/, const PairOfBodies& /*pair*/, int /*which*/,

@@ -42,6 +42,7 @@ static_assert(same(BodyKind::bem, ROLLCON_BODY_BEM));
 static_assert(same(BodyKind::halfspace, ROLLCON_BODY_HALFSPACE));
 static_assert(same(BodyKind::rigid, ROLLCON_BODY_RIGID));
 static_assert(same(BodyKind::section, ROLLCON_BODY_SECTION));
+static_assert(same(BodyKind::condensed, ROLLCON_BODY_CONDENSED));
 static_assert(same(ElementType::tri3, ROLLCON_TRI3));
 static_assert(same(ElementType::tri6, ROLLCON_TRI6));
 static_assert(same(ElementType::quad4, ROLLCON_QUAD4));

@@ -134,6 +134,26 @@ rollcon_status rollcon_body_extrude(rollcon_body *body, const double *origin,
   });
 }
 
+rollcon_status rollcon_body_set_condensed(rollcon_body *body, int32_t form, int64_t n,
+    const double *matrix) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.set_condensed(form, n, matrix);
+  });
+}
+
+rollcon_status rollcon_body_read_condensed(rollcon_body *body, int32_t form, const char *path) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.read_condensed(form, path);
+  });
+}
+
+rollcon_status rollcon_body_write_condensed(const rollcon_body *body, int32_t form,
+    const char *path) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.write_condensed(form, path);
+  });
+}
+
 rollcon_status rollcon_body_read_mesh(rollcon_body *body, const char *path, const char *part) {
   return with_body(__func__, body, [&](Body& self) {
     self.read_mesh(path, part);

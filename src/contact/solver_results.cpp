@@ -117,6 +117,8 @@ void Solver::tell(Status status) const {
   } else if (status == Status::not_converged || status == Status::rim_contact || status == Status::too_deep) {
     host.caveat(status, describe_outcome(s).c_str());
   }
+  // The caveat told last is the one that callers see.
+  if (const Line units = describe_units(s); *units.text && is_answer(status)) host.caveat(status, units.c_str());
 }
 
 }  // namespace rollcon

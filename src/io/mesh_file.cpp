@@ -5,6 +5,7 @@
 #include "io/abaqus_file.hpp"
 #include "io/gmsh_file.hpp"
 #include "mesh/element_type.hpp"
+#include "mesh/volume_shape.hpp"
 #include "mesh/volume_type.hpp"
 #include "support/error.hpp"
 
@@ -22,6 +23,25 @@ const MeshGroup& group_named(const MeshFile& file, const std::string& path, cons
     if (same_name(g.name, name)) return g;
   fail(Status::err_argument, "part is '%s', which %s does not have; its groups: %s", printable(name).c_str(),
        path.c_str(), names_of(file.group).c_str());
+}
+
+/// Returns the faces of volume elements that a group names as a mesh of their own; other groups keep their nodes.
+MeshFile mesh_of_faces(const MeshFile& file, const MeshGroup& group) {
+  MeshFile result;
+  result.node = file.node;
+  result.number = file.number;
+  result.told = file.told;
+  for (const MeshGroup::Face& f : group.face) {
+    const VolumeFace& side = faces_of(static_cast<VolumeType>(file.type[at(f.element)]))[at(f.side)];
+    result.type.push_back(static_cast<std::int32_t>(side.type));
+    result.tag.push_back(0);
+    for (int k = 0; k < node_count(side.type); ++k)
+      result.connectivity.push_back(file.connectivity[at(file.offset[at(f.element)] + side.node[at(k)])]);
+    result.offset.push_back(std::ssize(result.connectivity));
+  }
+  for (const MeshGroup& g : file.group)
+    if (!g.node.empty()) result.group.push_back({.name = g.name, .node = g.node});
+  return result;
 }
 
 /// Chooses the elements of the part that have the wanted dimension.
@@ -70,6 +90,9 @@ MeshFile read_mesh_file(const std::string& path) {
 }
 
 MeshFile part_of(const MeshFile& file, const std::string& path, const std::string& part, bool volume) {
+  if (!volume && !part.empty())
+    if (const MeshGroup& g = group_named(file, path, part); !g.face.empty())
+      return part_of(mesh_of_faces(file, g), path, "", false);
   Choice chosen = chosen_elements(file, path, part, volume), used(file.node.size(), 0);
   const auto nodes_of = [&](std::int64_t e, auto&& visit) {
     for (std::int64_t k = 0; k < taken_nodes(file, e, volume); ++k)

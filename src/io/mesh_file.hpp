@@ -46,7 +46,8 @@ struct MeshFile {
 MeshFile read_mesh_file(const std::string& path);
 
 /// Returns what a body or a frame takes of the file: the elements of the group `part` (empty: all), only volumes with
-/// the surfaces that name faces of theirs, or, if `volume` is false, only surfaces. Volumes come first; nodes without
+/// the surfaces that name faces of theirs, or, if `volume` is false, only surfaces: of a group
+/// of faces of volumes these faces. Volumes come first; nodes without
 /// an element are left out; groups keep what is left of them, and the nodes of elements that are gone. Throws
 /// err_argument if there is no such group, err_mesh if it has no such elements.
 MeshFile part_of(const MeshFile& file, const std::string& path, const std::string& part, bool volume);

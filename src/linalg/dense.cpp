@@ -17,6 +17,12 @@ void multiply(const double* a, std::int64_t rows, std::int64_t columns, const do
   dgemv_("T", &m, &n, &alpha, a, &m, x, &one, &beta, y, &one);
 }
 
+void add_product(const RowMatrix<double>& a, const RowMatrix<double>& b, RowMatrix<double>& c) {
+  const int m = static_cast<int>(b.columns()), n = static_cast<int>(a.rows()), l = static_cast<int>(a.columns());
+  const double one = 1;
+  if (a.columns() > 0) dgemm_("N", "N", &m, &n, &l, &one, b.data(), &m, a.data(), &l, &one, c.data(), &m);
+}
+
 double dot(const double* x, const double* y, std::int64_t n) {
   const int size = static_cast<int>(n), one = 1;
   return ddot_(&size, x, &one, y, &one);

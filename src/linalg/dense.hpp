@@ -83,6 +83,8 @@ constexpr Integer with_room(Integer n) {
 
 /// Computes y = beta y + a x for a row-major a (rows by columns).
 void multiply(const double* a, std::int64_t rows, std::int64_t columns, const double* x, double beta, double* y);
+/// Computes c += a b.
+void add_product(const RowMatrix<double>& a, const RowMatrix<double>& b, RowMatrix<double>& c);
 double dot(const double* x, const double* y, std::int64_t n);
 /// Computes y += alpha x.
 void axpy(double alpha, const double* x, double* y, std::int64_t n);

@@ -230,6 +230,8 @@ class Mapping(MappingCase):
         np.testing.assert_equal(stress, 600.5 + np.arange(12).reshape(2, 6))
         self.body.write("a file", X)
         self.told("body_write", f"body1 <a file> 2 {WRITTEN}")
+        self.body.set_condensed("flexibility", [[1.5, 2.5], [3.5, 4.5]])
+        self.told("body_set_condensed", "body1 2 4 [1.5 2.5 3.5 4.5]")
         contact.write_body(2, "a file")
         self.told("contact_write_body", "contact1 2 <a file>")
         self.refuses("shape", self.body.node_stresses, X[:, :2])

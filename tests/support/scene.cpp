@@ -87,10 +87,27 @@ void give_mesh(rollcon_context* context, rollcon_body* made, const MeshedBody& b
   for (const auto& [name, value] : body.int_option) must(rollcon_body_set_int(made, name.c_str(), value), name.c_str());
 }
 
+void turn(rollcon_context* context, rollcon_body* made, const SurfaceMesh& mesh) {
+  const auto by_z = [](const Vec3& a, const Vec3& b) { return a[2] < b[2]; };
+  const auto [low, high] = std::minmax_element(mesh.node.begin(), mesh.node.end(), by_z);
+  std::vector<std::int32_t> held, tread;
+  for (std::size_t k = 0; k < mesh.node.size(); ++k) {
+    if (mesh.node[k][2] < (*low)[2] + 1e-9) held.push_back(static_cast<std::int32_t>(k));
+    if (mesh.node[k][2] > (*high)[2] - 1e-9) tread.push_back(static_cast<std::int32_t>(k));
+  }
+  const double origin[3] = {0, 0, 0}, axis[3] = {0, 1, 0};
+  const std::int32_t tag = 2;
+  check(context, rollcon_body_set_support(made, std::ssize(held), held.data(), 0, 7, nullptr), "body_set_support");
+  check(context, rollcon_body_tag_faces_of_nodes(made, std::ssize(tread), tread.data(), 0, tag), "tag_faces_of_nodes");
+  check(context, rollcon_body_set_contact_faces(made, 1, &tag), "body_set_contact_faces");
+  check(context, rollcon_body_revolve(made, origin, axis), "body_revolve");
+}
+
 std::int32_t kind_of(const AnyBody& body) {
   if (std::holds_alternative<HalfspaceBody>(body)) return ROLLCON_BODY_HALFSPACE;
   const auto* meshed = std::get_if<MeshedBody>(&body);
   if (!meshed || !meshed->material) return ROLLCON_BODY_RIGID;
+  if (meshed->turned) return ROLLCON_BODY_SECTION;
   return meshed->volume.elements() > 0 ? ROLLCON_BODY_FEM : ROLLCON_BODY_BEM;
 }
 
@@ -106,6 +123,7 @@ rollcon_body* make_body(rollcon_context* context, const AnyBody& body) {
   if (material)
     check(context, rollcon_body_set_elastic(made, 0, material->young(), material->poisson), "body_set_elastic");
   if (meshed) give_mesh(context, made, *meshed);
+  if (meshed && meshed->turned) turn(context, made, meshed->mesh);
   return made;
 }
 

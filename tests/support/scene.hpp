@@ -54,6 +54,8 @@ struct MeshedBody {
   std::vector<std::int32_t> contact_tag;  ///< empty: the library's choice
   std::vector<std::pair<std::string, double>> option;
   std::vector<std::pair<std::string, std::int64_t>> int_option;
+  /// The mesh is the section of a body that is turned about y: its least z is held, its greatest one in contact.
+  bool turned = false;
 };
 /// Makes a body of finite elements.
 MeshedBody meshed(volumes::Mesh mesh, const Elastic& material);

@@ -41,6 +41,11 @@ BODY_BEM = 2
 BODY_HALFSPACE = 3
 BODY_RIGID = 4
 BODY_SECTION = 5
+BODY_CONDENSED = 6
+
+# form of a matrix
+STIFFNESS = 1
+FLEXIBILITY = 2
 
 # element type
 TRI3 = 203
@@ -245,6 +250,9 @@ FUNCTIONS = {
     "rollcon_body_set_contact_faces": (c_int32, [c_void_p, c_int64, POINTER(c_int32)]),
     "rollcon_body_revolve": (c_int32, [c_void_p, POINTER(c_double), POINTER(c_double)]),
     "rollcon_body_extrude": (c_int32, [c_void_p, POINTER(c_double), POINTER(c_double), c_double]),
+    "rollcon_body_set_condensed": (c_int32, [c_void_p, c_int32, c_int64, POINTER(c_double)]),
+    "rollcon_body_read_condensed": (c_int32, [c_void_p, c_int32, c_char_p]),
+    "rollcon_body_write_condensed": (c_int32, [c_void_p, c_int32, c_char_p]),
     "rollcon_body_read_mesh": (c_int32, [c_void_p, c_char_p, c_char_p]),
     "rollcon_body_tag_group": (c_int32, [c_void_p, c_char_p, c_int32]),
     "rollcon_body_get_group_count": (c_int32, [c_void_p, POINTER(c_int32)]),
@@ -503,9 +511,11 @@ ENUMERATORS = {
         "err_load": -12, "err_io": -13, "err_internal": -99
     },
     "body kind": {
-        "fem": 1, "bem": 2, "halfspace": 3, "rigid": 4, "section": 5, "body_fem": 1, "body_bem":
-        2, "body_halfspace": 3, "body_rigid": 4, "body_section": 5
+        "fem": 1, "bem": 2, "halfspace": 3, "rigid": 4, "section": 5, "condensed": 6, "body_fem":
+        1, "body_bem": 2, "body_halfspace": 3, "body_rigid": 4, "body_section": 5,
+        "body_condensed": 6
     },
+    "form of a matrix": {"stiffness": 1, "flexibility": 2},
     "element type": {
         "tri3": 203, "tri6": 206, "quad4": 214, "quad8": 218, "quad9": 219, "tet4": 304, "tet10":
         310, "wedge6": 326, "wedge15": 335, "hex8": 338, "hex20": 350
@@ -613,6 +623,11 @@ ARGUMENTS = {
     "rollcon_body_set_contact_faces": [("body", ""), ("n", ""), ("tags", "")],
     "rollcon_body_revolve": [("body", ""), ("origin", ""), ("axis", "")],
     "rollcon_body_extrude": [("body", ""), ("origin", ""), ("direction", ""), ("period", "")],
+    "rollcon_body_set_condensed": [
+        ("body", ""), ("form", "form of a matrix"), ("n", ""), ("matrix", "")
+    ],
+    "rollcon_body_read_condensed": [("body", ""), ("form", "form of a matrix"), ("path", "")],
+    "rollcon_body_write_condensed": [("body", ""), ("form", "form of a matrix"), ("path", "")],
     "rollcon_body_read_mesh": [("body", ""), ("path", ""), ("part", "")],
     "rollcon_body_tag_group": [("body", ""), ("group", ""), ("tag", "")],
     "rollcon_body_get_group_count": [("body", ""), ("n", "")],

@@ -30,6 +30,11 @@ def vector(values, size=3):
     return array, address
 
 
+def flat(values):
+    """Returns reals() of all numbers of an array, row by row."""
+    return reals(np.ravel(values))
+
+
 def integers(values, what):
     """Returns a contiguous int32 array of one dimension or two, and its address."""
     array = np.asarray(values)

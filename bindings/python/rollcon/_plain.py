@@ -208,18 +208,43 @@ class BodyPlain:
         direction, direction_at = vector(direction)
         self._call("extrude", origin_at, direction_at, period)
 
+    def read_condensed(self, form: int | str, path: str | PathLike) -> None:
+        """Reads what set_condensed() takes from a file: MatrixMarket (array or coordinate,
+        general or symmetric), or a stiffness that Abaqus or CalculiX wrote for a substructure
+        (*SUBSTRUCTURE GENERATE and *SUBSTRUCTURE MATRIX OUTPUT), whose nodes are found by the
+        numbers that they have in the mesh's file, or are in the order in which the substructure
+        names them if the body's nodes are from arrays. ERR_IO names file and line.
+
+        form: STIFFNESS or FLEXIBILITY.
+        path: name of the file.
+        """
+        self._call("read_condensed", form, c_path(path))
+
+    def write_condensed(self, form: int | str, path: str | PathLike) -> None:
+        """Writes the stiffness or flexibility of a prepared body with a mesh on the nodes of its
+        contact faces, in the order of their ids, as a symmetric MatrixMarket file that
+        read_condensed() and other programs read. A comment lists the nodes' numbers. A
+        flexibility has zeros for components that supports hold; a stiffness then ends with
+        ERR_SINGULAR.
+
+        form: STIFFNESS or FLEXIBILITY.
+        path: name of the file; an existing one is replaced.
+        """
+        self._call("write_condensed", form, c_path(path))
+
     def read_mesh(self, path: str | PathLike, part: str = "") -> None:
         """Takes nodes, elements and names from a file, in place of the whole former mesh: a file
         of Gmsh if the name ends in .msh (versions 2 to 2.2 and 4.1, text or binary), of Abaqus or
         CalculiX if it ends in .inp. Linear and quadratic tetrahedra, wedges and hexahedra for
         finite-element bodies, with the surface elements that have a name; triangles and
-        quadrilaterals for all others. Orders of nodes are changed to those of rollcon; hexahedra
-        of 27 nodes and wedges of 18 lose those inside their faces. Nodes that no element has are
-        left out, the others keep the order of the file. Groups are Gmsh's physical groups
-        (nameless ones: "surface 2", ...), Abaqus's sets and surfaces. An element's tag is its
-        (first) physical group in Gmsh, else 0: tag_group(). ERR_IO names the file, the line (in
-        binary files the byte) and what is wrong there; ERR_MESH: no element that the body could
-        take. Shapes are checked by prepare().
+        quadrilaterals for all others, also as faces of volume elements that the surface `part`
+        names. Orders of nodes are changed to those of rollcon; hexahedra of 27 nodes and wedges
+        of 18 lose those inside their faces. Nodes that no element has are left out, the others
+        keep the order of the file. Groups are Gmsh's physical groups (nameless ones: "surface 2",
+        ...), Abaqus's sets and surfaces. An element's tag is its (first) physical group in Gmsh,
+        else 0: tag_group(). ERR_IO names the file, the line (in binary files the byte) and what
+        is wrong there; ERR_MESH: no element that the body could take. Shapes are checked by
+        prepare().
 
         path: name of the file, which ends in .msh or .inp.
         part: name of a group (in any case): only its elements; "": those of the whole file.

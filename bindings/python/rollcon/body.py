@@ -7,7 +7,7 @@ from ctypes import byref, c_int64
 from typing import TYPE_CHECKING
 
 from . import _api
-from ._arrays import VOLUME_TYPES, elements, integer_list, nodes, reals, room, vector
+from ._arrays import VOLUME_TYPES, elements, flat, integer_list, nodes, reals, room, vector
 from ._library import Handle, c_path, c_text, call, check, lib
 from ._plain import BodyPlain
 from ._settings import Settings
@@ -95,6 +95,11 @@ class Body(Settings, BodyPlain, Handle):
                 raise ValueError(f"{len(values)} values for {len(ids)} nodes")
         self._call("set_support", len(ids), address, index_base, dof_mask, at)
 
+    def set_condensed(self, form: int | str, matrix: ArrayLike) -> None:
+        """Gives a condensed body its "stiffness" or "flexibility", a square matrix with rows x, y, z of each node."""
+        matrix, at = flat(matrix)
+        self._call("set_condensed", form, matrix.size, at)
+
     def set_node_tractions(self, tag: int, ids: ArrayLike, tractions: ArrayLike, along: ArrayLike | None = None,
                            index_base: int = 0) -> None:
         """Gives tractions[n, 3] at nodes of the faces with a tag, linear or quadratic between them like the faces,
@@ -170,7 +175,8 @@ class Body(Settings, BodyPlain, Handle):
         self._call("write", c_path(path), nodes, given)
 
     def _about(self):
-        kind = {1: "finite elements", 2: "boundary elements", 3: "half-space", 4: "rigid", 5: "section"}.get(self.kind, "body")
+        kind = {1: "finite elements", 2: "boundary elements", 3: "half-space", 4: "rigid", 5: "section",
+                6: "condensed"}.get(self.kind, "body")
         nodes, elements = self.size
         return f"{kind}, {nodes} nodes, {elements} elements" if nodes else kind
 

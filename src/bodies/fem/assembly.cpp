@@ -249,24 +249,7 @@ void Assembly::add_body_force(const BodyForce& load, double reference, std::vect
 std::vector<double> Assembly::loads(double reference) const {
   std::vector<double> force(3 * mesh_.held.size(), 0.0);
   for (const BodyForce& load : mesh_.body_force) add_body_force(load, reference, force);
-  constexpr int degree = 7;  // N_i times the vector area, a polynomial
-  const SurfaceMesh& surface = mesh_.surface;
-  for (const FaceLoad& load : mesh_.load) {
-    const std::vector<Vec3> by_node = load.by_node(surface.node.size());
-    for (std::int64_t e = 0; e < surface.elements(); ++e) {
-      if (surface.tag[at(e)] != load.tag) continue;
-      const auto nodes = surface.element(e);
-      for (const auto& [weight, shape] : tabulated<degree>(surface.type[at(e)])) {
-        const Vec3 normal = combine(surface, e, shape, surface.node[at(nodes[0])]).normal;
-        Vec3 part = length(normal) * load.traction - load.pressure * normal, own{0, 0, 0};
-        for (std::size_t a = 0; a < nodes.size() && !by_node.empty(); ++a)
-          own = own + shape.value[a] * by_node[at(nodes[a])];
-        part = (weight / reference) * (part + length(normal) * load.turned(own, normalized(normal)));
-        for (std::size_t a = 0; a < nodes.size(); ++a)
-          for (std::size_t c = 0; c < 3; ++c) force[3 * at(nodes[a]) + c] += shape.value[a] * part[c];
-      }
-    }
-  }
+  add_face_loads(mesh_, reference, force);
   return force;
 }
 

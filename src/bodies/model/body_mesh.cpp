@@ -5,7 +5,9 @@
 #include <set>
 
 #include "mesh/surface_geometry.hpp"
+#include "mesh/surface_quadrature.hpp"
 #include "support/error.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
 namespace {
@@ -142,6 +144,27 @@ std::vector<std::int32_t> marked(const std::vector<std::uint8_t>& wanted) {
 }
 
 }  // namespace
+
+void add_face_loads(const BodyMesh& mesh, double reference, std::vector<double>& force) {
+  constexpr int degree = 7;  // N_i times the vector area, a polynomial
+  const SurfaceMesh& surface = mesh.surface;
+  for (const FaceLoad& load : mesh.load) {
+    const std::vector<Vec3> by_node = load.by_node(surface.node.size());
+    for (std::int64_t e = 0; e < surface.elements(); ++e) {
+      if (surface.tag[at(e)] != load.tag) continue;
+      const auto nodes = surface.element(e);
+      for (const auto& [weight, shape] : tabulated<degree>(surface.type[at(e)])) {
+        const Vec3 normal = combine(surface, e, shape, surface.node[at(nodes[0])]).normal;
+        Vec3 part = length(normal) * load.traction - load.pressure * normal, own{0, 0, 0};
+        for (std::size_t a = 0; a < nodes.size() && !by_node.empty(); ++a)
+          own = own + shape.value[a] * by_node[at(nodes[a])];
+        part = (weight / reference) * (part + length(normal) * load.turned(own, normalized(normal)));
+        for (std::size_t a = 0; a < nodes.size(); ++a)
+          for (std::size_t c = 0; c < 3; ++c) force[3 * at(nodes[a]) + c] += shape.value[a] * part[c];
+      }
+    }
+  }
+}
 
 std::vector<std::int64_t> contact_elements_facing(const BodyMesh& mesh, const Vec3& normal) {
   constexpr double least_cosine = 0.25;

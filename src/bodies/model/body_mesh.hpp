@@ -3,9 +3,11 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "bodies/model/condensed_matrix.hpp"
 #include "mesh/surface_mesh.hpp"
 #include "mesh/swept_section.hpp"
 #include "mesh/volume_boundary.hpp"
@@ -77,6 +79,8 @@ struct BodyMesh {
   std::vector<std::uint8_t> given_held;  ///< supports of its plane nodes
   std::vector<Vec3> given_value;
 
+  std::shared_ptr<const CondensedMatrix> matrix;  ///< matrix of a body whose stiffness or flexibility is given
+
   std::string passed_over;        ///< parts of the mesh's file that were not read
   std::vector<double> thickness;  ///< thickness behind each surface element, from thinness(), which explains 0
 
@@ -126,6 +130,9 @@ std::string face_name(const BodyMesh& mesh, std::int64_t element);
 
 /// Returns for each element the components, bit c, that all of its nodes hold.
 std::vector<std::uint8_t> held_elements(const BodyMesh& mesh);
+
+/// Adds the nodal forces of tractions and pressures on faces, over a reference modulus, to force[3 * node + c].
+void add_face_loads(const BodyMesh& mesh, double reference, std::vector<double>& force);
 
 /// Returns the elements that may come into contact, ascending.
 std::vector<std::int64_t> contact_elements(const BodyMesh& mesh);

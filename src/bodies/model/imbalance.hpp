@@ -10,6 +10,8 @@ struct Imbalances {
   /// Part of the work of uniform tractions along each of the body's axes that bends elements too long for its
   /// thickness.
   double bent[3] = {0, 0, 0};
+  /// Young's modulus that a given matrix shows between neighbouring nodes; 0: none is given, or it does not tell.
+  double local_young = 0;
 };
 
 /// Returns zeros where there is no response.

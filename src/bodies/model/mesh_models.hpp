@@ -43,4 +43,15 @@ std::unique_ptr<Condensed> make_response(const BodyMesh& mesh, const TractionNod
                                          int threads, SectionReader* saved);
 }  // namespace section
 
+namespace condensed {
+/// Throws err_unsupported, naming component and option, in a build without them.
+void require_support();
+/// Makes the response of a body whose matrix is given, see condensed::System.
+std::unique_ptr<Condensed> make_response(const BodyMesh& mesh, const TractionNodes& fans, const Elastic& contact,
+                                         const BodyOptions& options, int threads, SectionReader* saved);
+/// Returns the matrix of a body on the nodes of these faces, ascending, rows 3 * node + component.
+RowMatrix<double> matrix_on_faces(MatrixForm form, const SurfaceMesh& surface, const std::vector<std::int64_t>& faces,
+                                  Condensed& response, int threads);
+}  // namespace condensed
+
 }  // namespace rollcon

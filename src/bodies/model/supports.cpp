@@ -14,10 +14,32 @@ namespace {
 /// A motion counts as free when it moves the held components by less than this part (its square root) of what it moves
 /// the body.
 constexpr double least_eigenvalue = 1e-13;
+/// Least part of the work of a matrix's entries, their signs apart, that a motion costs. Files have 13 digits.
+constexpr double least_work = 1e-11;
+
+/// Adds the work of rigid motions against a stiffness, beside what its entries would do all with one sign.
+void add_stiffness(const RowMatrix<double>& stiffness, const std::vector<Vec3>& node, const Vec3& middle, double size,
+                   double (&gram)[6][6]) {
+  const std::int64_t n = stiffness.rows();
+  std::vector<double> motion[6], force(static_cast<std::size_t>(n));
+  for (std::size_t m = 0; m < 6; ++m)
+    for (const Vec3& x : node) {
+      Vec3 unit{0, 0, 0};
+      unit[m % 3] = 1;
+      const Vec3 moves = m < 3 ? unit : (1 / size) * cross(unit, x - middle);
+      motion[m].insert(motion[m].end(), moves.begin(), moves.end());
+    }
+  double all = 0;
+  for (std::int64_t k = 0; k < n * n; ++k) all += std::abs(stiffness.data()[k]);
+  for (auto& row : gram) {
+    multiply(stiffness.data(), n, n, motion[&row - gram].data(), 0, force.data());
+    for (std::size_t j = 0; j < 6; ++j) row[j] += dot(motion[j].data(), force.data(), n) / all;
+  }
+}
 
 }  // namespace
 
-void require_supports(const BodyMesh& mesh) {
+void require_supports(const BodyMesh& mesh, const RowMatrix<double>* stiffness) {
   const Box box = box_of(mesh.surface.node);
   const Vec3 middle = 0.5 * (box.low + box.high);
   const double size = 0.5 * length(box.size());
@@ -49,14 +71,16 @@ void require_supports(const BodyMesh& mesh) {
   const char* remedy =
       "hold it with rollcon_body_set_support: all three components of one face, or at least six "
       "components that stop every translation and rotation";
-  if (held == 0) fail(Status::err_singular, "the body has no supports and can move as a rigid body; %s", remedy);
+  if (stiffness) add_stiffness(*stiffness, mesh.surface.node, middle, size, gram);
+  if (held == 0 && !stiffness)
+    fail(Status::err_singular, "the body has no supports and can move as a rigid body; %s", remedy);
   const int n = 6, work_size = 64;
   double value[6] = {}, work[work_size];
   int info = 0;
   dsyev_("V", "U", &n, &gram[0][0], &n, value, work, &work_size, &info);
-  if (info == 0 && value[0] > least_eigenvalue * value[5]) return;
-  const auto free =
-      std::count_if(std::begin(value), std::end(value), [&](double v) { return !(v > least_eigenvalue * value[5]); });
+  const double least = stiffness ? least_work : least_eigenvalue * value[5];
+  if (info == 0 && std::abs(value[0]) > least) return;  // negative work is no rigid motion: the factor refuses it
+  const auto free = std::count_if(std::begin(value), std::end(value), [&](double v) { return !(v > least); });
   // Column-major eigenvectors: gram[0] is the first.
   const double* motion = gram[0];
   const double largest =

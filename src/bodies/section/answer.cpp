@@ -7,7 +7,6 @@
 
 #include "bodies/section/plane_point.hpp"
 #include "bodies/section/system.hpp"
-#include "linalg/lapack.hpp"
 #include "support/index.hpp"
 
 namespace rollcon::section {
@@ -19,13 +18,6 @@ std::vector<T> distinct(std::vector<T> all) {
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
-}
-
-/// Computes c += a b, row by row.
-void add_product(const RowMatrix<double>& a, const RowMatrix<double>& b, RowMatrix<double>& c) {
-  const int m = static_cast<int>(b.columns()), n = static_cast<int>(a.rows()), l = static_cast<int>(a.columns());
-  const double one = 1;
-  dgemm_("N", "N", &m, &n, &l, &one, b.data(), &m, a.data(), &l, &one, c.data(), &m);
 }
 
 /// Holds responses between profile nodes for all offsets that occur: under each function along the way, row by offset.

@@ -6,6 +6,7 @@
 #include "bodies/section/fields.hpp"
 #include "bodies/section/system.hpp"
 #include "linalg/blas_threads.hpp"
+#include "linalg/sparse_order.hpp"
 #include "support/index.hpp"
 #include "support/parallel.hpp"
 
@@ -84,7 +85,8 @@ std::vector<double> System::sampled(std::span<const double> force, double angle,
 std::vector<double> System::sample_everywhere(std::size_t s, int /*threads*/) const {
   const double n = harmonics_.samples()[s], scale = (n > 0 ? n : 1) / reference_;
   const std::size_t width = section_.profile().size(), unknowns = at(stiffness_.unknowns());
-  const auto factor = factor_of(n, {});
+  std::call_once(order_found_, [&] { order_ = order_unknowns(stiffness_.matrix(1), {}).unknown; });
+  const auto factor = factor_of(n, {}, order_);
   std::vector<double> b(3 * width * unknowns, 0.0), out(3 * width * stiffness_.numbers().size(), 0.0);
   for (std::size_t k = 0; k < 3 * width; ++k)
     if (const std::int64_t u = stiffness_.unknown(section_.profile()[k / 3], k % 3); u >= 0)

@@ -8,6 +8,7 @@
 #include "bodies/model/mesh_models.hpp"
 #include "linalg/blas_threads.hpp"
 #include "linalg/sparse_factor.hpp"
+#include "linalg/sparse_order.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"
 #include "support/index.hpp"
@@ -60,9 +61,10 @@ std::vector<std::int64_t> System::profile_unknowns() const {
   return unknown;
 }
 
-std::unique_ptr<SparseFactor> System::factor_of(double n, std::span<const std::int64_t> condensed) const {
+std::unique_ptr<SparseFactor> System::factor_of(double n, std::span<const std::int64_t> condensed,
+                                                std::span<const std::int64_t> order) const {
   try {
-    return factor_definite(stiffness_.matrix(n), condensed);
+    return factor_definite(stiffness_.matrix(n), condensed, order);
   } catch (const ZeroPivot& pivot) {
     const auto& of = stiffness_.numbers();
     const auto place = std::find(of.begin(), of.end(), pivot.unknown()) - of.begin();
@@ -87,8 +89,13 @@ void System::solve_harmonics(int threads) {
   const std::vector<double>& sample = harmonics_.samples();
   response_.resize(static_cast<std::int64_t>(sample.size()), 9 * width * width);
   std::vector<SparseStatistics> found(sample.size());
+  SparseOrder order;  // all harmonics have one pattern
+  {
+    const Stopwatch ordering(statistics_.seconds_order);
+    order = order_unknowns(stiffness_.matrix(1), condensed);
+  }
   parallel_for(static_cast<std::int64_t>(sample.size()), 1, threads, [&](std::int64_t s, int) {
-    const auto factor = factor_of(sample[at(s)], condensed);
+    const auto factor = factor_of(sample[at(s)], condensed, order.unknown);
     found[at(s)] = factor->statistics();
     std::vector<double> b(at(n * n), 0.0);
     const double scale = std::max(sample[at(s)], sample[at(s)] > 0 ? 0 : 1.0) / reference_;
@@ -115,7 +122,7 @@ OwnLoads System::solve_own_load(const BodyMesh& loaded) const {
   const auto& of = stiffness_.numbers();
   for (std::size_t k = 0; k < u.size(); ++k)
     if (of[k] >= 0) b[at(of[k])] = load[k] - moved[k];
-  factor_of(0, {})->solve(b.data(), 1);
+  factor_of(0, {}, {})->solve(b.data(), 1);
   require_no_overflow(b);
   for (std::size_t k = 0; k < u.size(); ++k)
     if (of[k] >= 0) u[k] = b[at(of[k])];

@@ -3,6 +3,7 @@
 /// the response to tractions on the surface that the section sweeps (docs/sections.md).
 
 #include <map>
+#include <mutex>
 #include <tuple>
 #include <vector>
 
@@ -72,7 +73,8 @@ class System final : public ResponseCache {
   std::int64_t factored() const override { return response_.rows(); }
   void write_factors(SectionWriter& file) const override;
   void read_factors(SectionReader& file) override;
-  std::unique_ptr<SparseFactor> factor_of(double n, std::span<const std::int64_t> condensed) const;
+  std::unique_ptr<SparseFactor> factor_of(double n, std::span<const std::int64_t> condensed,
+                                          std::span<const std::int64_t> order) const;
   void solve_harmonics(int threads);
   OwnLoads solve_own_load(const BodyMesh& loaded) const;
   std::vector<std::int64_t> profile_unknowns() const;
@@ -91,6 +93,9 @@ class System final : public ResponseCache {
   /// Rows are by sample and hold, at [((3 * j + a) * profile + i) * 3 + b], component a of the displacement of profile
   /// node j under component b of a force at node i, per radian, times n.
   RowMatrix<double> response_;
+  /// Order of the unknowns with none condensed, which all harmonics share; found once for all threads.
+  mutable std::once_flag order_found_;
+  mutable std::vector<std::int64_t> order_;
 };
 
 }  // namespace rollcon::section

@@ -21,11 +21,24 @@ double half_width(const Solution& s) {
   return 0.5 * width;
 }
 
+// Matrices of finite elements show 0.2 to 0.3 of their modulus.
+Line doubt_about_units(const Solution& s, int which) {
+  constexpr double most_ratio = 30;
+  const double shown = imbalances_of(s.prepared->meshes[static_cast<std::size_t>(which)].response).local_young;
+  const double own = s.prepared->pair.body[static_cast<std::size_t>(which)]->young(), ratio = shown / own;
+  if (shown == 0 || (ratio < most_ratio && ratio > 1 / most_ratio)) return {};
+  return line_of(
+      "body %d: its matrix gives way between neighbouring nodes as a half-space of Young's modulus %.3g, but "
+      "rollcon_body_set_elastic gave %.3g, apart by a factor of %.3g: check the units of matrix, nodes and modulus",
+      which + 1, shown, own, ratio);
+}
+
 Line doubt_about(const Solution& s, int which) {
   // Rings of boundary elements whose axial displacements are within 2 % have 0.016 at most, rings off by 6 to 36 %
   // 0.028 at least.
   constexpr double most_bent = 0.02, little_force = 0.05, shallow = 1.9;
   const MeshOnFrame& mesh = s.prepared->meshes[static_cast<std::size_t>(which)];
+  if (const Line other = doubt_about_units(s, which); *other.text) return other;
   if (!mesh.response || s.report.outcome != Outcome::converged) return {};
   if (const double half = half_width(s); half > 0 && std::isfinite(mesh.element) && mesh.element > half)
     return line_of(
@@ -71,6 +84,11 @@ Line describe_too_deep(const Solution& s) {
       "the largest pressure is %.4g, more than the modulus of contact (%.4g), as no material bears: check shapes, "
       "sides, loads and all units",
       largest, modulus);
+}
+
+Line describe_units(const Solution& s) {
+  const Line first = doubt_about_units(s, 0);
+  return *first.text ? first : doubt_about_units(s, 1);
 }
 
 Line describe_meshes(const Solution& s) {
