@@ -90,8 +90,8 @@ def ring_of_elements(context, kind):
         n, m = len(r) - 1, len(y) - 1
         body.add_elements("quad8", [[of(i + a, j + b, n) for a, b in edges] for i, j in sides[0]], 0)
         body.add_elements("quad8", [[of(i + b, j + a, 0) for a, b in edges] for i, j in sides[0]], 0)
-        body.add_elements("quad8", [[of(i + b, 0, k + a) for a, b in edges] for i, k in sides[1]], 0)
-        body.add_elements("quad8", [[of(i + a, m, k + b) for a, b in edges] for i, k in sides[1]], 0)
+        body.add_elements("quad8", [[of(i + a, 0, k + b) for a, b in edges] for i, k in sides[1]], 0)
+        body.add_elements("quad8", [[of(i + b, m, k + a) for a, b in edges] for i, k in sides[1]], 0)
     else:
         corners = [(a, b, c) for c in (0, 2) for a, b in edges[:4]]
         middles = [(a, b, c) for c in (0, 2) for a, b in edges[4:]] + [(a, b, 1) for a, b in edges[:4]]
@@ -188,7 +188,7 @@ def draw(nodes, elements, u, mises):
     axes.set_aspect("equal")
     axes.set_xlabel("y, mm")
     axes.set_ylabel("radius, mm")
-    axes.set_title(f"section below the axle, displacements {scale} times")
+    axes.set_title(f"displacements {scale} times")
     figure.colorbar(drawn, label="von Mises's stress, MPa")
     figure.savefig("section_bodies_wheel.png", dpi=120, bbox_inches="tight")
     print("drawn: section_bodies_wheel.png")
