@@ -163,7 +163,8 @@ def wheel():
     mises = np.sqrt(0.5 * ((s[0] - s[1]) ** 2 + (s[1] - s[2]) ** 2 + (s[2] - s[0]) ** 2)
                     + 3 * (s[3] ** 2 + s[4] ** 2 + s[5] ** 2))
     web = (nodes[:, 2] > 190) & (nodes[:, 2] < 370)
-    print(f"largest stress of the web {mises[web].max():.1f} MPa (von Mises), its middle moves by {u[web][:, 2].max():.4f} mm")
+    print(f"largest stress of the web {mises[web].max():.1f} MPa (von Mises), which moves by up to "
+          f"{np.abs(u[web]).max():.4f} mm")
     draw(nodes, elements, u, mises)
 
 
@@ -225,7 +226,8 @@ def roller():
         status = contact.solve()
         u = contact.body_displacements(1 if name == "inner" else 2)
         print(f"  on the {name} ring: largest pressure {contact.stat('max_pressure'):.0f} MPa, approach "
-              f"{contact.motion()[0]:.4f} mm, its raceway moves by up to {np.abs(u[:, 2]).max():.4f} mm ({int(status)})")
+              f"{contact.motion()[0]:.4f} mm, its raceway moves by up to {np.abs(u[:, 2]).max():.4f} mm "
+              f"({int(status)})")
 
 
 if __name__ == "__main__":

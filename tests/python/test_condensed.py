@@ -215,13 +215,18 @@ class AsCondensed(unittest.TestCase):
         body = surface(self.context)
         with self.assertRaisesRegex(rc.RollconError, "has no stiffness or flexibility"):
             body.prepare()
-        for text, told in (("%%MatrixMarket matrix array real general\n12 12\n", "line 2: a matrix of 12 rows; needed: 243"),
-                           ("%%MatrixMarket matrix array real symmetric\n243 243\n1\n2\n", "line 4: the matrix ends early"),
-                           ("%%MatrixMarket matrix coordinate real general\n243 243 1\n244 1 2\n", "line 3: an index"),
-                           ("%%MatrixMarket matrix coordinate complex general\n", "line 1: allowed"),
+        market = "%%MatrixMarket matrix "
+        for text, told in ((market + "array real general\n12 12\n", "line 2: a matrix of 12 rows; needed: 243"),
+                           (market + "array real symmetric\n243 243\n1\n2\n", "line 4: the matrix ends early"),
+                           (market + "coordinate real general\n243 243 1\n244 1 2\n", "line 3: an index"),
+                           (market + "coordinate real general\n243 243 1e30\n", "line 2: more entries"),
+                           (market + "coordinate complex general\n", "line 1: allowed"),
                            ("1 2 3\n", "neither a MatrixMarket file nor a substructure"), ("", "it is empty")):
             with self.assertRaisesRegex(rc.RollconError, told):
                 body.read_condensed("stiffness", self.write("wrong", text))
+        held = np.diag(np.ones(243))  # as CalculiX 2.20 leaves it, which condenses nothing
+        with self.assertRaisesRegex(rc.RollconError, "most entries are exactly zero: nothing was condensed"):
+            body.read_condensed("stiffness", self.write("wrong", substructure(held, np.arange(81), 1, True)))
         with self.assertRaisesRegex(rc.RollconError, "a finite-element body takes no stiffness"):
             block(self.context, N).set_condensed("stiffness", k)
         body.set_condensed("stiffness", k)
