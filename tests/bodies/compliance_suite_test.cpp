@@ -2,6 +2,7 @@
 
 #include "support/compliance_suite.hpp"
 
+#include "bodies/model/mesh_models.hpp"
 #include "bodies/pair.hpp"
 #include "support/frames.hpp"
 #include "support/section_bodies.hpp"
@@ -188,6 +189,33 @@ ComplianceCase section(ElementType type, bool own_mesh) {
   return c;
 }
 
+/// Makes the block of finite elements again, by its flexibility on the nodes of its zone.
+ComplianceCase condensed() {
+  ComplianceCase c = finite_elements(VolumeType::hex8, true);
+  c.name = "condensed hex8, frame laid on";
+  c.moved = {};
+  c.expansion = 0;
+  c.make = [](int level, const Placement& where) {
+    const std::shared_ptr<statics::StaticBody> from = zone_body(VolumeType::hex8, level, where, {});
+    std::vector<std::int32_t> node;
+    const auto faces = surfaces::elements_with_tag(from->mesh(), 2);
+    const SurfaceMesh zone = surfaces::part_of(from->mesh(), faces, node);
+    const RowMatrix<double> flexibility =
+        condensed::matrix_on_faces(MatrixForm::flexibility, from->mesh(), faces, *from->body().response(), 1);
+    auto context = std::make_shared<Context>();
+    auto body = std::make_shared<Body>(context, static_cast<std::int32_t>(BodyKind::condensed));
+    body->set_nodes(zone.nodes(), zone.node.front().data(), 3, 1);
+    for_runs(zone, [&](std::int32_t type, std::int32_t, std::int64_t count, const std::int32_t* connectivity) {
+      body->add_elements(type, count, connectivity, 0, 0);
+    });
+    body->set_elastic(0, where.stress * young, poisson);
+    body->set_condensed(2, flexibility.rows() * flexibility.rows(), flexibility.data());
+    body->prepare();
+    return placed(body, context, scaled(square(ElementType::quad4, 5 << level), 0.9 * where.length), where);
+  };
+  return c;
+}
+
 /// Returns one case of every kind that deforms.
 std::vector<ComplianceCase> all_models() {
   std::vector<ComplianceCase> all;
@@ -195,6 +223,8 @@ std::vector<ComplianceCase> all_models() {
     if (!row.elastic) continue;
     if (!row.meshed)
       all.push_back(unmeshed(row.kind, ElementType::quad4, 0.3));
+    else if (row.given)
+      all.push_back(condensed());
     else if (row.section)
       all.push_back(section(ElementType::quad8, true));
     else if (row.volume)
