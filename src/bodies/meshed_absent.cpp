@@ -21,7 +21,7 @@ std::unique_ptr<Compliance> make_meshed_compliance(const Frame& /*frame*/, const
   refuse();
 }
 
-void require_supports(const BodyMesh& /*mesh*/) {
+void require_supports(const BodyMesh& /*mesh*/, const RowMatrix<double>* /*stiffness*/) {
   refuse();
 }
 
