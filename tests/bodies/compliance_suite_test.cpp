@@ -4,6 +4,7 @@
 
 #include "bodies/model/mesh_models.hpp"
 #include "bodies/pair.hpp"
+#include "support/element_runs.hpp"
 #include "support/frames.hpp"
 #include "support/section_bodies.hpp"
 #include "support/static_solution.hpp"
@@ -209,7 +210,15 @@ ComplianceCase condensed() {
       body->add_elements(type, count, connectivity, 0, 0);
     });
     body->set_elastic(0, where.stress * young, poisson);
-    body->set_condensed(2, flexibility.rows() * flexibility.rows(), flexibility.data());
+    // Its rows have the nodes of the block in ascending order.
+    std::vector<std::int64_t> row;
+    for (const std::int32_t k : node)
+      for (std::int64_t c = 0; c < 3; ++c)
+        row.push_back(3 * std::count_if(node.begin(), node.end(), [&](std::int32_t other) { return other < k; }) + c);
+    std::vector<double> ordered;
+    for (const std::int64_t i : row)
+      for (const std::int64_t j : row) ordered.push_back(flexibility.row(i)[j]);
+    body->set_condensed(2, std::ssize(ordered), ordered.data());
     body->prepare();
     return placed(body, context, scaled(square(ElementType::quad4, 5 << level), 0.9 * where.length), where);
   };
