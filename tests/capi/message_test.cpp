@@ -29,7 +29,7 @@ class message : public Api {
 TEST_F(message, two_rigid_bodies_names_all_elastic_kinds) {
   rollcon_contact* c = nullptr;
   EXPECT_FAILS(rollcon_contact_create(context, plane, plane, &c), ARGUMENT,
-               "(finite-element, boundary-element, half-space or section)");
+               "(finite-element, boundary-element, half-space, section or condensed)");
   EXPECT_EQ(c, nullptr);
 }
 
