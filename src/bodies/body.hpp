@@ -107,6 +107,8 @@ class Body {
   /// Makes another body of this kind and material, not prepared, with this profile, which has no place yet. err_state:
   /// there is no profile.
   std::shared_ptr<Body> with_profile_alone() const;
+  /// Makes a half-space of these constants with this profile instead.
+  std::shared_ptr<Body> with_profile_alone(double young, double poisson) const;
   /// Tells whether both bodies have the same elastic constants at the contact.
   bool same_elastic(const Body& other) const;
   /// Returns the radius at z = 0 of a revolved profile; infinite: there is none.

@@ -165,6 +165,13 @@ std::shared_ptr<Body> Body::with_profile_alone() const {
   return body;
 }
 
+std::shared_ptr<Body> Body::with_profile_alone(double young, double poisson) const {
+  auto body = std::make_shared<Body>(context_, static_cast<std::int32_t>(BodyKind::halfspace));
+  body->set_elastic(0, young, poisson);
+  body->model_->profile.curve = profile();
+  return body;
+}
+
 bool Body::same_elastic(const Body& other) const {
   if (this == &other) return true;
   const std::scoped_lock lock(mutex_, other.mutex_);

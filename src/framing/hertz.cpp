@@ -117,6 +117,20 @@ HertzContact hertz_by_approach(const QuadraticGap& gap, double modulus, double a
   return finish(s, larger, 2 * pi * larger * modulus * depth / (3 * s.integrals.k), approach);
 }
 
+QuadraticGap gap_with_ratio(double ratio, double modulus) {
+  constexpr double curvature = 1e-3;
+  double low = -16, high = 16;
+  QuadraticGap gap;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);  // logarithm of the ratio of curvatures
+    gap = {curvature * std::exp(-middle / 2), curvature * std::exp(middle / 2), 0};
+    const HertzContact hertz = hertz_by_load(gap, modulus, 1);
+    const double found = middle > 0 ? hertz.larger / hertz.smaller : hertz.smaller / hertz.larger;
+    (found < ratio ? low : high) = middle;
+  }
+  return gap;
+}
+
 double stretch_by_friction(double dundurs_beta, double friction) {
   // Unstretched frames of a body on a rigid one under mu = 0.3 tend to forces that are off by up to 1.5 %.
   constexpr double moved = 0.12, most_moved = 0.03;

@@ -18,6 +18,9 @@ struct HertzContact {
 /// Returns false where the gap has no least curvature > 0: no ellipse bounds the contact.
 bool has_ellipse(const QuadraticGap& gap);
 
+/// Returns a gap whose ellipse has this ratio of semi-axes, a along the first.
+QuadraticGap gap_with_ratio(double ratio, double modulus);
+
 /// Find the contact of a gap that has an ellipse; modulus: E*; load >= 0, approach any (<= 0: of no size).
 HertzContact hertz_by_load(const QuadraticGap& gap, double modulus, double load);
 HertzContact hertz_by_approach(const QuadraticGap& gap, double modulus, double approach);

@@ -6,6 +6,7 @@
 
 #include "contact/results/equivalent_ellipse.hpp"
 #include "framing/strip_givens.hpp"
+#include "framing/strips/strip_adhesion.hpp"
 #include "framing/strips/strip_bridge.hpp"
 #include "framing/strips/strip_results.hpp"
 
@@ -45,6 +46,9 @@ class StripFrames final : public MovingFrame {
   /// Returns the Hertzian contact that is equivalent to the solution without friction. Errors are those of
   /// rollcon::equivalent_ellipse().
   EquivalentEllipse equivalent_ellipse(const PairOfBodies& pair);
+  /// Finds the forces of linear theory about the origin of the axes; the slip is the scene's own, by heights.
+  bool adhesion(strips::Adhesion& found) { return strips::adhere(contact_, givens_.scene(), solution_, found); }
+  const strips::StripScene& scene() const { return givens_.scene(); }
   /// Returns the power of friction, which is the power that forces, moment and given slip put in if tractions carried
   /// along change no energy. This holds between bodies that pressures do not couple; returns nothing for others.
   std::optional<double> friction_power() const;

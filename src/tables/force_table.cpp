@@ -233,6 +233,13 @@ void ForceTable::evaluate(const EquivalentEllipse& contact, double* result) cons
   require_finite_results(1, 3, result, "results");
 }
 
+std::shared_ptr<CreepMap> ForceTable::map(std::uint64_t key) const {
+  const std::lock_guard lock(map_mutex_);
+  std::shared_ptr<CreepMap>& map = map_[key];
+  if (!map) map = std::make_shared<CreepMap>();
+  return map;
+}
+
 void ForceTable::save(const std::string& path) const {
   table().save(path);
 }

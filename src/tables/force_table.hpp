@@ -2,12 +2,15 @@
 /// Holds a creep-force table as callers see it: set, made in parts, then frozen.
 
 #include <atomic>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
 #include "contact/contact.hpp"
 #include "support/context.hpp"
+#include "tables/creep_map.hpp"
 #include "tables/creep_table.hpp"
 
 namespace rollcon {
@@ -44,6 +47,8 @@ class ForceTable {
   /// table of unlike bodies is asked about others, err_argument.
   void evaluate(const EquivalentEllipse& contact, double* result) const;
   void save(const std::string& path) const;
+  /// Returns the map of a pair of profiles, empty at first; key: checksum of all that it depends on.
+  std::shared_ptr<CreepMap> map(std::uint64_t key) const;
   /// Throws err_state without a table.
   void require_made() const { table(); }
 
@@ -60,6 +65,8 @@ class ForceTable {
   std::atomic<bool> cancel_{false};
   ProgressFunction progress_ = nullptr;
   void* progress_user_ = nullptr;
+  mutable std::mutex map_mutex_;
+  mutable std::map<std::uint64_t, std::shared_ptr<CreepMap>> map_;
 };
 
 }  // namespace rollcon

@@ -13,21 +13,6 @@ namespace {
 
 /// Friction between like bodies is no matter.
 constexpr double usual_friction = 0.3;
-constexpr double curvature = 1e-3;
-
-/// Returns curvatures whose ellipse has this ratio of semi-axes, a along the first.
-QuadraticGap gap_of(double ratio, double modulus) {
-  double low = -16, high = 16;
-  QuadraticGap gap;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (low + high);  // logarithm of the ratio of curvatures
-    gap = {curvature * std::exp(-middle / 2), curvature * std::exp(middle / 2), 0};
-    const HertzContact hertz = hertz_by_load(gap, modulus, 1);
-    const double found = middle > 0 ? hertz.larger / hertz.smaller : hertz.smaller / hertz.larger;
-    (found < ratio ? low : high) = middle;
-  }
-  return gap;
-}
 
 }  // namespace
 
@@ -46,7 +31,7 @@ void RollingSampler::make(double ratio, const UnlikePair& pair, double friction,
                           std::int64_t across, bool fine) {
   context_->set_threads(1);
   const double modulus = 1 / (1 - pair.mean_poisson());  // E* of bodies whose mean of 1 / G is 1
-  const QuadraticGap gap = gap_of(ratio, modulus);
+  const QuadraticGap gap = gap_with_ratio(ratio, modulus);
   const HertzContact unit = hertz_by_load(gap, modulus, 1);
   const double load = std::pow(unit.larger * unit.smaller, -1.5);
   bound_ = friction * load;

@@ -23,9 +23,6 @@ HertzianPatch hertzian_patch(const OverlapPatch& patch, double modulus, double g
   h.b = scale * wide_y;
   h.load = hertz.load;
   h.max_pressure = hertz.pressure;
-  // Surfaces are taken as parabolas across; pressures weigh them over b^2 / 5, depths over the spread.
-  h.centre = patch.wheel + h.b * h.b / (5 * patch.spread) * (patch.centre - patch.wheel);
-  h.lean = patch.lean;
   return h;
 }
 

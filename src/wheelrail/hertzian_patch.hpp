@@ -10,8 +10,6 @@ namespace rollcon {
 /// Holds the semi-axes along x and the lateral axis; there is no load where all of the overlap gives way.
 struct HertzianPatch {
   double a = 0, b = 0, load = 0, max_pressure = 0;
-  Vec3 centre{};  ///< centre of the wheel's surface, as its pressures weigh it
-  Vec3 lean{};    ///< shift of that centre by lateral distance
 };
 
 /// Makes the patch's contact; modulus: E* of both bodies; give_way: part of the overlap that does not press.

@@ -64,17 +64,29 @@ Status PatchContact::solve(const OverlapPatch& patch, const WheelMotion& motion,
   take_creepages();
   now_.by_table = now_.hertzian = false;
   now_.give_way = give_way;
-  if (friction.table && friction.hertzian && take_hertzian_results(friction, give_way)) return now_.status;
-  stand(motion);
-  if (friction.table) {
+  bool known = false;
+  if (friction.trust > 0 && friction.hertzian) {
+    known = take_hertzian_results(friction, give_way);
+  } else if (friction.trust > 0) {
+    stand(motion);
     prescribe(give_way, {});
     solve_contact(fineness);
-    if (take_table_results(friction)) return now_.status;
+    known = take_table_results(friction);
   }
+  if (known && friction.trust >= 1) return now_.status;
+  const Vec3 force = now_.force, moment = now_.moment;
+  const double power = now_.table_power;
+  now_.by_table = now_.hertzian = false;
+  stand(motion);
   prescribe(give_way, friction);
   solve_contact(fineness);
   const Loads loads = found_loads();
   take_results(loads.force, loads.moment);
+  if (!known) return now_.status;
+  now_.table_power = friction.trust * power + (1 - friction.trust) * friction_power();
+  now_.force = friction.trust * force + (1 - friction.trust) * now_.force;
+  now_.moment = friction.trust * moment + (1 - friction.trust) * now_.moment;
+  now_.by_table = true;
   return now_.status;
 }
 
@@ -128,85 +140,41 @@ const std::shared_ptr<Contact>& PatchContact::contact() const {
   return contact_;
 }
 
-namespace {
-
-/// Returns the frictional power over speed. What pressure strains one body more than the other is slip, too.
-double power_of(const Vec3& own, const EquivalentEllipse& e) {
-  const double longitudinal = e.creepage[0] + strain_creepage(e.strained, e.load, e.a, e.b);
-  return -(own[0] * longitudinal + own[1] * e.creepage[1] + own[2] * e.creepage[2]);
-}
-
-}  // namespace
-
-// Takes results from the table; returns false where it does not have this patch.
+// Takes results from the table for pressures that were solved for; returns false where it does not have this patch.
 bool PatchContact::take_table_results(const PatchFriction& friction) {
-  Vec3 own{};
-  const auto [force, moment] = found_loads();
-  if (now_.status != Status::ok && now_.status != Status::coarse && now_.status != Status::rim_contact) {
-    if (now_.status != Status::no_contact) return false;
-    now_.by_table = true;
-    now_.table_power = 0;
-    take_results(force, moment);
-    return true;
-  }
-  try {
-    EquivalentEllipse e =
-        now_.on_strips ? strips_->equivalent_ellipse(contact_->solver->bodies()) : contact_->equivalent_ellipse();
-    e.friction = friction.mu;
-    friction.table->evaluate(e, own.data());
-    now_.table_power = (now_.on_strips ? strips_->speed() : contact_->stat("rolling_speed")) * power_of(own, e);
-    own[2] += e.centre[0] * own[1] - e.centre[1] * own[0];
-  } catch (const Error& e) {
-    if (e.status() != Status::err_argument && e.status() != Status::err_state) throw;
+  const Loads loads = found_loads();
+  if (now_.status != Status::ok && now_.status != Status::coarse && now_.status != Status::rim_contact &&
+      now_.status != Status::no_contact)
     return false;
-  }
+  now_.force = now_.moment = {};
+  now_.table_power = 0;
+  const HertzianPatch h = hertzian_patch(now_.patch, modulus(), now_.give_way);
+  if (now_.status != Status::no_contact && !(h.load > 0 && take_table_forces(friction, h, -loads.force[2])))
+    return false;
+  const Vec3 along = now_.force, turning = now_.moment;
+  take_results(loads.force, loads.moment);
+  now_.force = now_.force + along;
+  now_.moment = now_.moment + turning;
   now_.by_table = true;
-  take_results({own[0], own[1], force[2]}, {moment[0], moment[1], own[2]});
   return true;
 }
 
-// Takes results for Hertz's ellipse from the table; returns false where it does not have this patch.
+// Takes results for the patch's ellipse, without its pressures; returns false where the table does not have it.
 bool PatchContact::take_hertzian_results(const PatchFriction& friction, double give_way) {
-  const CommonElasticity common = common_elasticity(*wheel_, *rail_);
-  const HertzianPatch h = hertzian_patch(now_.patch, common.shear / (1 - common.poisson), give_way);
-  const WheelMotion& motion = now_.motion;
-  const Axes& axes = now_.axes;
-  Vec3 own{};
+  const PatchCalibration& c = friction.calibration;
+  const HertzianPatch h = hertzian_patch(now_.patch, modulus(), give_way);
+  const double load = c.load * h.load;
+  now_.force = now_.moment = {};
   now_.table_power = 0;
-  if (h.load > 0) {
-    // Creepages fit the slip over Hertz's pressure, whose second moments are a^2 / 5 and b^2 / 5.
-    const Vec3 wheel = motion.velocity.at(h.centre), rail = motion.rail.at(h.centre), slip = wheel - rail;
-    const Vec3 turning = motion.velocity.angular - motion.rail.angular;
-    const double speed = std::abs(motion.speed - 0.5 * (wheel[0] + rail[0]));
-    const double side = dot(axes.t2, now_.patch.lateral);
-    const double sheared = -side * dot(cross(turning, h.lean), axes.t1), turned = dot(turning, axes.n);
-    const double spin = (h.a * h.a * turned + h.b * h.b * sheared) / (h.a * h.a + h.b * h.b);
-    EquivalentEllipse e;
-    e.shear = common.shear;
-    e.poisson = common.poisson;
-    e.strained = common.strained;
-    e.friction = friction.mu;
-    e.a = h.a;
-    e.b = h.b;
-    e.load = h.load;
-    e.creepage = {dot(slip, axes.t1) / speed, dot(slip, axes.t2) / speed, spin / speed};
-    try {
-      friction.table->evaluate(e, own.data());
-    } catch (const Error& e) {
-      if (e.status() != Status::err_argument && e.status() != Status::err_state) throw;
-      return false;
-    }
-    now_.table_power = speed * power_of(own, e);
-  }
+  if (h.load > 0 && !take_table_forces(friction, h, load)) return false;
+  const Vec3 normal = -load * now_.axes.n;
+  now_.force = now_.force + normal;
+  if (h.load > 0) now_.moment = now_.moment + cross(now_.arm, normal);
+  now_.hertzian_pressure = c.pressure * h.max_pressure;
+  now_.hertzian_area = std::numbers::pi * c.a * c.b * h.a * h.b;
   now_.status = h.load > 0 ? Status::ok : Status::no_contact;
-  if (h.max_pressure > modulus()) now_.status = Status::too_deep;
+  if (now_.hertzian_pressure > modulus()) now_.status = Status::too_deep;
   now_.by_table = now_.hertzian = true;
-  now_.hertzian_pressure = h.max_pressure;
-  now_.hertzian_area = std::numbers::pi * h.a * h.b;
-  const Vec3 off = h.load > 0 ? h.centre - now_.patch.reference : Vec3{0, 0, 0};
-  const Vec3 arm = Vec3{off[0], 0, 0} + dot(off, now_.patch.lateral) * now_.patch.lateral;
-  now_.force = from_axes(axes, {own[0], own[1], -h.load});
-  now_.moment = own[2] * axes.n + cross(arm, now_.force);
   now_.on_strips = false;
   contact_->reset();
   return true;

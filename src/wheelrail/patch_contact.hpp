@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "contact/contact.hpp"
@@ -11,6 +12,8 @@
 #include "geometry/velocity.hpp"
 #include "tables/force_table.hpp"
 #include "wheelrail/contact_search.hpp"
+#include "wheelrail/hertzian_patch.hpp"
+#include "wheelrail/patch_calibration.hpp"
 
 namespace rollcon {
 
@@ -44,8 +47,10 @@ struct PatchFriction {
   std::size_t points = 0;              ///< 0: mu everywhere
   std::array<double, most> lateral{};  ///< distances from the patch's reference, ascending
   std::array<double, most> at{};
-  /// Table of forces along the surface, for the patch's equivalent ellipse with mu; null: they are solved for.
+  /// Table of forces along the surface, for the patch's calibrated ellipse with mu; null: they are solved for.
   const ForceTable* table = nullptr;
+  PatchCalibration calibration{};
+  double trust = 0;  ///< weight of the table's results; the others are solved for
   /// The table's ellipse is that of the overlap, and no pressures are solved for.
   bool hertzian = false;
 };
@@ -83,6 +88,9 @@ class PatchContact {
   /// friction and axes follow from what is nearby. Strips move with the contact; a lattice keeps its place in the axes.
   /// The last solution stays. err_state: it did not converge, or its forces come from a table.
   Rate rate(const Nearby& before, const Nearby& behind, double distance);
+  /// Finds how a table's ellipse follows from the patch, for a wheel that rolls forward; nullopt where the patch has two
+  /// parts, is cut or has no strips. Nothing solved before counts.
+  std::optional<PatchCalibration> calibration(const OverlapPatch& patch, const WheelMotion& motion);
   /// Returns derivatives by what the surfaces give way.
   Rate rate_of_giving_way();
 
@@ -130,6 +138,7 @@ class PatchContact {
     FramePlace place;
     bool on_strips = false;  ///< strips fit the patch; the contact is solved when it is asked for
     Vec3 force{}, moment{}, creepages{};
+    Vec3 arm{};  ///< from the reference to the centre of the table's ellipse
     Status status = Status::ok;
     bool by_table = false, hertzian = false;
     double hertzian_pressure = 0, hertzian_area = 0;
@@ -150,6 +159,7 @@ class PatchContact {
   void solve_contact(const Fineness& fineness);
   bool solve_on_strips(const Fineness& fineness);
   bool take_table_results(const PatchFriction& friction);
+  bool take_table_forces(const PatchFriction& friction, const HertzianPatch& h, double load);
   void take_results(const Vec3& force, const Vec3& moment);
   void take_creepages();
 

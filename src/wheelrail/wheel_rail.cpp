@@ -86,14 +86,19 @@ void WheelRail::prepare_search() {
   wheel_ = given_wheel_->with_profile_alone();
   rail_ = given_rail_->with_profile_alone();
   const Vec3 centre{0, 0, -radius_}, axis{0, 1, 0};
-  wheel_->revolve_profile(centre.data(), axis.data(), radius_);
-  rail_->extrude_profile(rail_shape_.origin.data(), rail_shape_.along.data(), rail_shape_.down.data());
+  place_profiles(*wheel_, *rail_);
   search_.emplace(WheelShape{wheel_curve_, centre, axis, radius_}, rail_shape_);
   active_.clear();
   slot_.clear();
   spare_.clear();
   sink_ = 0;
   derived_ = false;
+}
+
+void WheelRail::place_profiles(Body& wheel, Body& rail) const {
+  const Vec3 centre{0, 0, -radius_}, axis{0, 1, 0};
+  wheel.revolve_profile(centre.data(), axis.data(), radius_);
+  rail.extrude_profile(rail_shape_.origin.data(), rail_shape_.along.data(), rail_shape_.down.data());
 }
 
 Pose WheelRail::attitude_of(const WheelsetState& position) {
@@ -204,9 +209,11 @@ Status WheelRail::solve_at(double z) {
   return worst;
 }
 
-void WheelRail::solve_patch(Slot& slot, const OverlapPatch& patch, const WheelMotion& motion) const {
+void WheelRail::solve_patch(Slot& slot, const OverlapPatch& patch, const WheelMotion& motion) {
   try {
-    slot.contact.solve(patch, motion, friction_of(patch),
+    PatchFriction friction = friction_of(patch);
+    calibrate(patch, slot.give_way, friction);
+    slot.contact.solve(patch, motion, friction,
                        fineness_for(in_.options.accuracy, in_.options.conformal, on_lattices_), slot.give_way);
   } catch (const Error& e) {
     if (!in_.options.conformal || e.status() != Status::err_mesh) throw;

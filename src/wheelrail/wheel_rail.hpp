@@ -159,7 +159,12 @@ class WheelRail {
   WheelMotion motion_at(double z) const { return motion_at(z, in_); }
   WheelMotion motion_at(double z, const Inputs& in) const;
   Status solve_at(double z);
-  void solve_patch(Slot& slot, const OverlapPatch& patch, const WheelMotion& motion) const;
+  void solve_patch(Slot& slot, const OverlapPatch& patch, const WheelMotion& motion);
+  void place_profiles(Body& wheel, Body& rail) const;
+  void prepare_map();
+  std::optional<double> sink_for_map(double y, double wheel_y, double depth);
+  CreepMap::Node map_node(const CreepMap::Place& place);
+  void calibrate(const OverlapPatch& patch, double give_way, PatchFriction& friction);
   PatchFriction friction_of(const OverlapPatch& patch) const;
   Status meet_force();
   void tell(Status status) const;
@@ -212,6 +217,15 @@ class WheelRail {
   bool derived_ = false;  ///< derivative_ belongs to the last solve
   std::array<Derivative, entries> derivative_{};
   std::atomic<bool> cancel_{false};
+  // Members that the table's map for these profiles is made with follow.
+  std::shared_ptr<CreepMap> map_;
+  std::shared_ptr<const ForceTable> map_table_;
+  std::int64_t map_dimensions_ = 0;
+  std::unique_ptr<PatchContact> map_contact_;
+  Inputs map_in_;
+  WheelMotion map_motion_;
+  std::vector<OverlapPatch> map_found_;
+  OverlapPatch map_patch_;
   std::vector<std::shared_ptr<Kept>> kept_;  ///< saved states by place
 };
 

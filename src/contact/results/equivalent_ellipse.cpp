@@ -107,6 +107,7 @@ EquivalentEllipse equivalent_ellipse(std::span<const LoadedPlace> place, double 
          "patch",
          filled, least_filled);
   e.load = m.load;
+  e.filled = filled;
   e.centre = {m.x, m.y};
   e.a = a * std::sqrt(filled);
   e.b = b * std::sqrt(filled);

@@ -28,6 +28,7 @@ struct EquivalentEllipse {
   double friction = 0;            ///< coefficient at the speed of the rigid slip, mean over the pressure
   double a = 0, b = 0;            ///< semi-axes along and across the rolling direction
   double load = 0;
+  double filled = 1;  ///< share of the ellipse of its pressures' moments that the contact fills
   /// Longitudinal, lateral, spin, at the centre; without strain_creepage(), which stands for `strained` on average.
   std::array<double, 3> creepage{};
   std::array<double, 2> centre{};  ///< centre in the axes of the contact

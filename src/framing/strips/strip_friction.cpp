@@ -279,7 +279,8 @@ bool StripSolver::friction_step(const StripScene& scene, StripState& state) {
 }
 
 void StripSolver::slide(const StripScene& scene, StripState& state, StripStart start, StripReport& report) {
-  const bool warm = start != StripStart::geometry;
+  // Without friction nothing is left of a solution nearby.
+  const bool warm = start != StripStart::geometry && scene.mu > 0;
   if (!warm) std::fill(state.traction.begin(), state.traction.end(), 0.0);
   if (start == StripStart::shares) {
     const std::size_t n = state.pressure.size();
