@@ -1,6 +1,9 @@
 #include "tables/creep_map.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "io/section_file.hpp"
 
 namespace rollcon {
 namespace {
@@ -18,7 +21,36 @@ std::array<double, 4> cubic_weights(double t, bool before, bool after) {
   return w;
 }
 
+/// Holds a node in a file.
+struct NodeRecord {
+  std::int64_t place[2], known;
+  CreepMap::Numbers value;
+};
+
 }  // namespace
+
+CreepMap::CreepMap(SectionReader& file) {
+  std::uint64_t count = 0;
+  file.read(&count, sizeof count);
+  if (count > file.left() / sizeof(NodeRecord)) file.fail_here("a map is longer than its section");
+  for (; count > 0; --count) {
+    NodeRecord r{};
+    file.read(&r, sizeof r);
+    for (const double v : r.value)
+      if (!std::isfinite(v)) file.fail_here("a number is not finite");
+    node_[{r.place[0], r.place[1]}] = {r.known != 0, r.value};
+  }
+}
+
+void CreepMap::save(SectionWriter& file) {
+  const std::lock_guard lock(mutex_);
+  const std::uint64_t count = node_.size();
+  file.write(&count, sizeof count);
+  for (const auto& [place, node] : node_) {
+    const NodeRecord r{{place.first, place.second}, node.known, node.value};
+    file.write(&r, sizeof r);
+  }
+}
 
 const CreepMap::Node& CreepMap::node(const Place& place, const Find& find) {
   const auto known = node_.find(place);
@@ -47,16 +79,16 @@ double CreepMap::at(double x, double y, const Find& find, Numbers& found) {
     for (std::size_t a = 0; a < 4; ++a)
       for (std::size_t k = 0; k < numbers; ++k) found[k] += up[b] * along[a] * near[b][a]->value[k];
   }
-  // A corner of the cell all of whose neighbours are known counts.
-  double trust = 0;
+  // A corner of the cell one of whose neighbours is not known is doubted.
+  double doubt = 0;
   for (std::size_t b = 0; b < 2; ++b)
     for (std::size_t a = 0; a < 2; ++a) {
       bool all = true;
       for (std::size_t k = 0; k < 9; ++k) all = all && near[b + k / 3][a + k % 3]->known;
       const double s = a == 0 ? 1 - x + left : x - left, t = b == 0 ? 1 - y + below : y - below;
-      if (all) trust += s * s * (3 - 2 * s) * t * t * (3 - 2 * t);
+      if (!all) doubt += s * s * (3 - 2 * s) * t * t * (3 - 2 * t);
     }
-  return trust;
+  return std::max(0.0, 1 - doubt);
 }
 
 }  // namespace rollcon

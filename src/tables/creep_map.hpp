@@ -10,9 +10,12 @@
 
 namespace rollcon {
 
+class SectionReader;
+class SectionWriter;
+
 class CreepMap {
  public:
-  static constexpr std::size_t numbers = 31;
+  static constexpr std::size_t numbers = 45;
   using Numbers = std::array<double, numbers>;
   struct Node {
     bool known = false;  ///< false: nothing is there
@@ -21,6 +24,10 @@ class CreepMap {
   using Place = std::pair<std::int64_t, std::int64_t>;
   using Find = std::function<Node(const Place&)>;
 
+  CreepMap() = default;
+  /// Reads what save() wrote; throws err_io where it is no map.
+  explicit CreepMap(SectionReader& file);
+  void save(SectionWriter& file);
   /// Interpolates by cubics whose slopes at a node are differences of its neighbours, to one side where only one is
   /// known. Returns how far the result is trusted: 1 within what is known, 0 at its border and beyond. Any thread may
   /// call it; results do not depend on what was asked for before if those of `find` do not.

@@ -3,6 +3,7 @@
 /// (docs/tables.md).
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,9 @@ struct TableInput {
 };
 constexpr std::size_t table_inputs = 9;
 
+class SectionReader;
+class SectionWriter;
+
 class CreepTable {
  public:
   explicit CreepTable(TableGrid grid);
@@ -28,8 +32,9 @@ class CreepTable {
 
   /// Puts splines through samples (table_samples.hpp).
   static CreepTable fit(const TableGrid& grid, const std::vector<double>& sample);
-  void save(const std::string& path) const;
-  static CreepTable load(const std::string& path);
+  /// Write a table and read it; more: writes or reads further sections.
+  void save(const std::string& path, const std::function<void(SectionWriter&)>& more = {}) const;
+  static CreepTable load(const std::string& path, const std::function<void(SectionReader&)>& more = {});
 
  private:
   struct Point;

@@ -10,6 +10,7 @@
 
 #include "build_info.hpp"
 #include "contact/scene/host_interrupt.hpp"
+#include "io/section_file.hpp"
 #include "support/error.hpp"
 #include "support/index.hpp"
 #include "support/input_checks.hpp"
@@ -20,6 +21,7 @@ namespace {
 
 /// Difference of (1 - 2 nu) / (2 G) over the mean of 1 / G that makes no difference.
 constexpr double alike = 1e-6;
+constexpr const char* maps = "maps";  ///< section of maps of pairs of profiles
 
 void require_between(std::int64_t value, const char* name, std::int64_t low, std::int64_t high) {
   if (value < low || value > high)
@@ -35,11 +37,23 @@ std::filesystem::path library_folder() {
   return std::filesystem::weakly_canonical(info.dli_fname, failed).parent_path();
 }
 
+void load_maps(SectionReader& file, std::map<std::uint64_t, std::shared_ptr<CreepMap>>& to) {
+  file.begin(maps);
+  while (file.left() > 0) {
+    std::uint64_t key = 0;
+    file.read(&key, sizeof key);
+    to[key] = std::make_shared<CreepMap>(file);
+  }
+  file.end();
+}
+
 }  // namespace
 
 std::unique_ptr<ForceTable> ForceTable::load(std::shared_ptr<Context> context, const std::string& path) {
   auto table = std::make_unique<ForceTable>(std::move(context));
-  table->table_ = std::make_unique<const CreepTable>(CreepTable::load(path));
+  table->table_ = std::make_unique<const CreepTable>(CreepTable::load(path, [&](SectionReader& file) {
+    if (file.has(maps)) load_maps(file, table->map_);
+  }));
   table->grid_ = table->table_->grid();
   table->ready_.store(table->table_.get(), std::memory_order_release);
   return table;
@@ -241,7 +255,15 @@ std::shared_ptr<CreepMap> ForceTable::map(std::uint64_t key) const {
 }
 
 void ForceTable::save(const std::string& path) const {
-  table().save(path);
+  const std::lock_guard lock(map_mutex_);
+  table().save(path, [this](SectionWriter& file) {
+    if (map_.empty()) return;
+    file.begin(maps);
+    for (const auto& [key, map] : map_) {
+      file.write(&key, sizeof key);
+      map->save(file);
+    }
+  });
 }
 
 }  // namespace rollcon

@@ -73,7 +73,7 @@ void read_all(SectionReader& file, const char* name, std::vector<T>& v) {
 
 }  // namespace
 
-void CreepTable::save(const std::string& path) const {
+void CreepTable::save(const std::string& path, const std::function<void(SectionWriter&)>& more) const {
   SectionWriter file(path, table_file);
   const GridRecord record{grid_.ratios,
                           grid_.magnitudes,
@@ -97,10 +97,11 @@ void CreepTable::save(const std::string& path) const {
   file.write(linear_.data(), linear_.size() * sizeof(double));
   file.begin("spline");
   file.write(coefficient_.data(), coefficient_.size() * sizeof(float));
+  if (more) more(file);
   file.commit();
 }
 
-CreepTable CreepTable::load(const std::string& path) {
+CreepTable CreepTable::load(const std::string& path, const std::function<void(SectionReader&)>& more) {
   SectionReader file(path, table_file);
   file.begin("grid");
   GridRecord record{};
@@ -139,6 +140,7 @@ CreepTable CreepTable::load(const std::string& path) {
   CreepTable table(std::move(grid));
   read_all(file, "linear", table.linear_);
   read_all(file, "spline", table.coefficient_);
+  if (more) more(file);
   file.verify_rest();
   return table;
 }

@@ -60,32 +60,25 @@ double s_at_y(const ProfileGap& gap, const GapPoint& first, const GapPoint& last
   return false_position(first.s, a, last.s, b, value, [&](double f) { return std::abs(f) <= rounding; });
 }
 
-/// Finds the lateral spread, and what of the wheel goes with it, about the common centre.
+/// Finds the lateral spread about the common centre.
 void describe_moments(const Overlap* first, const Overlap* last, OverlapPatch& patch) {
   const Vec3 pole = first->deepest.wheel;
   DepthMoments all;
   double deepest = 0;
   for (const Overlap* o = first; o <= last; ++o) {
-    all.add(o->moments, o->deepest.wheel - pole);
+    all.add(o->moments, o->deepest.wheel[1] - pole[1], o->deepest.wheel[2] - pole[2]);
     deepest = std::max(deepest, -o->deepest.gap);
   }
-  const Vec3& l = patch.lateral;
-  patch.centre = patch.wheel;
-  patch.lean = l;
   const double half = 0.5 * (patch.high - patch.low);
   patch.spread = half * half / 8;
   patch.fullness = 1;
   if (!(all.weight > 0)) return;
-  const Vec3 mean = 1 / all.weight * all.first;
-  const auto& s = all.second;
-  const Vec3 turned{s[0] * l[0] + s[1] * l[1] + s[2] * l[2], s[1] * l[0] + s[3] * l[1] + s[4] * l[2],
-                    s[2] * l[0] + s[4] * l[1] + s[5] * l[2]};
-  const Vec3 with = 1 / all.weight * turned - dot(mean, l) * mean;
-  const double spread = dot(with, l);
+  const double y = patch.lateral[1], z = patch.lateral[2];
+  const double mean = (y * all.first[0] + z * all.first[1]) / all.weight;
+  const auto [yy, yz, zz] = all.second;
+  const double spread = (y * y * yy + 2 * y * z * yz + z * z * zz) / all.weight - mean * mean;
   if (!(spread > 0)) return;
   patch.spread = spread;
-  patch.centre = pole + mean;
-  patch.lean = 1 / spread * with;
   // The integral of (1 - t^2)^2.5 is 5 pi / 16; weights are by y, and depths along z.
   const double wide = std::sqrt(8 * spread) * std::cos(patch.angle);
   const double power = std::pow(all.weight / (5 * std::numbers::pi / 16 * wide), 0.4);
@@ -210,28 +203,29 @@ void integrate(const ProfileGap& gap, const GapPoint& from, const GapPoint& to, 
     o.y += w * g->wheel[1];
     o.x += w * g->wheel[0];
     o.angle += w * std::atan(g->rail_slope);
-    o.moments.add(w, g->wheel - o.deepest.wheel);
+    o.moments.add(w, g->wheel[1] - o.deepest.wheel[1], g->wheel[2] - o.deepest.wheel[2]);
   }
 }
 
 }  // namespace
 
-void DepthMoments::add(double w, const Vec3& x) {
+void DepthMoments::add(double w, double y, double z) {
   weight += w;
-  first = first + w * x;
-  const std::array<double, 6> product{x[0] * x[0], x[0] * x[1], x[0] * x[2], x[1] * x[1], x[1] * x[2], x[2] * x[2]};
-  for (std::size_t i = 0; i < product.size(); ++i) second[i] += w * product[i];
+  first[0] += w * y;
+  first[1] += w * z;
+  second[0] += w * y * y;
+  second[1] += w * y * z;
+  second[2] += w * z * z;
 }
 
-void DepthMoments::add(const DepthMoments& other, const Vec3& pole) {
-  const Vec3& f = other.first;
-  const auto at = [&](std::size_t i, std::size_t j) {
-    return f[i] * pole[j] + pole[i] * f[j] + other.weight * pole[i] * pole[j];
-  };
-  const std::array<double, 6> moved{at(0, 0), at(0, 1), at(0, 2), at(1, 1), at(1, 2), at(2, 2)};
-  for (std::size_t i = 0; i < moved.size(); ++i) second[i] += other.second[i] + moved[i];
-  first = first + f + other.weight * pole;
-  weight += other.weight;
+void DepthMoments::add(const DepthMoments& other, double y, double z) {
+  const auto [fy, fz] = other.first;
+  second[0] += other.second[0] + 2 * y * fy;
+  second[1] += other.second[1] + y * fz + z * fy;
+  second[2] += other.second[2] + 2 * z * fz;
+  first[0] += fy;
+  first[1] += fz;
+  add(other.weight, y, z);
 }
 
 void measure(const ProfileGap& gap, Overlap& o) {

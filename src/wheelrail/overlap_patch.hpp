@@ -9,16 +9,16 @@
 
 namespace rollcon {
 
-/// Integrates over an overlap across the rail, weighted with depth^2.5: 1, and the wheel's points from a pole and their
-/// products xx, xy, xz, yy, yz, zz.
+/// Integrates over an overlap across the rail, weighted with depth^2.5: 1, and y and z of the wheel's points from a pole
+/// and their products yy, yz, zz.
 struct DepthMoments {
   double weight = 0;
-  Vec3 first{};
-  std::array<double, 6> second{};
+  std::array<double, 2> first{};
+  std::array<double, 3> second{};
 
-  void add(double w, const Vec3& from_pole);
-  /// Adds moments of another overlap, taken about a pole that is at `pole` here.
-  void add(const DepthMoments& other, const Vec3& pole);
+  void add(double w, double y, double z);
+  /// Adds moments of another overlap, taken about a pole that is at (y, z) here.
+  void add(const DepthMoments& other, double y, double z);
 };
 
 struct OverlapPatch {
@@ -39,8 +39,6 @@ struct OverlapPatch {
   /// its half-width squared over 8.
   double fullness = 0;  ///< mean depth, as depth^2.5 weighs it, over that of a paraboloid of this overlap and spread
   double spread = 0;    ///< mean square of the lateral distance from the centre of depth^2.5
-  Vec3 centre{};        ///< centre of the wheel's points
-  Vec3 lean{};          ///< change of these points with the lateral distance, by regression
 };
 
 /// Holds an interval of s in which the gap is negative and has one least value.

@@ -4,7 +4,9 @@
 
 #include <array>
 
+#include "contact/results/equivalent_ellipse.hpp"
 #include "tables/creep_map.hpp"
+#include "tables/force_table.hpp"
 
 namespace rollcon {
 
@@ -22,7 +24,24 @@ struct PatchCalibration {
   double a = 0, b = 0;              ///< semi-axes over those of the Hertzian patch
   double load = 0, pressure = 0;    ///< load and largest pressure over those of the Hertzian patch
   double filled = 0;                ///< share of the ellipse of its pressures' moments that the patch fills
+  double spin = 0, height = 0;      ///< motions of natural rolling, without translation
+  /// What is missing there, under friction of 0.3, about the centre over the load: forces along x and y and moment, and
+  /// their derivatives by both creepages and spin.
+  std::array<double, 3> missing{};
+  Matrix3 missing_by{};
 };
+constexpr double calibration_friction = 0.3;
 static_assert(sizeof(PatchCalibration) == sizeof(CreepMap::Numbers));
+
+/// Holds motions over the speed and the forces that they cause.
+struct CalibratedForces {
+  std::array<double, 3> force{};    ///< along x and y, and moment about the centre
+  std::array<double, 3> sliding{};  ///< creepages of sliding at the centre
+};
+
+/// Looks forces up for creepages at the patch's middle; e: all of the ellipse but its creepages. Throws what
+/// ForceTable::evaluate() does.
+CalibratedForces calibrated_forces(const PatchCalibration& c, const ForceTable& table, EquivalentEllipse e,
+                                   const std::array<double, 3>& creepage, double height);
 
 }  // namespace rollcon

@@ -90,7 +90,7 @@ class PatchContact {
   Rate rate(const Nearby& before, const Nearby& behind, double distance);
   /// Finds how a table's ellipse follows from the patch, for a wheel that rolls forward; nullopt where the patch has two
   /// parts, is cut or has no strips. Nothing solved before counts.
-  std::optional<PatchCalibration> calibration(const OverlapPatch& patch, const WheelMotion& motion);
+  std::optional<PatchCalibration> calibration(const OverlapPatch& patch, WheelMotion motion, const ForceTable& table);
   /// Returns derivatives by what the surfaces give way.
   Rate rate_of_giving_way();
 
@@ -159,6 +159,7 @@ class PatchContact {
   void solve_contact(const Fineness& fineness);
   bool solve_on_strips(const Fineness& fineness);
   bool take_table_results(const PatchFriction& friction);
+  bool find_missing(const ForceTable& table, EquivalentEllipse e, PatchCalibration& c);
   bool take_table_forces(const PatchFriction& friction, const HertzianPatch& h, double load);
   void take_results(const Vec3& force, const Vec3& moment);
   void take_creepages();

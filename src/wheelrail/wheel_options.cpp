@@ -7,8 +7,8 @@ const SettingTable<WheelOptions>& wheel_option_table() {
       {"accuracy", &WheelOptions::accuracy, 0.005, 1,
        "Error of tangential forces over the limit of friction: the frames of the patches are as fine as that takes."},
       {"hertzian", &WheelOptions::hertzian, 0, 1,
-       "1: with a creep-force table, pressures are Hertz's on the ellipse that each patch's overlap gives, and no "
-       "pressures are solved for; 0: they are."},
+       "1: with a creep-force table, pressures are those of an ellipse that each patch's overlap and the table's map "
+       "give, and none are solved for; 0: they are."},
       {"conformal", &WheelOptions::conformal, 0, 1,
        "1: the frame of each patch follows the profiles, with normals that turn across the rolling direction, and "
        "tables are not used; 0: it lies in a plane."},

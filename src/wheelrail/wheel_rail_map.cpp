@@ -30,10 +30,10 @@ void WheelRail::prepare_map() {
   const CommonElasticity common = common_elasticity(*wheel_, *rail_);
   Checksum sum;
   const auto add = [&](auto... v) {
-    const double all[] = {v...};
+    const double all[] = {(v + 0.0)...};  // without signs of zeros
     sum.add(all, sizeof all);
   };
-  add(1.0, common.poisson, track_->gauge, track_->height, track_->cant, back_to_back_, flange_back_, radius_);
+  add(1.0, spacing, spacing_of_depths, common.poisson, track_->gauge, track_->height, track_->cant, back_to_back_, flange_back_, radius_);
   for (const auto& curve : {wheel_curve_, rail_shape_.curve})
     for (const ProfilePiece& p : curve->pieces())
       add(p.length, p.start[0], p.start[1], p.along[0], p.along[1], p.square[0], p.square[1], p.cube[0], p.cube[1],
@@ -52,7 +52,7 @@ void WheelRail::prepare_map() {
 // it, nothing where the wheel is beside the rail.
 std::optional<double> WheelRail::sink_for_map(double y, double wheel_y, double depth) {
   constexpr int most = 12;
-  map_in_.position = {.y = y};
+  map_in_.position.y = y;
   const double touch = search_->first_touch(motion_at(0, map_in_).pose);
   if (!std::isfinite(touch)) return std::nullopt;
   double z = touch + depth;
@@ -73,7 +73,8 @@ std::optional<double> WheelRail::sink_for_map(double y, double wheel_y, double d
 CreepMap::Node WheelRail::map_node(const CreepMap::Place& place) {
   const double wheel_y = static_cast<double>(place.first) * spacing * radius_,
                depth = radius_ * std::exp(static_cast<double>(place.second) * spacing_of_depths);
-  map_in_.velocity = {.x = radius_, .pitch = -1};
+  map_in_.velocity.x = radius_;
+  map_in_.velocity.pitch = -1;
   const auto off = [&](double y) { return sink_for_map(y, wheel_y, depth); };
   const double near = 1e-9 * radius_;
   std::optional<double> before;
@@ -86,7 +87,7 @@ CreepMap::Node WheelRail::map_node(const CreepMap::Place& place) {
     false_position(y - shift * radius_, *last, y, *here, [&](double s) { return left = off(s).value_or(left); },
                    [&](double f) { return std::abs(f) < near; });
     if (std::abs(left) > 1e3 * near) continue;
-    if (const auto found = map_contact_->calibration(map_patch_, map_motion_))
+    if (const auto found = map_contact_->calibration(map_patch_, map_motion_, *in_.table))
       return {true, std::bit_cast<CreepMap::Numbers>(*found)};
     break;
   }
@@ -108,7 +109,6 @@ void WheelRail::calibrate(const OverlapPatch& patch, double give_way, PatchFrict
   const double s =
       std::clamp((friction.calibration.filled - filled_by_two) / (filled_by_one - filled_by_two), 0.0, 1.0);
   friction.trust = within * s * s * (3 - 2 * s);
-  if (getenv("DBG")) fprintf(stderr, "w %.3f d %.5f filled %.4f load %.4f a %.3f b %.3f p %.3f centre %.3f S11 %.3f S22 %.3f S33 %.3f S13 %.3f S23 %.3f lift %.4g %.4g slid %.4g\n", patch.wheel_y, depth, friction.calibration.filled, friction.calibration.load, friction.calibration.a, friction.calibration.b, friction.calibration.pressure, friction.calibration.centre[1], friction.calibration.stretch[0][0], friction.calibration.stretch[1][1], friction.calibration.stretch[2][2], friction.calibration.stretch[0][2], friction.calibration.stretch[1][2], friction.calibration.lifted[0], friction.calibration.lifted[2], friction.calibration.sliding[0]);
 }
 
 }  // namespace rollcon

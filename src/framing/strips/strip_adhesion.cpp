@@ -24,10 +24,7 @@ struct Paraboloids : PlaneField {
 
 }  // namespace
 
-bool adhere(StripContact& contact, StripScene scene, const StripSolution& solution, Adhesion& found) {
-  scene.mu = boundless;
-  scene.friction = nullptr;
-  scene.force_given = {};
+bool creep_rates(StripContact& contact, const StripScene& scene, const StripSolution& solution, Adhesion& found) {
   std::array<StripParameter, 4> by;
   std::array<StripTotals, 4> rate;
   for (std::size_t k = 0; k < 3; ++k) by[k].motion[k] = 1;
@@ -35,6 +32,13 @@ bool adhere(StripContact& contact, StripScene scene, const StripSolution& soluti
   if (!contact.rates(scene, solution, by, rate)) return false;
   for (std::size_t k = 0; k < 4; ++k) found.force[k] = rate[k].force;
   return true;
+}
+
+bool adhere(StripContact& contact, StripScene scene, const StripSolution& solution, Adhesion& found) {
+  scene.mu = boundless;
+  scene.friction = nullptr;
+  scene.force_given = {};
+  return creep_rates(contact, scene, solution, found);
 }
 
 bool adhere_on_ellipse(StripContact& contact, const StripBodies& bodies, double along, double across,

@@ -12,6 +12,9 @@ struct Adhesion {
   std::array<std::array<double, 3>, 4> force{};
 };
 
+/// Finds derivatives of a solution's forces by all of these. Returns false where its equations are singular.
+bool creep_rates(StripContact& contact, const StripScene& scene, const StripSolution& solution, Adhesion& found);
+
 /// Finds the forces for the pressures of a solution. Returns false where its equations are singular.
 bool adhere(StripContact& contact, StripScene scene, const StripSolution& solution, Adhesion& found);
 

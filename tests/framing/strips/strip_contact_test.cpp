@@ -1,5 +1,6 @@
 /// Contacts on strips beside Hertz, Kalker's coefficients and fine lattices.
 
+#include "framing/strips/strip_adhesion.hpp"
 #include "framing/strips/strip_families.hpp"
 #include "support/scene.hpp"
 #include "support/steady_rolling.hpp"
@@ -16,6 +17,43 @@ FamilyGap gap_of(double a, double b, double modulus, double load) {
   gap.a = a > b ? hertz.A : hertz.B;
   gap.b = a > b ? hertz.B : hertz.A;
   return gap;
+}
+
+// A wheel's outline over a rail's arcs has no mirror image across rolling; where all sticks forces are symmetric.
+TEST(strips, adhesion_has_the_symmetries_of_linear_theory) {
+  StripCase test(FamilyGap::arcs, 3);
+  test.scene.motion = {};
+  StripContact contact;
+  StripSolution solution;
+  ASSERT_EQ(contact.solve(test.now(), wide, {12, 12}, solution, false).status, StripStatus::solved);
+  Adhesion k;
+  ASSERT_TRUE(adhere(contact, test.now(), solution, k));
+  const double unit = k.force[0][0], length = solution.strips.geometry[solution.strips.layout.width_of(0)];
+  expect_error("K13 - K31", (k.force[2][0] - k.force[0][2]) / (unit * length), 1e-3);
+  expect_error("K12 + K21", (k.force[1][0] + k.force[0][1]) / unit, 1e-3);
+  EXPECT_GT(std::abs(k.force[2][0] / (unit * length)), 0.02);
+  // A solve under small motions and high friction has the forces.
+  const double small = 1e-6;
+  test.scene.mu = 100;
+  test.scene.motion = {small, 0, -small / length};
+  ASSERT_EQ(contact.solve(test.now(), wide, {12, 12}, solution, false).status, StripStatus::solved);
+  const StripTotals total = StripContact::totals(solution);
+  for (std::size_t i = 0; i < 3; ++i)
+    expect_error("force", (total.force[i] / small - k.force[0][i] + k.force[2][i] / length) / unit / (i == 2 ? length : 1),
+                 2e-3);
+}
+
+TEST(strips, adhesion_on_ellipses_is_kalkers) {
+  const StripBodies bodies = equal_bodies();
+  StripContact contact;
+  Adhesion k, larger;
+  ASSERT_TRUE(adhere_on_ellipse(contact, bodies, 5, 5, {12, 12}, k));
+  ASSERT_TRUE(adhere_on_ellipse(contact, bodies, 10, 10, {12, 12}, larger));
+  // Kalker's coefficients for a/b = 1 lie between those of nu = 1/4 and 1/2: 4.12 and 4.85, 3.67 and 3.81.
+  const double unit = -8e4 * 25;
+  EXPECT_NEAR(k.force[0][0] / unit, 4.20, 0.09);
+  EXPECT_NEAR(k.force[1][1] / unit, 3.69, 0.09);
+  expect_error("size", larger.force[2][1] / k.force[2][1] / 8 - 1, 1e-6);
 }
 
 TEST(strips, fit_ellipses_of_hertz) {
