@@ -1454,7 +1454,7 @@ subroutine rcwfri(iwr, law, n, par, ierr)
   ierr = rollcon_wheelrail_set_friction(wheelrail_of(iwr), c_name(law), narrow(n), par)
 end subroutine
 
-!> Looks forces along the surfaces and spin moments up in a creep-force table from now on, for the equivalent ell.
+!> Looks forces along the surfaces and spin moments up in a creep-force table from now on, for an ellipse that ha.
 subroutine rcwtab(iwr, itab, ierr)
   use rollcon_f77_support
   implicit none
@@ -1912,7 +1912,7 @@ subroutine rctasm(itab, n, samples, ierr)
   ierr = rollcon_table_add_samples(table_of(itab), int(n, c_int64_t), samples)
 end subroutine
 
-!> Writes the table to a file, whole or not at all.
+!> Writes the table, with what wheels found to calibrate ellipses, to a file, whole or not at all.
 subroutine rctsav(itab, path, ierr)
   use rollcon_f77_support
   implicit none

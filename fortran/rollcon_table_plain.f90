@@ -203,8 +203,8 @@ contains
       stat, errmsg)
   end subroutine
 
-  !> Writes the table to a file, whole or not at all; an older one is replaced. ROLLCON_ERR_STATE: the table is not made
-  !> yet.
+  !> Writes the table, with what wheels found to calibrate ellipses, to a file, whole or not at all; an older one is
+  !> replaced. ROLLCON_ERR_STATE: the table is not made yet.
   subroutine table_save(self, path, stat, errmsg)
     class(rc_table_plain), intent(inout) :: self
     character(len=*), intent(in) :: path

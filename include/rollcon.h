@@ -2272,12 +2272,13 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_friction(
     rollcon_wheelrail *wheelrail, const char *law, int32_t n, const double *parameters);
 
 /*
- * Looks forces along the surfaces and spin moments up in a creep-force table from now on, for the
- * equivalent ellipse of each patch (rollcon_contact_get_equivalent_ellipse), which is solved
- * without friction: its contact then has pressures alone. A patch that the table does not have
- * (ratio of its axes, Poisson's ratio, or no single ellipse) is solved in full; statistic
- * by_table of the patch is 0. The wheel keeps the table; NULL solves all patches in full again.
- * ROLLCON_ERR_STATE: the table is not made yet.
+ * Looks forces along the surfaces and spin moments up in a creep-force table from now on, for an
+ * ellipse that has the linear theory of each patch, which is solved without friction: its contact
+ * then has pressures alone. The table keeps what it takes to calibrate the ellipses of a pair of
+ * profiles, which is found when it is first needed. A patch that the table does not have (ratio
+ * of its axes, Poisson's ratio, no single ellipse, or a place on the profile without one) is
+ * solved in full; statistic by_table of the patch is 0. The wheel keeps the table; NULL solves
+ * all patches in full again. ROLLCON_ERR_STATE: the table is not made yet.
  *   table      NULL: no table
  * Also returns: ROLLCON_ERR_STATE.
  * Source: docs/wheelrail.md.
@@ -2804,8 +2805,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_add_samples(rollcon_table 
     int64_t n, const double *samples);
 
 /*
- * Writes the table to a file, whole or not at all; an older one is replaced. ROLLCON_ERR_STATE:
- * the table is not made yet.
+ * Writes the table, with what wheels found to calibrate ellipses, to a file, whole or not at all;
+ * an older one is replaced. ROLLCON_ERR_STATE: the table is not made yet.
  *   path   name of the file
  * Also returns: ROLLCON_ERR_IO, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
  */

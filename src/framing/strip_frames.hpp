@@ -48,9 +48,7 @@ class StripFrames final : public MovingFrame {
   EquivalentEllipse equivalent_ellipse(const PairOfBodies& pair);
   /// Finds the forces of linear theory about the origin of the axes; the slip is the scene's own, by heights.
   bool adhesion(strips::Adhesion& found) { return strips::adhere(contact_, givens_.scene(), solution_, found); }
-  bool creep_rates(strips::Adhesion& found) {
-    return strips::creep_rates(contact_, givens_.scene(), solution_, found);
-  }
+  bool creep_rates(strips::Adhesion& found) { return strips::creep_rates(contact_, givens_.scene(), solution_, found); }
   const strips::StripScene& scene() const { return givens_.scene(); }
   /// Returns the power of friction, which is the power that forces, moment and given slip put in if tractions carried
   /// along change no energy. This holds between bodies that pressures do not couple; returns nothing for others.

@@ -9,8 +9,8 @@
 
 namespace rollcon {
 
-/// Integrates over an overlap across the rail, weighted with depth^2.5: 1, and y and z of the wheel's points from a pole
-/// and their products yy, yz, zz.
+/// Integrates over an overlap across the rail, weighted with depth^2.5: 1, and y and z of the wheel's points from a
+/// pole and their products yy, yz, zz.
 struct DepthMoments {
   double weight = 0;
   std::array<double, 2> first{};

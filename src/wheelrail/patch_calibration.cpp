@@ -1,6 +1,7 @@
 #include "wheelrail/patch_calibration.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include "bodies/pair.hpp"
 #include "contact/solver.hpp"
@@ -72,9 +73,10 @@ std::optional<PatchCalibration> PatchContact::calibration(const OverlapPatch& pa
   strips::StripContact ellipse;
   strips::Adhesion own, other;
   const strips::StripScene& scene = strips_->scene();
-  if (!strips_->adhesion(own) ||
-      !strips::adhere_on_ellipse(ellipse, scene.bodies, e.a, e.b, found.strips.layout.counts, other))
-    return std::nullopt;
+  strips::StripSolution on_ellipse;
+  const double hertz =
+      strips::adhere_on_ellipse(ellipse, scene.bodies, e.a, e.b, found.strips.layout.counts, on_ellipse, other);
+  if (hertz == 0 || !strips_->adhesion(own)) return std::nullopt;
   // Forces about the ellipse's centre by creepages there, and by slip along x that heights cause: height (h - h0).
   const Motions m = motions_of(patch, motion, now_.axes);
   const auto [x, y] = e.centre;
@@ -110,10 +112,12 @@ std::optional<PatchCalibration> PatchContact::calibration(const OverlapPatch& pa
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 3; ++k)
       c.linear[i][k] = other.force[k][i] / (e.shear * side * side * (i == 2 ? side : 1) * (k == 2 ? side : 1));
-  c.a = e.a / h.a;
-  c.b = e.b / h.b;
+  // The strips' own errors cancel in pressures and areas, too.
+  const double larger = std::sqrt(strips::area(on_ellipse.strips) / (std::numbers::pi * e.a * e.b));
+  c.a = e.a / (larger * h.a);
+  c.b = e.b / (larger * h.b);
   c.load = e.load / h.load;
-  c.pressure = max_pressure() / h.max_pressure;
+  c.pressure = max_pressure() / h.max_pressure * hertz / strips::largest_pressure(on_ellipse.strips).pressure;
   c.filled = e.filled;
   e.friction = calibration_friction;
   c.spin = m.creepage[2];
@@ -121,7 +125,6 @@ std::optional<PatchCalibration> PatchContact::calibration(const OverlapPatch& pa
   if (!find_missing(table, e, c)) return std::nullopt;
   return c;
 }
-
 
 namespace {
 
@@ -192,7 +195,8 @@ bool PatchContact::find_missing(const ForceTable& table, EquivalentEllipse e, Pa
       const double step = k == 2 ? small / size : small;
       before[k] -= step;
       behind[k] += step;
-      const std::array<double, 3> at_before = force(before), at_behind = force(behind), own = about_centre(rate.force[k]);
+      const std::array<double, 3> at_before = force(before), at_behind = force(behind),
+                                  own = about_centre(rate.force[k]);
       for (std::size_t i = 0; i < 3; ++i)
         c.missing_by[i][k] = (own[i] - (at_behind[i] - at_before[i]) / (2 * step)) / e.load;
     }

@@ -88,8 +88,8 @@ class PatchContact {
   /// friction and axes follow from what is nearby. Strips move with the contact; a lattice keeps its place in the axes.
   /// The last solution stays. err_state: it did not converge, or its forces come from a table.
   Rate rate(const Nearby& before, const Nearby& behind, double distance);
-  /// Finds how a table's ellipse follows from the patch, for a wheel that rolls forward; nullopt where the patch has two
-  /// parts, is cut or has no strips. Nothing solved before counts.
+  /// Finds how a table's ellipse follows from the patch, for a wheel that rolls forward; nullopt where the patch has
+  /// two parts, is cut or has no strips. Nothing solved before counts.
   std::optional<PatchCalibration> calibration(const OverlapPatch& patch, WheelMotion motion, const ForceTable& table);
   /// Returns derivatives by what the surfaces give way.
   Rate rate_of_giving_way();

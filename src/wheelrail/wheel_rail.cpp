@@ -213,8 +213,8 @@ void WheelRail::solve_patch(Slot& slot, const OverlapPatch& patch, const WheelMo
   try {
     PatchFriction friction = friction_of(patch);
     calibrate(patch, slot.give_way, friction);
-    slot.contact.solve(patch, motion, friction,
-                       fineness_for(in_.options.accuracy, in_.options.conformal, on_lattices_), slot.give_way);
+    slot.contact.solve(patch, motion, friction, fineness_for(in_.options.accuracy, in_.options.conformal, on_lattices_),
+                       slot.give_way);
   } catch (const Error& e) {
     if (!in_.options.conformal || e.status() != Status::err_mesh) throw;
     fail(Status::err_mesh,

@@ -162,6 +162,7 @@ class WheelRail {
   void solve_patch(Slot& slot, const OverlapPatch& patch, const WheelMotion& motion);
   void place_profiles(Body& wheel, Body& rail) const;
   void prepare_map();
+  double along_profile(double y) const;
   std::optional<double> sink_for_map(double y, double wheel_y, double depth);
   CreepMap::Node map_node(const CreepMap::Place& place);
   void calibrate(const OverlapPatch& patch, double give_way, PatchFriction& friction);
@@ -222,6 +223,10 @@ class WheelRail {
   std::shared_ptr<const ForceTable> map_table_;
   std::int64_t map_dimensions_ = 0;
   std::unique_ptr<PatchContact> map_contact_;
+  struct AlongProfile {
+    double y, s, by_y;
+  };
+  std::vector<AlongProfile> map_along_;  ///< arc length over y of the wheel's profile
   Inputs map_in_;
   WheelMotion map_motion_;
   std::vector<OverlapPatch> map_found_;

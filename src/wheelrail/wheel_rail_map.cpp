@@ -17,6 +17,7 @@ namespace {
 // the depths' logarithms.
 constexpr double spacing = 1.0 / 400, shift = 1.0 / 400, spacing_of_depths = 0.4;
 constexpr int shifts = 20;
+constexpr double least_rise = 0.02;  // of y by arc length, where the profile is seen
 // Depths over the radius between which there is a map: shallower patches are like the least one.
 constexpr double least_depth = 2e-6, greatest_depth = 2e-3;
 // Patches with two peaks fill less of the ellipse; they are solved in full.
@@ -33,7 +34,8 @@ void WheelRail::prepare_map() {
     const double all[] = {(v + 0.0)...};  // without signs of zeros
     sum.add(all, sizeof all);
   };
-  add(1.0, spacing, spacing_of_depths, common.poisson, track_->gauge, track_->height, track_->cant, back_to_back_, flange_back_, radius_);
+  add(1.0, spacing, spacing_of_depths, common.poisson, track_->gauge, track_->height, track_->cant, back_to_back_,
+      flange_back_, radius_);
   for (const auto& curve : {wheel_curve_, rail_shape_.curve})
     for (const ProfilePiece& p : curve->pieces())
       add(p.length, p.start[0], p.start[1], p.along[0], p.along[1], p.square[0], p.square[1], p.cube[0], p.cube[1],
@@ -45,7 +47,27 @@ void WheelRail::prepare_map() {
   const auto wheel = wheel_->with_profile_alone(young, common.poisson),
              rail = rail_->with_profile_alone(young, common.poisson);
   place_profiles(*wheel, *rail);
+  map_along_.clear();
+  const double length = wheel_curve_->length();
+  const int steps = 8 + 8 * static_cast<int>(length / (spacing * radius_));
+  for (int k = 0; k <= steps; ++k) {
+    const double s = length * k / steps;
+    const ProfilePoint p = wheel_curve_->at(s);
+    if (const double rise = p.tangent()[0]; std::abs(rise) > least_rise) map_along_.push_back({p.x[0], s, 1 / rise});
+  }
+  // Overhanging parts of a profile, which are not seen, count for nothing.
+  std::stable_sort(map_along_.begin(), map_along_.end(), [](const auto& a, const auto& b) { return a.y < b.y; });
   map_contact_ = std::make_unique<PatchContact>(context_, wheel, rail);
+}
+
+// Interpolates the arc length of the wheel's profile by cubics.
+double WheelRail::along_profile(double y) const {
+  const auto above = std::clamp(
+      std::upper_bound(map_along_.begin(), map_along_.end(), y, [](double v, const auto& p) { return v < p.y; }),
+      map_along_.begin() + 1, map_along_.end() - 1);
+  const AlongProfile &a = above[-1], &b = above[0];
+  const double width = b.y - a.y, t = width > 0 ? std::clamp((y - a.y) / width, 0.0, 1.0) : 0, u = 1 - t;
+  return u * u * ((1 + 2 * t) * a.s + t * width * a.by_y) + t * t * ((1 + 2 * u) * b.s - u * width * b.by_y);
 }
 
 // Sinks a wheel without roll and yaw until the patch nearest to the place is as deep; returns how far the patch is from
@@ -71,7 +93,9 @@ std::optional<double> WheelRail::sink_for_map(double y, double wheel_y, double d
 }
 
 CreepMap::Node WheelRail::map_node(const CreepMap::Place& place) {
-  const double wheel_y = static_cast<double>(place.first) * spacing * radius_,
+  const double along = static_cast<double>(place.first) * spacing * radius_;
+  if (!(along >= 0 && along <= wheel_curve_->length())) return {};
+  const double wheel_y = wheel_curve_->at(along).x[0],
                depth = radius_ * std::exp(static_cast<double>(place.second) * spacing_of_depths);
   map_in_.velocity.x = radius_;
   map_in_.velocity.pitch = -1;
@@ -84,8 +108,9 @@ CreepMap::Node WheelRail::map_node(const CreepMap::Place& place) {
     const std::optional<double> last = std::exchange(before, here);
     if (!here || !last || (*here < 0) == (*last < 0)) continue;
     double left = *here;
-    false_position(y - shift * radius_, *last, y, *here, [&](double s) { return left = off(s).value_or(left); },
-                   [&](double f) { return std::abs(f) < near; });
+    false_position(
+        y - shift * radius_, *last, y, *here, [&](double s) { return left = off(s).value_or(left); },
+        [&](double f) { return std::abs(f) < near; });
     if (std::abs(left) > 1e3 * near) continue;
     if (const auto found = map_contact_->calibration(map_patch_, map_motion_, *in_.table))
       return {true, std::bit_cast<CreepMap::Numbers>(*found)};
@@ -100,10 +125,11 @@ void WheelRail::calibrate(const OverlapPatch& patch, double give_way, PatchFrict
   friction.trust = 0;
   if (!friction.table || patch.cut || depth > greatest_depth * radius_) return;
   prepare_map();
+  if (map_along_.size() < 2) return;
   CreepMap::Numbers numbers;
   const auto find = [this](const CreepMap::Place& place) { return map_node(place); };
-  const double within =
-      map_->at(patch.wheel_y / (spacing * radius_), std::log(depth / radius_) / spacing_of_depths, find, numbers);
+  const double within = map_->at(along_profile(patch.wheel_y) / (spacing * radius_),
+                                 std::log(depth / radius_) / spacing_of_depths, find, numbers);
   if (within == 0) return;
   friction.calibration = std::bit_cast<PatchCalibration>(numbers);
   const double s =

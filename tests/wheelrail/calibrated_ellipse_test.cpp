@@ -66,7 +66,7 @@ TEST_F(calibrated, round_profiles_have_the_tables_forces) {
     rail->set_profile_shape("arc", 2, head);
     wheel->set_profile_shape("line", 2, line);
     WheelRail w(context, wheel, rail, 1);
-    w.set_track(1500, 0.01 * std::min(radius, 460.0), 0);
+    w.set_track(1584, 0, 0);
     w.set_wheelset(1360, -100, 460);
     w.set_friction(mu);
     w.set_table(table);
@@ -81,8 +81,9 @@ TEST_F(calibrated, round_profiles_have_the_tables_forces) {
     expect_error("free rolling, a/b = " + std::to_string(a / b), std::hypot(free[0], free[1]) / (mu * at), 5e-3);
     for (const auto& [along, across] : {std::pair{0.05, 0.0}, {0.0, 0.05}, {0.2, -0.1}, {-0.5, 0.8}}) {
       const std::array<double, 3> found = forces(w, along * unit, across * unit);
-      const double input[table_inputs] = {shear, poisson, mu, a, b, at, w.patch_stat(0, "longitudinal_creepage"),
-                                          w.patch_stat(0, "lateral_creepage"), 0};
+      const double input[table_inputs] = {
+          shear, poisson, mu, a, b, at, w.patch_stat(0, "longitudinal_creepage"), w.patch_stat(0, "lateral_creepage"),
+          0};
       double expected[3];
       table->evaluate(1, input, expected, nullptr);
       EXPECT_EQ(w.patch_stat(0, "hertzian"), 1);
@@ -135,14 +136,18 @@ TEST_F(calibrated, forces_are_those_of_full_solutions_at_all_creepages) {
   full->set_real("accuracy", 0.005);
   for (const double y : {-2.0, 0.0, 1.0, 3.0}) {
     put({full.get(), fast.get()}, y);
-    const double area = full->patch_stat(0, "area"), unit = 3 * mu * load / (4 * shear * area), free = free_creepage(*full);
+    const double area = full->patch_stat(0, "area"), unit = 3 * mu * load / (4 * shear * area),
+                 free = free_creepage(*full);
     for (const double r : {0.1, 0.4, 1.0, 3.0})
       for (int k = 0; k < 4; ++k) {
         const double turn = 0.4 + k * std::numbers::pi / 2, along = free + r * unit * std::cos(turn),
                      across = r * unit * std::sin(turn);
         const std::array<double, 3> f = forces(*full, along, across), g = forces(*fast, along, across);
         expect_error("r " + std::to_string(r) + ", y " + std::to_string(y),
-                     std::hypot(f[0] - g[0], f[1] - g[1]) / (mu * load), r == 0.1 ? 0.005 : r == 1.0 ? 0.03 : 0.02);
+                     std::hypot(f[0] - g[0], f[1] - g[1]) / (mu * load),
+                     r == 0.1   ? 0.005
+                     : r == 1.0 ? 0.03
+                                : 0.02);
       }
   }
 }
@@ -155,7 +160,8 @@ TEST_F(calibrated, forces_are_within_friction_and_end_at_it) {
   for (int n = 0; n < 300; ++n) {
     const double friction = random.between(0.05, 0.6), r = std::pow(10, random.between(-2, 1.5));
     w->set_friction(friction);
-    const double position[6] = {0, random.between(-4, 4), 0, random.between(-1e-3, 1e-3), random.between(-5e-3, 5e-3), 0};
+    const double position[6] = {0, random.between(-4, 4), 0, random.between(-1e-3, 1e-3), random.between(-5e-3, 5e-3),
+                                0};
     w->set_position(position);
     const double turn = random.between(0, 6.28), unit = r * friction * 6e-3;
     const std::array<double, 3> f = forces(*w, unit * std::cos(turn), unit * std::sin(turn));
@@ -191,7 +197,8 @@ TEST_F(calibrated, results_do_not_depend_on_the_past) {
   std::remove(path.c_str());
 }
 
-// Wheels that run back are turned by half a turn about the vertical: the wheel on the right of its way is a mirror image.
+// Wheels that run back are turned by half a turn about the vertical: the wheel on the right of its way is a mirror
+// image.
 TEST_F(calibrated, rolling_back_is_mirrored) {
   auto full = make(), fast = make_by_table();
   put({full.get(), fast.get()}, 1);
@@ -212,7 +219,8 @@ TEST_F(calibrated, forces_do_not_jump_at_the_border_of_the_map) {
     const double position[6] = {0, y, 0, 0, 0, 0};
     w->set_position(position);
     const std::array<double, 3> f = forces(*w, 5e-4, 0);
-    if (y > 4.005) expect_error("y " + std::to_string(y), std::hypot(f[0] - before[0], f[1] - before[1]) / (mu * load), 0.012);
+    if (y > 4.005)
+      expect_error("y " + std::to_string(y), std::hypot(f[0] - before[0], f[1] - before[1]) / (mu * load), 0.012);
     before = f;
     by_table += w->patch_stat(0, "hertzian");
     in_full += 1 - w->patch_stat(0, "by_table");

@@ -1167,8 +1167,8 @@ class TablePlain:
         self._call("add_samples", len(samples), samples_at)
 
     def save(self, path: str | PathLike) -> None:
-        """Writes the table to a file, whole or not at all; an older one is replaced. ERR_STATE:
-        the table is not made yet.
+        """Writes the table, with what wheels found to calibrate ellipses, to a file, whole or not
+        at all; an older one is replaced. ERR_STATE: the table is not made yet.
 
         path: name of the file.
         """

@@ -41,8 +41,8 @@ bool adhere(StripContact& contact, StripScene scene, const StripSolution& soluti
   return creep_rates(contact, scene, solution, found);
 }
 
-bool adhere_on_ellipse(StripContact& contact, const StripBodies& bodies, double along, double across,
-                       StripCounts counts, Adhesion& found) {
+double adhere_on_ellipse(StripContact& contact, const StripBodies& bodies, double along, double across,
+                         StripCounts counts, StripSolution& solution, Adhesion& found) {
   const double modulus = 1 / (std::numbers::pi * bodies.cn);
   Paraboloids paraboloids;
   paraboloids.gap = gap_with_ratio(along / across, modulus);
@@ -53,9 +53,9 @@ bool adhere_on_ellipse(StripContact& contact, const StripBodies& bodies, double 
   scene.value = std::pow(along * across / (unit.larger * unit.smaller), 1.5);
   constexpr double reach = 1.5;
   const Rectangle box{-reach * along, reach * along, -reach * across, reach * across};
-  StripSolution solution;
-  return contact.solve(scene, box, counts, solution, false).status == StripStatus::solved &&
-         adhere(contact, scene, solution, found);
+  const bool solved = contact.solve(scene, box, counts, solution, false).status == StripStatus::solved &&
+                      adhere(contact, scene, solution, found);
+  return solved ? 1.5 * scene.value / (std::numbers::pi * along * across) : 0;
 }
 
 }  // namespace rollcon::strips

@@ -1,8 +1,8 @@
 #pragma once
 /// Finds the forces of linear theory: all of a contact on strips sticks, whatever its friction.
 
-#include "framing/strips/strip_contact.hpp"
 #include "framing/strips/strip_bridge.hpp"
+#include "framing/strips/strip_contact.hpp"
 
 namespace rollcon::strips {
 
@@ -18,9 +18,9 @@ bool creep_rates(StripContact& contact, const StripScene& scene, const StripSolu
 /// Finds the forces for the pressures of a solution. Returns false where its equations are singular.
 bool adhere(StripContact& contact, StripScene scene, const StripSolution& solution, Adhesion& found);
 
-/// Finds the forces of a Hertzian contact with these semi-axes along and across, on strips that are found as any others:
-/// they have the errors of the strips of a patch. Returns false where no strips are found.
-bool adhere_on_ellipse(StripContact& contact, const StripBodies& bodies, double along, double across, StripCounts counts,
-                       Adhesion& found);
+/// Finds the forces of a Hertzian contact with these semi-axes along and across, on strips that are found as any
+/// others: they have the errors of the strips of a patch. Returns its largest pressure; 0 where no strips are found.
+double adhere_on_ellipse(StripContact& contact, const StripBodies& bodies, double along, double across,
+                         StripCounts counts, StripSolution& solution, Adhesion& found);
 
 }  // namespace rollcon::strips
