@@ -28,7 +28,8 @@ WHEELSET = """
 Made by `{command}` on
 {processor}, one thread,
 processor time. Paths are compared with that of accuracy 0.005 and tolerance 1e-7 over half a second. Jacobians are by `rollcon_wheelrail_get_derivative`; with CVODE's own differences,
-steps and paths are the same within a few per cent. Eigenvalues are those of the hunting motion about the middle, in
+steps and paths are the same within a few per cent. Times with a table include about 2 s in which its map for both
+profiles is found. Eigenvalues are those of the hunting motion about the middle, in
 1/s.
 
 {table}

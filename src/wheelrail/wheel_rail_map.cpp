@@ -17,7 +17,7 @@ namespace {
 // the depths' logarithms.
 constexpr double spacing = 1.0 / 400, shift = 1.0 / 400, spacing_of_depths = 0.4;
 constexpr int shifts = 20;
-constexpr double least_rise = 0.02;  // of y by arc length, where the profile is seen
+constexpr double least_rise = 0.02;  // least rise of y by arc length of what is seen
 // Depths over the radius between which there is a map: shallower patches are like the least one.
 constexpr double least_depth = 2e-6, greatest_depth = 2e-3;
 // Patches with two peaks fill less of the ellipse; they are solved in full.

@@ -39,22 +39,24 @@ TEST_F(wheels_by_table, forces_are_nearly_those_of_full_solutions) {
       EXPECT_EQ(full->patch_stat(i, "by_table"), 0);
       for (const WheelRail* w : {fast.get(), faster.get()}) {
         const bool hertzian = w == faster.get();
-        EXPECT_EQ(w->patch_stat(i, "by_table"), 1);
-        EXPECT_EQ(w->patch_stat(i, "hertzian"), hertzian ? 1 : 0);
+        // Between tread and flange, where a wheel without yaw touches at other places, patches are solved in full.
+        const bool mapped = y != 5;
+        EXPECT_EQ(w->patch_stat(i, "by_table"), mapped ? 1 : 0);
+        EXPECT_EQ(w->patch_stat(i, "hertzian"), mapped && hertzian ? 1 : 0);
         const auto off = [&](const char* name) { return w->patch_stat(i, name) - full->patch_stat(i, name); };
         const std::string at =
             (hertzian ? "hertzian, y " : "y ") + std::to_string(y) + ", patch " + std::to_string(i) + ": ";
         expect_error(at + "normal force", off("normal_force") / full->patch_stat(i, "normal_force"),
-                     hertzian ? 0.06 : 1e-3);
+                     hertzian ? 0.03 : 1e-3);
         expect_error(at + "force", std::hypot(off("longitudinal_force"), off("lateral_force")) / bound,
-                     hertzian ? 0.06 : 0.015);
-        expect_error(at + "moment", off("spin_moment") / (bound * arm), hertzian ? 0.06 : 0.015);
+                     hertzian ? 0.03 : 0.015);
+        expect_error(at + "moment", off("spin_moment") / (bound * arm), y > 6 ? 0.04 : 0.015);
         expect_error(at + "friction power over mu Fn V / 100", off("friction_power") / (bound * 2000 * creep),
-                     hertzian ? 0.25 : 0.02);
-        expect_error(at + "area", off("area") / full->patch_stat(i, "area"), hertzian ? 0.1 : 1e-3);
+                     hertzian ? 0.15 : 0.02);
+        expect_error(at + "area", off("area") / full->patch_stat(i, "area"), hertzian ? 0.06 : 1e-3);
       }
     }
-    expect_error("height over overlap", (faster->stat("z") - full->stat("z")) / full->patch_stat(0, "overlap"), 0.07);
+    expect_error("height over overlap", (faster->stat("z") - full->stat("z")) / full->patch_stat(0, "overlap"), 0.04);
   }
 }
 

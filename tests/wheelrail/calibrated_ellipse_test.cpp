@@ -59,8 +59,10 @@ class calibrated : public wheels {
   }
 };
 
-// Round profiles have contacts of Hertz, for which the table is asked directly.
+// Round profiles have contacts of Hertz, for which the table is asked directly. Friction is high: what strips have more
+// or less than the table in natural rolling counts by its inverse.
 TEST_F(calibrated, round_profiles_have_the_tables_forces) {
+  constexpr double rough = 3;
   for (const double radius : {5000.0, 1500.0, 460.0, 120.0, 45.0}) {
     const double head[] = {-radius, 0.99 * radius}, line[] = {80, 0}, at = 1e4;
     rail->set_profile_shape("arc", 2, head);
@@ -68,7 +70,7 @@ TEST_F(calibrated, round_profiles_have_the_tables_forces) {
     WheelRail w(context, wheel, rail, 1);
     w.set_track(1584, 0, 0);
     w.set_wheelset(1360, -100, 460);
-    w.set_friction(mu);
+    w.set_friction(rough);
     w.set_table(table);
     w.set_int("hertzian", 1);
     w.prescribe_vertical(2, at);
@@ -76,14 +78,11 @@ TEST_F(calibrated, round_profiles_have_the_tables_forces) {
     const double modulus = shear / (1 - poisson);
     const HertzContact hertz = hertz_by_load({0.5 / 460, 0.5 / radius, 0}, modulus, at);
     const double a = radius > 460 ? hertz.smaller : hertz.larger, b = radius > 460 ? hertz.larger : hertz.smaller;
-    const double unit = mu * at / (shear * a * b);
-    const std::array<double, 3> free = forces(w, 0, 0);
-    expect_error("free rolling, a/b = " + std::to_string(a / b), std::hypot(free[0], free[1]) / (mu * at), 5e-3);
+    const double unit = rough * at / (shear * a * b);
+    const double free = free_creepage(w);
     for (const auto& [along, across] : {std::pair{0.05, 0.0}, {0.0, 0.05}, {0.2, -0.1}, {-0.5, 0.8}}) {
-      const std::array<double, 3> found = forces(w, along * unit, across * unit);
-      const double input[table_inputs] = {
-          shear, poisson, mu, a, b, at, w.patch_stat(0, "longitudinal_creepage"), w.patch_stat(0, "lateral_creepage"),
-          0};
+      const std::array<double, 3> found = forces(w, free + along * unit, across * unit);
+      const double input[table_inputs] = {shear, poisson, rough, a, b, at, along * unit, across * unit, 0};
       double expected[3];
       table->evaluate(1, input, expected, nullptr);
       EXPECT_EQ(w.patch_stat(0, "hertzian"), 1);
@@ -213,13 +212,14 @@ TEST_F(calibrated, rolling_back_is_mirrored) {
 TEST_F(calibrated, forces_do_not_jump_at_the_border_of_the_map) {
   auto w = make_by_table();
   w->prescribe_vertical(2, load);
-  std::array<double, 3> before{};
+  std::array<double, 3> before{}, f{};
   double by_table = 0, in_full = 0;
-  for (double y = 4; y < 4.8; y += 0.01) {
+  for (double y = 3.4; y < 4.8; y += 0.01) {
     const double position[6] = {0, y, 0, 0, 0, 0};
     w->set_position(position);
-    const std::array<double, 3> f = forces(*w, 5e-4, 0);
-    if (y > 4.005)
+    forces(*w, 5e-4, 0);
+    w->resultant(false, f.data(), nullptr);
+    if (y > 3.405)
       expect_error("y " + std::to_string(y), std::hypot(f[0] - before[0], f[1] - before[1]) / (mu * load), 0.012);
     before = f;
     by_table += w->patch_stat(0, "hertzian");
