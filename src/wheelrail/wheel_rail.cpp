@@ -95,12 +95,6 @@ void WheelRail::prepare_search() {
   derived_ = false;
 }
 
-void WheelRail::place_profiles(Body& wheel, Body& rail) const {
-  const Vec3 centre{0, 0, -radius_}, axis{0, 1, 0};
-  wheel.revolve_profile(centre.data(), axis.data(), radius_);
-  rail.extrude_profile(rail_shape_.origin.data(), rail_shape_.along.data(), rail_shape_.down.data());
-}
-
 Pose WheelRail::attitude_of(const WheelsetState& position) {
   return attitude(position.roll, position.yaw, position.roll_outside);
 }

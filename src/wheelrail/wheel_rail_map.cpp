@@ -25,6 +25,12 @@ constexpr double filled_by_two = 0.6, filled_by_one = 0.75;
 
 }  // namespace
 
+void WheelRail::place_profiles(Body& wheel, Body& rail) const {
+  const Vec3 centre{0, 0, -radius_}, axis{0, 1, 0};
+  wheel.revolve_profile(centre.data(), axis.data(), radius_);
+  rail.extrude_profile(rail_shape_.origin.data(), rail_shape_.along.data(), rail_shape_.down.data());
+}
+
 // Everything that the map depends on goes into its key.
 void WheelRail::prepare_map() {
   if (!in_.table || (map_ && map_table_ == in_.table && map_dimensions_ == dimensions_)) return;

@@ -64,7 +64,7 @@ class calibrated : public wheels {
 TEST_F(calibrated, round_profiles_have_the_tables_forces) {
   constexpr double rough = 3;
   for (const double radius : {5000.0, 1500.0, 460.0, 120.0, 45.0}) {
-    const double head[] = {-radius, 0.99 * radius}, line[] = {80, 0}, at = 1e4;
+    const double head[] = {-radius, 0.99 * radius}, line[] = {80, 0}, at = 1e3;
     rail->set_profile_shape("arc", 2, head);
     wheel->set_profile_shape("line", 2, line);
     WheelRail w(context, wheel, rail, 1);
