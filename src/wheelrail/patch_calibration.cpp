@@ -77,6 +77,12 @@ std::optional<PatchCalibration> PatchContact::calibration(const OverlapPatch& pa
   const double hertz =
       strips::adhere_on_ellipse(ellipse, scene.bodies, e.a, e.b, found.strips.layout.counts, on_ellipse, other);
   if (hertz == 0 || !strips_->adhesion(own)) return std::nullopt;
+  // The strips' own errors cancel in areas, too: the ellipse is as much smaller as strips make one too large.
+  const double smaller = std::sqrt(std::numbers::pi * e.a * e.b / strips::area(on_ellipse.strips));
+  e.a *= smaller;
+  e.b *= smaller;
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t i = 0; i < 3; ++i) other.force[k][i] *= std::pow(smaller, 2 + (i == 2) + (k == 2));
   // Forces about the ellipse's centre by creepages there, and by slip along x that heights cause: height (h - h0).
   const Motions m = motions_of(patch, motion, now_.axes);
   const auto [x, y] = e.centre;
@@ -112,10 +118,8 @@ std::optional<PatchCalibration> PatchContact::calibration(const OverlapPatch& pa
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 3; ++k)
       c.linear[i][k] = other.force[k][i] / (e.shear * side * side * (i == 2 ? side : 1) * (k == 2 ? side : 1));
-  // The strips' own errors cancel in pressures and areas, too.
-  const double larger = std::sqrt(strips::area(on_ellipse.strips) / (std::numbers::pi * e.a * e.b));
-  c.a = e.a / (larger * h.a);
-  c.b = e.b / (larger * h.b);
+  c.a = e.a / h.a;
+  c.b = e.b / h.b;
   c.load = e.load / h.load;
   c.pressure = max_pressure() / h.max_pressure * hertz / strips::largest_pressure(on_ellipse.strips).pressure;
   c.filled = e.filled;

@@ -93,7 +93,7 @@ TEST_F(calibrated, round_profiles_have_the_tables_forces) {
   }
 }
 
-// Friction is so high that all of the patch sticks.
+// Friction is so high that all of the patch sticks. Strips of accuracy 0.005 have up to 1 % less themselves.
 TEST_F(calibrated, small_creepages_have_the_linear_theory_of_the_patch) {
   auto full = make(), fast = make_by_table();
   full->set_real("accuracy", 0.005);
@@ -112,7 +112,7 @@ TEST_F(calibrated, small_creepages_have_the_linear_theory_of_the_patch) {
       const double unit = std::hypot(slope[0][0], slope[0][1]), arm = std::sqrt(full->patch_stat(0, "area") / 3.14);
       const std::string at = std::string("slopes by ") + (lateral ? "lateral" : "longitudinal") + " creepage, y " +
                              std::to_string(y) + ": ";
-      expect_error(at + "forces", std::hypot(slope[1][0] - slope[0][0], slope[1][1] - slope[0][1]) / unit, 0.01);
+      expect_error(at + "forces", std::hypot(slope[1][0] - slope[0][0], slope[1][1] - slope[0][1]) / unit, 0.015);
       expect_error(at + "moment", (slope[1][2] - slope[0][2]) / (unit * arm), 0.02);
     }
   }
