@@ -95,6 +95,7 @@ static void wheels(rollcon_context* context) {
   double force[3], moment[3], point[2], origin[3], axes[9], force_rate[3], moment_rate[3], z_rate, pressure, total,
       differences[2], conicity[2], wavelength[2];
   const double by_angle[4] = {-1, 0.1, -0.2, 0.3};
+  const double falling_by_angle[8] = {-1, 0.05, 0.05, 500, -0.2, 0.2, 0.15, 1000}; /* angle, muk, mu1, s1 */
   const char* law = "archard";
   const double i = 1e-9; /* mm^2/N */
   double w[9];
@@ -164,6 +165,14 @@ static void wheels(rollcon_context* context) {
   printf("conformal: %.1f kN on the rail\n", -force[2] / 1000);
   must(rollcon_wheelrail_set_int(right, "conformal", 0));
   must(rollcon_wheelrail_set_friction(right, "by_angle", 4, by_angle)); /* a lubricated gauge face */
+  must(rollcon_wheelrail_set_friction_by_angle(right, "exponential", 2, 8, falling_by_angle)); /* friction that falls */
+  must(rollcon_wheelrail_set_friction_memory(right, 0.01, 0.1));                               /* after 10 um of slip */
+  must(rollcon_wheelrail_set_layer(right, 1e-7, 0, 0));                /* 10 um of dirt with G = 100 MPa */
+  must(rollcon_wheelrail_set_heat(right, ROLLCON_WHEEL, 50, 3.7, 20)); /* mm, N, s, K: steel */
+  must(rollcon_wheelrail_set_heat(right, ROLLCON_RAIL, 50, 3.7, 20));
+  must(rollcon_wheelrail_solve(right));
+  must(rollcon_wheelrail_get_resultant(right, ROLLCON_IN_TRACK, force, moment));
+  printf("friction that falls: %.2f kN along\n", force[0] / 1000);
   must(rollcon_wheelrail_find_contact_points(left, right, 2, shift, "radius_difference", differences));
   must(rollcon_wheelrail_find_conicity(left, right, 2, amplitude, conicity, wavelength));
   printf("conicity %.3f at 2 mm, %.3f at 4 mm\n", conicity[0], conicity[1]);

@@ -1641,6 +1641,51 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_set_friction
 
+    function rollcon_wheelrail_set_friction_by_angle(wheelrail, law, points, n, parameters) &
+        result(rc) bind(C, name="rollcon_wheelrail_set_friction_by_angle")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      character(kind=c_char), intent(in) :: law(*)
+      integer(c_int32_t), value :: points
+      integer(c_int32_t), value :: n
+      real(c_double), intent(in) :: parameters(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_set_friction_by_angle
+
+    function rollcon_wheelrail_set_friction_memory(wheelrail, length, least_speed) &
+        result(rc) bind(C, name="rollcon_wheelrail_set_friction_memory")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      real(c_double), value :: length
+      real(c_double), value :: least_speed
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_set_friction_memory
+
+    function rollcon_wheelrail_set_layer(wheelrail, flexibility, stress, hardening) &
+        result(rc) bind(C, name="rollcon_wheelrail_set_layer")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      real(c_double), value :: flexibility
+      real(c_double), value :: stress
+      real(c_double), value :: hardening
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_set_layer
+
+    function rollcon_wheelrail_set_heat(wheelrail, which, conductivity, heat_capacity, temperature) &
+        result(rc) bind(C, name="rollcon_wheelrail_set_heat")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int32_t), value :: which
+      real(c_double), value :: conductivity
+      real(c_double), value :: heat_capacity
+      real(c_double), value :: temperature
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_set_heat
+
     function rollcon_wheelrail_set_table(wheelrail, table) &
         result(rc) bind(C, name="rollcon_wheelrail_set_table")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr

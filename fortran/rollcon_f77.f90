@@ -1454,6 +1454,43 @@ subroutine rcwfri(iwr, law, n, par, ierr)
   ierr = rollcon_wheelrail_set_friction(wheelrail_of(iwr), c_name(law), narrow(n), par)
 end subroutine
 
+!> Sets a law whose parameters follow the inclination of the rail's surface, linear between points and constant b.
+subroutine rcwfra(iwr, law, ipoints, n, par, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ipoints, n, ierr
+  character(len=*) :: law
+  double precision :: par(*)
+  ierr = rollcon_wheelrail_set_friction_by_angle(wheelrail_of(iwr), c_name(law), narrow(ipoints), narrow(n), par)
+end subroutine
+
+!> Gives friction that falls with the slip speed a memory, as for a contact.
+subroutine rcwfrm(iwr, xlength, xleast_speed, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ierr
+  double precision :: xlength, xleast_speed
+  ierr = rollcon_wheelrail_set_friction_memory(wheelrail_of(iwr), xlength, xleast_speed)
+end subroutine
+
+!> Puts a thin layer between wheel and rail, as between the bodies of a contact.
+subroutine rcwlay(iwr, flexibility, stress, hardening, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ierr
+  double precision :: flexibility, stress, hardening
+  ierr = rollcon_wheelrail_set_layer(wheelrail_of(iwr), flexibility, stress, hardening)
+end subroutine
+
+!> Says what wheel or rail does with heat, for the temperatures of the contacts of patches (rollcon_contact_get_t.
+subroutine rcwhea(iwr, iwhich, conductivity, heat_capacity, temperature, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, iwhich, ierr
+  double precision :: conductivity, heat_capacity, temperature
+  ierr = rollcon_wheelrail_set_heat(wheelrail_of(iwr), narrow(iwhich), conductivity, heat_capacity, temperature)
+end subroutine
+
 !> Looks forces along the surfaces and spin moments up in a creep-force table from now on, for an ellipse that ha.
 subroutine rcwtab(iwr, itab, ierr)
   use rollcon_f77_support

@@ -27,6 +27,10 @@ module rollcon_wheelrail_plain
     procedure :: set_velocity => wheelrail_set_velocity
     procedure :: prescribe_vertical => wheelrail_prescribe_vertical
     procedure :: set_friction => wheelrail_set_friction
+    procedure :: set_friction_by_angle => wheelrail_set_friction_by_angle
+    procedure :: set_friction_memory => wheelrail_set_friction_memory
+    procedure :: set_layer => wheelrail_set_layer
+    procedure :: set_heat => wheelrail_set_heat
     procedure :: solve => wheelrail_solve
     procedure :: request_cancel => wheelrail_request_cancel
     procedure :: snapshot => wheelrail_snapshot
@@ -268,10 +272,10 @@ contains
       'rc_wheelrail%prescribe_vertical', stat, errmsg)
   end subroutine
 
-  !> Sets the law of friction. "coulomb": mu. "by_angle": coefficients by the inclination of the rail's surface, linear
-  !> between points and constant beyond them: lubricated gauge faces under dry heads. The inclination is atan dz/dy of a
-  !> right rail with y to the right and z down, its cant included, its deviation not: negative on the gauge face; left
-  !> rails are mirrored, so that one table serves both.
+  !> Sets the law of friction: one of rollcon_contact_set_friction, or "by_angle", Coulomb's law by the inclination of
+  !> the rail, angle1, mu1, angle2, mu2, ... (rollcon_wheelrail_set_friction_by_angle). Angles of orthotropic laws count
+  !> in the axes of the patch, those of a left wheel in the mirror. Where friction falls and several solutions exist, a
+  !> solve continues the last one, and one from nothing begins with the friction of rest.
   subroutine wheelrail_set_friction(self, law, parameters, stat, errmsg)
     class(rc_wheelrail_plain), intent(inout) :: self
     character(len=*), intent(in) :: law
@@ -280,6 +284,66 @@ contains
     character(len=*), intent(inout), optional :: errmsg
     call finish(rollcon_wheelrail_set_friction(self%p, c_text(law), size(parameters, 1, rc_int), parameters), self%p, &
       'rc_wheelrail%set_friction', stat, errmsg)
+  end subroutine
+
+  !> Sets a law whose parameters follow the inclination of the rail's surface, linear between points and constant beyond
+  !> them: lubricated gauge faces under dry heads. The inclination is atan dz/dy of a right rail with y to the right and
+  !> z down, its cant included, its deviation not: negative on the gauge face; left rails are mirrored, so that one
+  !> table serves both. The greatest coefficient follows the inclination across a patch, the form of the law is that at
+  !> the reference of the patch.
+  subroutine wheelrail_set_friction_by_angle(self, law, points, parameters, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    character(len=*), intent(in) :: law
+    integer, intent(in) :: points
+    real(rc_real), intent(in), contiguous :: parameters(:)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish( &
+      rollcon_wheelrail_set_friction_by_angle(self%p, c_text(law), int(points, rc_int), size(parameters, 1, rc_int), parameters), &
+      self%p, 'rc_wheelrail%set_friction_by_angle', stat, errmsg)
+  end subroutine
+
+  !> Gives friction that falls with the slip speed a memory, as for a contact.
+  subroutine wheelrail_set_friction_memory(self, length, least_speed, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    real(rc_real), intent(in) :: length
+    real(rc_real), intent(in) :: least_speed
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_wheelrail_set_friction_memory(self%p, length, least_speed), self%p, &
+      'rc_wheelrail%set_friction_memory', stat, errmsg)
+  end subroutine
+
+  !> Puts a thin layer between wheel and rail, as between the bodies of a contact.
+  subroutine wheelrail_set_layer(self, flexibility, stress, hardening, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    real(rc_real), intent(in) :: flexibility
+    real(rc_real), intent(in), optional :: stress
+    real(rc_real), intent(in), optional :: hardening
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    real(rc_real) :: stress_or_standard
+    real(rc_real) :: hardening_or_standard
+    stress_or_standard = 0
+    if (present(stress)) stress_or_standard = stress
+    hardening_or_standard = 0
+    if (present(hardening)) hardening_or_standard = hardening
+    call finish(rollcon_wheelrail_set_layer(self%p, flexibility, stress_or_standard, hardening_or_standard), self%p, &
+      'rc_wheelrail%set_layer', stat, errmsg)
+  end subroutine
+
+  !> Says what wheel or rail does with heat, for the temperatures of the contacts of patches
+  !> (rollcon_contact_get_temperatures_at) and for friction that depends on them. The call is needed for both.
+  subroutine wheelrail_set_heat(self, which, conductivity, heat_capacity, temperature, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    integer(rc_int), intent(in) :: which
+    real(rc_real), intent(in) :: conductivity
+    real(rc_real), intent(in) :: heat_capacity
+    real(rc_real), intent(in) :: temperature
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_wheelrail_set_heat(self%p, which, conductivity, heat_capacity, temperature), self%p, &
+      'rc_wheelrail%set_heat', stat, errmsg)
   end subroutine
 
   !> Finds the patches and solves each as a steady rolling contact, from the last solution where there is one. The
@@ -367,9 +431,10 @@ contains
   !> Returns the derivatives of the totals of the last solve by one entry of its position or velocity: those of what
   !> rollcon_wheelrail_get_resultant gives in the track, and derivatives of the wheelset's z. Where the height was found
   !> from a vertical force, that force stays and z follows; entry 2 has none then. They are those of Newton's systems at
-  !> the solutions of the patches, whose axes and strips move; with a creep-force table and on conformal frames, central
-  !> differences of solves. The first call finds all twelve and keeps them until the next solve. ROLLCON_ERR_STATE: no
-  !> solution, or one that did not converge. ROLLCON_ERR_SINGULAR: a patch begins or ends here.
+  !> the solutions of the patches, whose axes and strips move; with a creep-force table, on conformal frames, with laws
+  !> other than Coulomb's and with a layer, central differences of solves. The first call finds all twelve and keeps
+  !> them until the next solve. ROLLCON_ERR_STATE: no solution, or one that did not converge. ROLLCON_ERR_SINGULAR: a
+  !> patch begins or ends here.
   subroutine wheelrail_get_derivative(self, entry, force, moment, z, stat, errmsg)
     class(rc_wheelrail_plain), intent(inout) :: self
     integer, intent(in) :: entry

@@ -2256,20 +2256,74 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_prescribe_vertical(
     rollcon_wheelrail *wheelrail, int32_t how, double force);
 
 /*
- * Sets the law of friction. "coulomb": mu. "by_angle": coefficients by the inclination of the
- * rail's surface, linear between points and constant beyond them: lubricated gauge faces under
- * dry heads. The inclination is atan dz/dy of a right rail with y to the right and z down, its
- * cant included, its deviation not: negative on the gauge face; left rails are mirrored, so that
- * one table serves both.
- *   law         coulomb or by_angle
- *   n           parameters of the law: 1; 2, 4, 6, ... for by_angle
- *   parameters  [n]; mu; angle1, mu1, angle2, mu2, ... with ascending angles, radian.
- *               Coefficients 0 to 10
+ * Sets the law of friction: one of rollcon_contact_set_friction, or "by_angle", Coulomb's law by
+ * the inclination of the rail, angle1, mu1, angle2, mu2, ...
+ * (rollcon_wheelrail_set_friction_by_angle). Angles of orthotropic laws count in the axes of the
+ * patch, those of a left wheel in the mirror. Where friction falls and several solutions exist, a
+ * solve continues the last one, and one from nothing begins with the friction of rest.
+ *   law         a name of a law, or by_angle
+ *   n           parameters of the law; 2, 4, 6, ... for by_angle
+ *   parameters  [n]; those of rollcon_contact_set_friction; angle1, mu1, angle2, mu2, ... The
+ *               greatest coefficient is 0 to 10
  * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MEMORY.
  * Source: docs/friction.md.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_friction(
     rollcon_wheelrail *wheelrail, const char *law, int32_t n, const double *parameters);
+
+/*
+ * Sets a law whose parameters follow the inclination of the rail's surface, linear between points
+ * and constant beyond them: lubricated gauge faces under dry heads. The inclination is atan dz/dy
+ * of a right rail with y to the right and z down, its cant included, its deviation not: negative
+ * on the gauge face; left rails are mirrored, so that one table serves both. The greatest
+ * coefficient follows the inclination across a patch, the form of the law is that at the
+ * reference of the patch.
+ *   law         a name of a law (rollcon_contact_set_friction)
+ *   points      1 to 1000
+ *   n           points times one more than the law has parameters
+ *   parameters  [n]; for each point its angle, ascending, radian, and then the parameters of the
+ *               law there
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MEMORY.
+ * Source: docs/friction.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_friction_by_angle(
+    rollcon_wheelrail *wheelrail, const char *law, int32_t points, int32_t n,
+    const double *parameters);
+
+/*
+ * Gives friction that falls with the slip speed a memory, as for a contact.
+ *   length       length of slip, >= 0; 0: no memory
+ *   least_speed  >= 0, slip speed, length/time
+ * Also returns: ROLLCON_ERR_NONFINITE.
+ * Source: docs/friction.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_friction_memory(
+    rollcon_wheelrail *wheelrail, double length, double least_speed);
+
+/*
+ * Puts a thin layer between wheel and rail, as between the bodies of a contact.
+ *   flexibility  thickness over shear modulus, length^3/force, >= 0
+ *   stress       >= 0, force/length^2; 0: never flows, and with flexibility 0 there is no layer
+ *   hardening    force/length^3; negative: softening
+ * Also returns: ROLLCON_ERR_NONFINITE.
+ * Source: docs/friction.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_layer(rollcon_wheelrail *wheelrail,
+    double flexibility, double stress, double hardening);
+
+/*
+ * Says what wheel or rail does with heat, for the temperatures of the contacts of patches
+ * (rollcon_contact_get_temperatures_at) and for friction that depends on them. The call is needed
+ * for both.
+ *   which          ROLLCON_WHEEL or ROLLCON_RAIL
+ *   conductivity   >= 0, power/(length temperature)
+ *   heat_capacity  >= 0, energy/(volume temperature): density times specific heat
+ *   temperature    temperature far from the contact
+ * Also returns: ROLLCON_ERR_NONFINITE.
+ * Source: docs/friction.md; Ertz and Knothe 2002.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_heat(rollcon_wheelrail *wheelrail,
+    int32_t which, double conductivity, double heat_capacity, double temperature);
 
 /*
  * Looks forces along the surfaces and spin moments up in a creep-force table from now on, for an
@@ -2330,7 +2384,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_request_cancel(
  *   status      [n], out, may be NULL; what rollcon_wheelrail_solve would return for each
  * Also returns: ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
  *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_TOO_DEEP, ROLLCON_DERAILED, ROLLCON_ERR_OPTION,
- *   ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY, ROLLCON_ERR_MESH.
+ *   ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY, ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_MESH.
  * Source: docs/wheelrail.md.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_solve_many(
@@ -2361,7 +2415,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_solve_many(
  *   status      [n_cases], out, may be NULL; what rollcon_wheelrail_solve would return for each
  * Also returns: ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
  *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_TOO_DEEP, ROLLCON_DERAILED,
- *   ROLLCON_ERR_NONFINITE, ROLLCON_ERR_OPTION, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ *   ROLLCON_ERR_NONFINITE, ROLLCON_ERR_OPTION, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY,
+ *   ROLLCON_ERR_UNSUPPORTED.
  * Source: docs/wear.md.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_find_wear(rollcon_wheelrail *wheelrail,
@@ -2465,10 +2520,10 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_get_resultant(
  * velocity: those of what rollcon_wheelrail_get_resultant gives in the track, and derivatives of
  * the wheelset's z. Where the height was found from a vertical force, that force stays and z
  * follows; entry 2 has none then. They are those of Newton's systems at the solutions of the
- * patches, whose axes and strips move; with a creep-force table and on conformal frames, central
- * differences of solves. The first call finds all twelve and keeps them until the next solve.
- * ROLLCON_ERR_STATE: no solution, or one that did not converge. ROLLCON_ERR_SINGULAR: a patch
- * begins or ends here.
+ * patches, whose axes and strips move; with a creep-force table, on conformal frames, with laws
+ * other than Coulomb's and with a layer, central differences of solves. The first call finds all
+ * twelve and keeps them until the next solve. ROLLCON_ERR_STATE: no solution, or one that did not
+ * converge. ROLLCON_ERR_SINGULAR: a patch begins or ends here.
  *   entry      0 to 5: of the position (rollcon_wheelrail_set_position); 6 to 11: of the velocity
  *   force      [3], out, may be NULL; derivative of the force on the wheel
  *   moment     [3], out, may be NULL; derivative of its moment about the wheelset's centre, which

@@ -548,6 +548,34 @@ rollcon_status rollcon_wheelrail_set_friction(rollcon_wheelrail *wheelrail, cons
   });
 }
 
+rollcon_status rollcon_wheelrail_set_friction_by_angle(rollcon_wheelrail *wheelrail,
+    const char *law, int32_t points, int32_t n, const double *parameters) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    self.set_friction_by_angle(law, points, n, parameters);
+  });
+}
+
+rollcon_status rollcon_wheelrail_set_friction_memory(rollcon_wheelrail *wheelrail, double length,
+    double least_speed) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    self.set_friction_memory(length, least_speed);
+  });
+}
+
+rollcon_status rollcon_wheelrail_set_layer(rollcon_wheelrail *wheelrail, double flexibility,
+    double stress, double hardening) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    self.set_layer(flexibility, stress, hardening);
+  });
+}
+
+rollcon_status rollcon_wheelrail_set_heat(rollcon_wheelrail *wheelrail, int32_t which,
+    double conductivity, double heat_capacity, double temperature) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    self.set_heat(which, conductivity, heat_capacity, temperature);
+  });
+}
+
 rollcon_status rollcon_wheelrail_solve(rollcon_wheelrail *wheelrail) {
   return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
     return self.solve();

@@ -111,15 +111,28 @@ std::optional<double> StripFrames::friction_power() const {
   return -givens_.speed() * work;
 }
 
-Status StripFrames::show(Solver& on, double seconds) try {
+void StripFrames::put_frame(Scene& scene) const {
+  scene.set_strips(peaked().layout, peaked().geometry);
+}
+
+Status StripFrames::show(Solver& on, double seconds, bool onward) try {
   const StripState& from = peaked();
-  on.scene.set_strips(from.layout, from.geometry);
+  const Solution& last = on.solution();
+  const std::int64_t mesh = on.scene.revision.mesh;
+  const bool solved = onward && last.solved && !last.frictionless && on.scene.strips();
+  for (std::size_t c = 0; solved && c < 2; ++c) before_[c] = last.iterate.lambda[c];
+  put_frame(on.scene);
+  const bool known = solved && on.scene.revision.mesh == mesh;
+  if (onward && !known) on.reset();
   Iterate& it = on.start(seconds);
+  // A law that falls is solved from nothing with the friction of rest first, which needs the solver's own start.
+  const bool from_rest = onward && !known && on.scene.law() && on.scene.law()->falls();
   const std::vector<std::int32_t>& node = on.scene.strips()->node;
   for (std::size_t i = 0; i < node.size(); ++i) {
     const std::size_t k = at(node[i]);
-    it.lambda[2][k] = -from.pressure[i];
-    for (std::size_t c = 0; c < 2; ++c) it.lambda[c][k] = by_law() ? 0 : from.traction[c * node.size() + i];
+    it.lambda[2][k] = from_rest ? 0 : -from.pressure[i];
+    for (std::size_t c = 0; c < 2; ++c)
+      it.lambda[c][k] = !by_law() ? from.traction[c * node.size() + i] : known ? before_[c][k] : 0;
   }
   it.motion[xi1] = from.motion[0];
   it.motion[xi2] = from.motion[1];

@@ -26,8 +26,12 @@ class StripFrames final : public MovingFrame {
   bool coupled() const { return givens_.scene().bodies.ck != 0; }
   const strips::StripSolution& solution() const { return solution_; }
   /// Gives the scene of a solver, which fit() solved before, a frame of the strips, and solves on this frame from the
-  /// solution of fit(). seconds: time that fit() took. Errors are those of Solver::solve().
-  Status show(Solver& on, double seconds);
+  /// solution of fit(). seconds: time that fit() took. onward: under another law than Coulomb's the solve continues the
+  /// solver's last solution, where that was on strips of the same counts; else it starts from nothing. Errors are those
+  /// of Solver::solve().
+  Status show(Solver& on, double seconds, bool onward = false);
+  /// Gives the scene a frame of the strips.
+  void put_frame(Scene& scene) const;
   double seconds() const { return seconds_; }  ///< time that the last fit took
   bool rates(Parameter parameter, Rates& found) override;
   /// Returns rates of change from one scene to another nearby, `distance` apart, at places that keep their coordinates
@@ -77,7 +81,8 @@ class StripFrames final : public MovingFrame {
   strips::StripSolution solution_before_;  ///< solution that shift_back() returns to
   strips::StripParameter shifted_;
   Rectangle box_{};
-  strips::StripState shown_;  ///< strips that show() solved
+  std::array<std::vector<double>, 2> before_;  ///< tangential tractions that show() continues
+  strips::StripState shown_;                   ///< strips that show() solved
   std::vector<LoadedPlace> place_;
   bool warm_ = false;
   double seconds_ = 0;

@@ -91,8 +91,8 @@ Status PatchContact::solve(const OverlapPatch& patch, const WheelMotion& motion,
 }
 
 Loads PatchContact::found_loads() const {
-  if (!now_.on_strips) return contact_->solver->loads();
-  if (now_.status == Status::no_contact) return {};
+  if (now_.on_strips && now_.status == Status::no_contact) return {};
+  if (!now_.on_strips || by_law()) return contact_->solver->loads();
   const Rates all = rates_of(strips_->totals());
   return {all.force, all.moment};
 }
@@ -119,12 +119,24 @@ bool PatchContact::solve_on_strips(const Fineness& fineness) {
       found = strips_->fit(on, box(), counts, patient);
   if (found == strips::StripStatus::no_contact) {
     now_.status = Status::no_contact;
+    if (strips_->by_law()) on.reset();
     return true;
   }
-  if (found != strips::StripStatus::solved) return false;
-  now_.status =
-      strips::largest_pressure(strips_->solution().strips).pressure > modulus() ? Status::too_deep : Status::ok;
+  if (found != strips::StripStatus::solved || (strips_->by_law() && !solve_law_on_strips())) return false;
+  if (!strips_->by_law()) now_.status = Status::ok;
+  if (now_.status == Status::ok && strips::largest_pressure(strips_->solution().strips).pressure > modulus())
+    now_.status = Status::too_deep;
   return true;
+}
+
+// Solves what resists slip, which strips do not know, on the frame of the strips. Returns false without an answer.
+bool PatchContact::solve_law_on_strips() {
+  contact_->solver->forget_all_but_tractions();
+  now_.status = strips_->show(*contact_->solver, strips_->seconds(), true);
+  shown_ = true;
+  const bool answered = is_answer(now_.status) || now_.status == Status::cancelled;
+  if (!answered) strips_->forget();
+  return answered;
 }
 
 Status PatchContact::show() const {
@@ -197,7 +209,7 @@ double PatchContact::area() const {
 }
 
 double PatchContact::friction_power() const {
-  if (now_.on_strips && !now_.by_table) {
+  if (now_.on_strips && !now_.by_table && !by_law()) {
     if (now_.status == Status::no_contact) return 0;
     if (const auto power = strips_->friction_power()) return *power;
   }
@@ -215,10 +227,8 @@ void PatchContact::reset() {
 void PatchContact::keep(Kept& kept) const {
   kept.state = now_;
   kept.state.owner = this;
-  if (now_.on_strips)
-    kept.strips = strips_->solution();
-  else
-    kept.solution = contact_->solver->solution();
+  if (now_.on_strips) kept.strips = strips_->solution();
+  if (!now_.on_strips || by_law()) kept.solution = contact_->solver->solution();
 }
 
 void PatchContact::return_to(const Kept& kept) {
@@ -230,7 +240,13 @@ void PatchContact::return_to(const Kept& kept) {
     stand(now_.motion);
     prescribe(now_.give_way, now_.friction);
     contact_->solver->pair();
-    return strips_->return_to(kept.strips, *contact_->solver, box());
+    strips_->return_to(kept.strips, *contact_->solver, box());
+    if (!by_law()) return;
+    if (now_.status == Status::no_contact) return contact_->solver->reset();
+    strips_->put_frame(contact_->scene);
+    contact_->solver->return_to(kept.solution);
+    shown_ = true;
+    return;
   }
   if (!kept.solution.solved) {
     contact_->reset();
@@ -242,6 +258,20 @@ void PatchContact::return_to(const Kept& kept) {
   contact_->solver->return_to(kept.solution);
 }
 
+namespace {
+
+const FrictionGiven& without_friction() {
+  static const FrictionGiven none = [] {
+    FrictionGiven given;
+    const double mu = 0;
+    given.set_law("coulomb", 1, &mu);
+    return given;
+  }();
+  return none;
+}
+
+}  // namespace
+
 // Prescribes approach and friction; points across count from the middle of the frame, along t2.
 void PatchContact::prescribe(double give_way, const PatchFriction& friction) {
   now_.give_way = give_way;
@@ -249,7 +279,7 @@ void PatchContact::prescribe(double give_way, const PatchFriction& friction) {
   now_.friction.table = nullptr;  // the contact alone is solved here
   contact_->scene.prescribe(static_cast<std::int32_t>(Direction::normal), static_cast<std::int32_t>(How::by_motion),
                             -give_way);
-  contact_->scene.set_friction("coulomb", 1, &friction.mu);
+  contact_->scene.take_friction(friction.law ? *friction.law : without_friction(), friction.mu);
   const std::size_t n = friction.points;
   std::array<double, 2 * PatchFriction::most> point{};
   const bool along = dot(now_.axes.t2, now_.patch.lateral) > 0;

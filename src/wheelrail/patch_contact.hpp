@@ -40,9 +40,10 @@ struct WheelMotion {
   double speed = 0;  ///< forward speed of the wheelset; not 0
 };
 
-/// Holds the friction of a patch: one coefficient, or those at points across it, linear between.
+/// Holds the friction of a patch: a law with one greatest coefficient, or those at points across it, linear between.
 struct PatchFriction {
   static constexpr std::size_t most = 33;
+  std::shared_ptr<const FrictionGiven> law;  ///< null: none
   double mu = 0;
   std::size_t points = 0;              ///< 0: mu everywhere
   std::array<double, most> lateral{};  ///< distances from the patch's reference, ascending
@@ -158,6 +159,8 @@ class PatchContact {
   Loads found_loads() const;
   void solve_contact(const Fineness& fineness);
   bool solve_on_strips(const Fineness& fineness);
+  bool solve_law_on_strips();
+  bool by_law() const { return now_.on_strips && strips_->by_law(); }
   bool take_table_results(const PatchFriction& friction);
   bool find_missing(const ForceTable& table, EquivalentEllipse e, PatchCalibration& c);
   bool take_table_forces(const PatchFriction& friction, const HertzianPatch& h, double load);

@@ -8,7 +8,6 @@
 #include "contact/solver.hpp"
 #include "framing/hertz.hpp"
 #include "support/error.hpp"
-#include "support/linear_between.hpp"
 
 namespace rollcon {
 namespace {
@@ -216,24 +215,6 @@ void WheelRail::solve_patch(Slot& slot, const OverlapPatch& patch, const WheelMo
          "which conformal frames do not: check load and profiles, or set the option conformal to 0",
          patch.wheel_y);
   }
-}
-
-// Takes friction at places across the overlap where inclinations are given.
-PatchFriction WheelRail::friction_of(const OverlapPatch& patch) const {
-  PatchFriction friction{.mu = in_.friction,
-                         .table = in_.options.conformal ? nullptr : in_.table.get(),
-                         .hertzian = in_.options.hertzian != 0};
-  if (in_.friction_angle.empty()) return friction;
-  friction.mu = linear_between(in_.friction_angle, in_.friction_at_angle, search_->rail_angle(patch.reference[1]));
-  friction.points = PatchFriction::most;
-  for (std::size_t i = 0; i < friction.points; ++i) {
-    const double part = static_cast<double>(i) / static_cast<double>(friction.points - 1);
-    const double lateral = (1 - part) * patch.low + part * patch.high;
-    friction.lateral[i] = lateral;
-    friction.at[i] = linear_between(in_.friction_angle, in_.friction_at_angle,
-                                    search_->rail_angle(patch.reference[1] + lateral * patch.lateral[1]));
-  }
-  return friction;
 }
 
 // Uses Boussinesq's point load; tangential loads and tilted normals are left out.

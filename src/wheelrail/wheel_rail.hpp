@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "contact/laws/wear_law.hpp"
@@ -41,9 +42,14 @@ class WheelRail {
   void set_velocity(const double* velocity);                             ///< rates of x, y, z, roll, yaw, pitch
   /// Prescribes z of the position (how: by motion), or the vertical force on the rail (how: by force).
   void prescribe_vertical(std::int32_t how, double force);
-  /// Sets "coulomb", one coefficient everywhere, or "by_angle", pairs (inclination of the rail, mu), linear between
-  /// them.
+  /// Sets a law as a contact has it, or "by_angle", pairs (inclination of the rail, mu) of Coulomb's law.
   void set_friction(const char* law, std::int32_t n, const double* parameters);
+  /// Sets a law whose parameters are linear between inclinations of the rail: for each point the angle and these.
+  void set_friction_by_angle(const char* law, std::int32_t points, std::int32_t n, const double* parameters);
+  // Those of a contact follow, with the wheel as body 1 and the rail as body 2.
+  void set_friction_memory(double length, double least_speed);
+  void set_layer(double flexibility, double stress, double hardening);
+  void set_heat(std::int32_t which, double conductivity, double capacity, double temperature);
   void set_friction(double mu) { set_friction("coulomb", 1, &mu); }
   /// Looks forces along the surfaces up in this table from now on, for what it has; null: in none. err_state: it is not
   /// made.
@@ -134,15 +140,22 @@ class WheelRail {
     double z = 0;
     Status status = Status::ok;
   };
+  /// Holds parameters of a law by the inclination of the rail, row by row, and the greatest coefficient of each row.
+  struct FrictionByAngle {
+    std::string law;
+    std::vector<double> angle, parameter, mu;
+    bool coulomb = false;  ///< parameters are coefficients
+  };
   /// Holds what may change between two solves.
   struct Inputs {
     WheelsetState position, velocity;
     RailDeviation deviation, rate;
     bool position_given = false, velocity_given = false, friction_given = false, by_force = false;
     WheelOptions options;
-    double load = 0, friction = 0;
+    double load = 0;
     std::shared_ptr<const ForceTable> table;
-    std::vector<double> friction_angle, friction_at_angle;
+    std::shared_ptr<const FrictionGiven> friction = std::make_shared<FrictionGiven>();
+    std::shared_ptr<const FrictionByAngle> by_angle;  ///< null: the same everywhere
   };
   struct Kept;
   struct Stat;
@@ -153,6 +166,8 @@ class WheelRail {
   void prepare();
   void prepare_search();
   void require_friction() const;
+  template <class Set>
+  void change_friction(Set set);
   /// Takes profiles and materials that the bodies were given since; what was solved with others is gone then.
   void follow_bodies();
   Pose wheel_pose(const WheelsetState& position, double z) const;
@@ -167,6 +182,7 @@ class WheelRail {
   CreepMap::Node map_node(const CreepMap::Place& place);
   void calibrate(const OverlapPatch& patch, double give_way, PatchFriction& friction);
   PatchFriction friction_of(const OverlapPatch& patch) const;
+  std::shared_ptr<const FrictionGiven> law_at(double angle) const;
   Status meet_force();
   void tell(Status status) const;
   double first_sink(double touch);

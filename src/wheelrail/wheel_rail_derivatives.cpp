@@ -125,8 +125,9 @@ WheelRail::Derivative WheelRail::derivative(std::int32_t i) {
     fail(Status::err_state, "the last solve did not converge: only a converged solution has derivatives");
   if (derived_) return derivative_[static_cast<std::size_t>(i)];
   const Inputs in = solved_inputs();
-  const bool by_solves = in.options.conformal || std::any_of(active_.begin(), active_.end(),
-                                                             [](const Slot* slot) { return slot->contact.by_table(); });
+  const bool by_solves =
+      in.options.conformal || !in.friction->coulomb_alone() ||
+      std::any_of(active_.begin(), active_.end(), [](const Slot* slot) { return slot->contact.by_table(); });
   std::array<Totals, entries> rate{};
   const std::shared_ptr<Kept> here = by_solves ? keep_here() : nullptr;
   const double speed = std::abs(in.velocity.x);

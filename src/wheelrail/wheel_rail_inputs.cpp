@@ -1,7 +1,6 @@
 /// Takes what a wheel on its rail is given. Everything of a left one is held as it is in the mirror.
 
 #include <cmath>
-#include <cstring>
 #include <utility>
 
 #include "support/input_checks.hpp"
@@ -9,8 +8,6 @@
 
 namespace rollcon {
 namespace {
-
-constexpr double most_friction = 10;
 
 WheelsetState state_of(const double* v, const char* name, double side) {
   require_pointer(v, name);
@@ -109,34 +106,6 @@ void WheelRail::prescribe_vertical(std::int32_t how, double force) {
   in_.by_force = by_force;
 }
 
-void WheelRail::set_friction(const char* law, std::int32_t n, const double* parameters) {
-  require_pointer(law, "law");
-  const bool by_angle = std::strcmp(law, "by_angle") == 0;
-  if (!by_angle && std::strcmp(law, "coulomb") != 0)
-    fail(Status::err_argument, "law is '%.64s'; allowed: coulomb, by_angle", law);
-  if (by_angle ? n < 2 || n % 2 != 0 : n != 1)
-    fail(Status::err_argument, "n is %d; allowed for %s: %s", n, law, by_angle ? "2, 4, 6, ..." : "1");
-  require_pointer(parameters, "parameters");
-  require_finite(n, 1, parameters, "parameters", 0);
-  for (std::int32_t i = by_angle ? 1 : 0; i < n; i += 2) {
-    if (!(parameters[i] >= 0 && parameters[i] <= most_friction))
-      fail(Status::err_argument, "mu, entry %d of parameters (counting from 0), is %g; allowed: 0 to %g", i,
-           parameters[i], most_friction);
-    if (i > 1 && !(parameters[i - 1] > parameters[i - 3]))
-      fail(Status::err_argument,
-           "angle, entry %d of parameters (counting from 0), is %g; allowed: above that before, %g", i - 1,
-           parameters[i - 1], parameters[i - 3]);
-  }
-  in_.friction_given = true;
-  in_.friction = by_angle ? 0 : *parameters;
-  in_.friction_angle.clear();
-  in_.friction_at_angle.clear();
-  for (std::int32_t i = 0; by_angle && i < n; i += 2) {
-    in_.friction_angle.push_back(parameters[i]);
-    in_.friction_at_angle.push_back(parameters[i + 1]);
-  }
-}
-
 void WheelRail::set_table(std::shared_ptr<const ForceTable> table) {
   if (table) table->require_made();
   in_.table = std::move(table);
@@ -148,10 +117,6 @@ void WheelRail::require_solved_friction(const char* wanted) const {
          "forces along the surfaces come from a table, which has no tractions and no slip: %s needs a solution; call "
          "rollcon_wheelrail_set_table with NULL first",
          wanted);
-}
-
-void WheelRail::require_friction() const {
-  if (!in_.friction_given) fail(Status::err_state, "something is missing: call rollcon_wheelrail_set_friction first");
 }
 
 void WheelRail::set_int(const char* name, std::int64_t value) {

@@ -172,10 +172,10 @@ TEST_F(wheelrail, bad_inputs_are_named_and_change_nothing) {
   EXPECT_FAILS(rollcon_wheelrail_prescribe_vertical(right, 3, 1), ARGUMENT, "how is 3", "1 (by motion), 2 (by force)");
   EXPECT_FAILS(rollcon_wheelrail_prescribe_vertical(right, ROLLCON_BY_FORCE, -1), ARGUMENT, "force is -1", ">= 0");
   const double friction[] = {-0.1, 0.1, -0.2, 0.1};
-  EXPECT_FAILS(rollcon_wheelrail_set_friction(right, "coulomb", 1, friction), ARGUMENT, "mu,", "-0.1", "0 to 10");
-  EXPECT_FAILS(rollcon_wheelrail_set_friction(right, "coulomb", 2, friction), ARGUMENT, "n is 2", "coulomb: 1");
+  EXPECT_FAILS(rollcon_wheelrail_set_friction(right, "coulomb", 1, friction), ARGUMENT, "mu is -0.1", "0 or more");
+  EXPECT_FAILS(rollcon_wheelrail_set_friction(right, "coulomb", 2, friction), ARGUMENT, "n is 2", "1 parameter");
   EXPECT_FAILS(rollcon_wheelrail_set_friction(right, "by_angle", 3, friction), ARGUMENT, "n is 3", "2, 4, 6");
-  EXPECT_FAILS(rollcon_wheelrail_set_friction(right, "by_angle", 4, friction), ARGUMENT, "entry 2", "above");
+  EXPECT_FAILS(rollcon_wheelrail_set_friction(right, "by_angle", 4, friction), ARGUMENT, "angle of point 1", "above");
   EXPECT_FAILS(rollcon_wheelrail_set_friction(right, "other", 1, friction), ARGUMENT, "law is 'other'", "by_angle");
   EXPECT_FAILS(rollcon_wheelrail_set_friction(right, "coulomb", 1, nullptr), ARGUMENT, "parameters is NULL");
   EXPECT_FAILS(rollcon_wheelrail_set_real(right, "accuracy", 0.001), OPTION, "accuracy", "0.005 to 1");

@@ -93,6 +93,12 @@ void set_law(World& w) {
               parameters.data());
   else
     FUZZ_CALL(w, rollcon_wheelrail_set_friction, h, "coulomb", 1, &mu);
+  if (w.in.one_in(4)) FUZZ_CALL(w, rollcon_wheelrail_set_friction, h, "linear", 3, parameters.data());
+  if (w.in.one_in(6))
+    FUZZ_CALL(w, rollcon_wheelrail_set_friction_by_angle, h, "linear", few(w, 2), 4, parameters.data());
+  if (w.in.one_in(6)) FUZZ_CALL(w, rollcon_wheelrail_set_friction_memory, h, w.in.real(), w.in.real());
+  if (w.in.one_in(6)) FUZZ_CALL(w, rollcon_wheelrail_set_layer, h, w.in.real(), w.in.real(), w.in.real());
+  if (w.in.one_in(6)) FUZZ_CALL(w, rollcon_wheelrail_set_heat, h, few(w, 3), w.in.real(), w.in.real(), w.in.real());
   FUZZ_CALL(w, rollcon_wheelrail_set_real, h, "accuracy", w.in.one_in(6) ? w.in.real() : 0.1);
 }
 

@@ -66,8 +66,8 @@ TEST_F(friction_by_angle, each_patch_has_that_of_its_surface) {
 TEST_F(friction_by_angle, refusals) {
   const auto w = make();
   const double falling[] = {0.1, 0.1, 0, 0.2}, much[] = {0, 0.1, 0.1, 11};
-  refused([&] { w->set_friction("by_angle", 4, falling); }, Status::err_argument, {"angle, entry 2"});
-  refused([&] { w->set_friction("by_angle", 4, much); }, Status::err_argument, {"mu, entry 3"});
+  refused([&] { w->set_friction("by_angle", 4, falling); }, Status::err_argument, {"angle of point 1"});
+  refused([&] { w->set_friction("by_angle", 4, much); }, Status::err_argument, {"point 1 (counting from 0): mu"});
   refused([&] { w->set_friction("by_angle", 4, nullptr); }, Status::err_argument, {"parameters"});
 }
 

@@ -416,6 +416,12 @@ FUNCTIONS = {
     "rollcon_wheelrail_set_velocity": (c_int32, [c_void_p, POINTER(c_double)]),
     "rollcon_wheelrail_prescribe_vertical": (c_int32, [c_void_p, c_int32, c_double]),
     "rollcon_wheelrail_set_friction": (c_int32, [c_void_p, c_char_p, c_int32, POINTER(c_double)]),
+    "rollcon_wheelrail_set_friction_by_angle": (c_int32, [
+        c_void_p, c_char_p, c_int32,
+        c_int32, POINTER(c_double)]),
+    "rollcon_wheelrail_set_friction_memory": (c_int32, [c_void_p, c_double, c_double]),
+    "rollcon_wheelrail_set_layer": (c_int32, [c_void_p, c_double, c_double, c_double]),
+    "rollcon_wheelrail_set_heat": (c_int32, [c_void_p, c_int32, c_double, c_double, c_double]),
     "rollcon_wheelrail_set_table": (c_int32, [c_void_p, c_void_p]),
     "rollcon_wheelrail_solve": (c_int32, [c_void_p]),
     "rollcon_wheelrail_request_cancel": (c_int32, [c_void_p]),
@@ -815,6 +821,19 @@ ARGUMENTS = {
     "rollcon_wheelrail_prescribe_vertical": [("wheelrail", ""), ("how", "how"), ("force", "")],
     "rollcon_wheelrail_set_friction": [
         ("wheelrail", ""), ("law", ""), ("n", ""), ("parameters", "")
+    ],
+    "rollcon_wheelrail_set_friction_by_angle": [
+        ("wheelrail", ""), ("law", ""), ("points", ""), ("n", ""), ("parameters", "")
+    ],
+    "rollcon_wheelrail_set_friction_memory": [
+        ("wheelrail", ""), ("length", ""), ("least_speed", "")
+    ],
+    "rollcon_wheelrail_set_layer": [
+        ("wheelrail", ""), ("flexibility", ""), ("stress", ""), ("hardening", "")
+    ],
+    "rollcon_wheelrail_set_heat": [
+        ("wheelrail", ""), ("which", "profile of a wheel on its rail"), ("conductivity", ""),
+        ("heat_capacity", ""), ("temperature", "")
     ],
     "rollcon_wheelrail_set_table": [("wheelrail", ""), ("table", "")],
     "rollcon_wheelrail_solve": [("wheelrail", "")],

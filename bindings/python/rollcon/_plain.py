@@ -962,6 +962,51 @@ class WheelrailPlain:
         """
         self._call("prescribe_vertical", how, force)
 
+    def set_friction_by_angle(self, law: str, points: int, parameters: ArrayLike) -> None:
+        """Sets a law whose parameters follow the inclination of the rail's surface, linear
+        between points and constant beyond them: lubricated gauge faces under dry heads. The
+        inclination is atan dz/dy of a right rail with y to the right and z down, its cant
+        included, its deviation not: negative on the gauge face; left rails are mirrored, so that
+        one table serves both. The greatest coefficient follows the inclination across a patch,
+        the form of the law is that at the reference of the patch.
+
+        law: a name of a law (rollcon_contact_set_friction).
+        points: 1 to 1000.
+        parameters: for each point its angle, ascending, radian, and then the parameters of the
+          law there.
+        """
+        parameters, parameters_at = reals(parameters)
+        self._call("set_friction_by_angle", c_text(law, "law"), points, len(parameters), parameters_at)
+
+    def set_friction_memory(self, length: float, least_speed: float) -> None:
+        """Gives friction that falls with the slip speed a memory, as for a contact.
+
+        length: length of slip, >= 0; 0: no memory.
+        least_speed: >= 0, slip speed, length/time.
+        """
+        self._call("set_friction_memory", length, least_speed)
+
+    def set_layer(self, flexibility: float, stress: float = 0, hardening: float = 0) -> None:
+        """Puts a thin layer between wheel and rail, as between the bodies of a contact.
+
+        flexibility: thickness over shear modulus, length^3/force, >= 0.
+        stress: >= 0, force/length^2; 0: never flows, and with flexibility 0 there is no layer.
+        hardening: force/length^3; negative: softening.
+        """
+        self._call("set_layer", flexibility, stress, hardening)
+
+    def set_heat(self, which: int | str, conductivity: float, heat_capacity: float,
+                 temperature: float) -> None:
+        """Says what wheel or rail does with heat, for the temperatures of the contacts of patches
+        (temperatures_at()) and for friction that depends on them. The call is needed for both.
+
+        which: WHEEL or RAIL.
+        conductivity: >= 0, power/(length temperature).
+        heat_capacity: >= 0, energy/(volume temperature): density times specific heat.
+        temperature: temperature far from the contact.
+        """
+        self._call("set_heat", which, conductivity, heat_capacity, temperature)
+
     def solve(self) -> int:
         """Finds the patches and solves each as a steady rolling contact, from the last solution
         where there is one. The status is the worst of the patches' in the order that holds for
@@ -1030,10 +1075,10 @@ class WheelrailPlain:
         velocity: those of what resultant() gives in the track, and derivatives of the wheelset's
         z. Where the height was found from a vertical force, that force stays and z follows; entry
         2 has none then. They are those of Newton's systems at the solutions of the patches, whose
-        axes and strips move; with a creep-force table and on conformal frames, central
-        differences of solves. The first call finds all twelve and keeps them until the next
-        solve. ERR_STATE: no solution, or one that did not converge. ERR_SINGULAR: a patch begins
-        or ends here.
+        axes and strips move; with a creep-force table, on conformal frames, with laws other than
+        Coulomb's and with a layer, central differences of solves. The first call finds all twelve
+        and keeps them until the next solve. ERR_STATE: no solution, or one that did not converge.
+        ERR_SINGULAR: a patch begins or ends here.
 
         entry: 0 to 5: of the position (rollcon_wheelrail_set_position); 6 to 11: of the velocity.
         force: derivative of the force on the wheel.

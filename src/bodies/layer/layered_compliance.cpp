@@ -77,7 +77,7 @@ class LayeredKernel final : public TranslationKernel {
 class LayeredCompliance final : public Compliance {
  public:
   LayeredCompliance(const Frame& frame, std::unique_ptr<Compliance> bodies, double flexibility)
-      : bodies_(std::move(bodies)), frame_(frame), search_(frame.mesh, {}), flexibility_(flexibility) {}
+      : bodies_(std::move(bodies)), frame_(frame), search_(search_on(frame)), flexibility_(flexibility) {}
 
   std::int64_t nodes() const override { return bodies_->nodes(); }
   bool couples() const override { return bodies_->couples(); }
@@ -95,6 +95,11 @@ class LayeredCompliance final : public Compliance {
       for (std::size_t t = 0; t < 2; ++t) displacement[3 * p + t] += flexibility_ * value * traction[3 * at(node) + t];
     });
   }
+  /// A layer does not grow with the frame as bodies do, which operators of placed frames count on.
+  bool follow_frame() override {
+    search_ = search_on(frame_);
+    return bodies_->follow_frame() && frame_.strips;
+  }
   bool offset(Points points, double* u) const override { return bodies_->offset(points, u); }
   bool resolves_frame() const override { return bodies_->resolves_frame(); }
   std::shared_ptr<const TranslationKernel> translation() const override {
@@ -109,6 +114,9 @@ class LayeredCompliance final : public Compliance {
   std::size_t bytes() const override { return bodies_->bytes(); }
 
  private:
+  static std::unique_ptr<SurfaceSearch> search_on(const Frame& frame) {
+    return std::make_unique<SurfaceSearch>(frame.mesh, std::span<const std::int64_t>{});
+  }
   /// Calls f(point, node, shape function there); points beside the frame have none.
   template <class F>
   void at_nodes(Points points, F f) const {
@@ -116,7 +124,7 @@ class LayeredCompliance final : public Compliance {
     Shape shape;
     for (std::size_t p = 0; p < points.size(); ++p) {
       const Vec3 point = axes.origin + points.x[p] * axes.t1 + points.y[p] * axes.t2;
-      const auto found = search_.along(point, axes.n, axes.n);
+      const auto found = search_->along(point, axes.n, axes.n);
       if (!found) continue;
       const auto nodes = frame_.mesh.element(found->element);
       evaluate_shape(frame_.mesh.type[at(found->element)], found->xi, found->eta, shape);
@@ -127,7 +135,7 @@ class LayeredCompliance final : public Compliance {
 
   std::unique_ptr<Compliance> bodies_;
   const Frame& frame_;
-  SurfaceSearch search_;
+  std::unique_ptr<SurfaceSearch> search_;
   double flexibility_;
 };
 

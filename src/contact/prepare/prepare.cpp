@@ -95,6 +95,7 @@ void put_strips(Preparation& preparation, const Scene& scene) {
   take_strips(on.problem, on.frame);
   if (!on.compliance) return;
   for (auto& own : preparation.body_compliance) own.reset();
+  if (!on.compliance->follow_frame()) return preparation.compliance.forget();
   if (on.scheme == Scheme::characteristic)
     convect_on_strips(on.frame, on.problem.convection);
   else

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <string>
 #include <utility>
 
 #include "support/input_checks.hpp"
@@ -166,92 +164,48 @@ bool Scene::tilts() const {
 }
 
 void Scene::set_friction(const char* law, std::int32_t n, const double* parameters) {
-  require_pointer(law, "law");
-  require_count(n, "n");
-  const auto names = law_names();
-  const auto named =
-      std::find_if(names.begin(), names.end(), [&](const LawName& l) { return !std::strcmp(law, l.name); });
-  if (named == names.end()) {
-    std::string allowed;
-    for (const LawName& l : names) allowed += std::string(allowed.empty() ? "'" : ", '") + l.name + "'";
-    fail(Status::err_argument, "law is '%.64s'; allowed: %s", law, allowed.c_str());
-  }
-  if (n < named->least || n > named->greatest)
-    fail(Status::err_argument, "n is %d; '%s' has %s", n, named->name, named->parameters);
-  require_pointer(parameters, "parameters");
-  const auto count = static_cast<std::size_t>(n);
-  if (count == 1)
-    require_finite(parameters[0], "mu");
-  else
-    require_finite(n, 1, parameters, "parameters", mesh_.index_base);
-  const bool same_law = friction_.name == &*named;
-  if (same_law && std::equal(parameters, parameters + n, friction_.parameters.begin(), friction_.parameters.end()))
+  if (friction_.set_law(law, n, parameters, mesh_.index_base)) ++revision.friction;
+}
+
+void Scene::take_friction(const FrictionGiven& given, double mu) {
+  if (mu == friction_.mu() && given.law() == friction_.law() && given.layer() == friction_.layer() &&
+      given.heat() == friction_.heat() && friction_.given())
     return;
-  GivenFriction made = named->make({parameters, count});
-  friction_.parameters.reserve(count);
-  friction_.parameters.assign(parameters, parameters + n);
-  friction_.name = &*named;
-  friction_.law = std::move(made.law);
-  friction_.mu = made.mu;
-  choose_law();
+  friction_ = given;
+  friction_.set_coefficient(mu);
   ++revision.friction;
 }
 
 void Scene::scale_friction(const Scene& of, double factor) {
-  friction_.mu = factor * of.friction_.mu;
-  friction_.parameters = of.friction_.parameters;
-  for (double& p : friction_.parameters) p *= factor;
-  friction_.across_mu = of.friction_.across_mu;
-  for (double& mu : friction_.across_mu) mu *= factor;
+  friction_.scale(of.friction_, factor);
+  across_.mu = of.across_.mu;
+  for (double& mu : across_.mu) mu *= factor;
   ++revision.friction;
-}
-
-// Combines the law with memory and yield; what does not fit is refused before a solve.
-void Scene::choose_law() {
-  friction_.law_in_use = friction_.memory.length > 0 && friction_.law && friction_.law->falls()
-                             ? with_memory(friction_.law, friction_.memory)
-                             : friction_.law;
-  if (friction_.yield.stress > 0 && (!friction_.law_in_use || friction_.law_in_use->of_field()))
-    friction_.law_in_use = with_yield(friction_.law_in_use, friction_.yield);
 }
 
 void Scene::set_friction_memory(double length, double least_speed) {
-  require_finite(length, "length");
-  require_finite(least_speed, "least_speed");
-  if (length < 0) fail(Status::err_argument, "length is %g; allowed: 0 (none) or more", length);
-  if (least_speed < 0) fail(Status::err_argument, "least_speed is %g; allowed: 0 or more", least_speed);
-  const FrictionMemory memory{length, length > 0 ? least_speed : 0};
-  if (friction_.memory == memory) return;
-  friction_.memory = memory;
-  choose_law();
-  ++revision.friction;
+  if (friction_.set_memory(length, least_speed)) ++revision.friction;
 }
 
 void Scene::set_layer(double flexibility, double stress, double hardening) {
-  require_finite(flexibility, "flexibility");
-  require_finite(stress, "stress");
-  require_finite(hardening, "hardening");
-  if (flexibility < 0) fail(Status::err_argument, "flexibility is %g; allowed: 0 or more", flexibility);
-  if (stress < 0) fail(Status::err_argument, "stress is %g; allowed: 0 (never) or more", stress);
-  if (replace(friction_.layer, flexibility)) ++revision.friction;
-  const LayerYield yield{stress, stress > 0 ? hardening : 0};
-  if (friction_.yield == yield) return;
-  friction_.yield = yield;
-  choose_law();
-  ++revision.friction;
+  if (friction_.set_layer(flexibility, stress, hardening)) ++revision.friction;
+}
+
+void Scene::set_heat(std::int32_t which, double conductivity, double capacity, double temperature) {
+  if (friction_.set_heat(which, conductivity, capacity, temperature)) ++revision.friction;
 }
 
 void Scene::set_friction_across(std::int64_t n, const double* points) {
   if (n == 0) {
-    if (!friction_.across_y.empty()) ++revision.friction;
-    friction_.across_y.clear();
-    friction_.across_mu.clear();
+    if (!across_.y.empty()) ++revision.friction;
+    across_.y.clear();
+    across_.mu.clear();
     return;
   }
   require_count(n, "n");
   require_pointer(points, "points");
   require_finite(n, 2, points, "points", mesh_.index_base);
-  bool same = static_cast<std::size_t>(n) == friction_.across_y.size();
+  bool same = static_cast<std::size_t>(n) == across_.y.size();
   for (std::int64_t i = 0; i < n; ++i) {
     const double y = points[2 * i], mu = points[2 * i + 1];
     const long long entry = static_cast<long long>(i) + mesh_.index_base;
@@ -261,28 +215,12 @@ void Scene::set_friction_across(std::int64_t n, const double* points) {
     if (i > 0 && !(y > points[2 * i - 2]))
       fail(Status::err_argument, "y of point %lld (counting from %d) is %g; allowed: above that before, %g", entry,
            mesh_.index_base, y, points[2 * i - 2]);
-    same = same && friction_.across_y[static_cast<std::size_t>(i)] == y &&
-           friction_.across_mu[static_cast<std::size_t>(i)] == mu;
+    same = same && across_.y[static_cast<std::size_t>(i)] == y && across_.mu[static_cast<std::size_t>(i)] == mu;
   }
   if (same) return;
-  friction_.across_y.resize(static_cast<std::size_t>(n));
-  friction_.across_mu.resize(static_cast<std::size_t>(n));
-  for (std::size_t i = 0; i < friction_.across_y.size(); ++i)
-    friction_.across_y[i] = points[2 * i], friction_.across_mu[i] = points[2 * i + 1];
-  ++revision.friction;
-}
-
-void Scene::set_heat(std::int32_t which, double conductivity, double capacity, double temperature) {
-  if (which != 1 && which != 2) fail(Status::err_argument, "which is %d; allowed: 1, 2", which);
-  require_finite(conductivity, "conductivity");
-  require_finite(capacity, "heat_capacity");
-  require_finite(temperature, "temperature");
-  if (conductivity < 0) fail(Status::err_argument, "conductivity is %g; allowed: 0 or more", conductivity);
-  if (capacity < 0) fail(Status::err_argument, "heat_capacity is %g; allowed: 0 or more", capacity);
-  const Heat heat{conductivity, capacity, temperature, true};
-  Heat& held = friction_.heat[static_cast<std::size_t>(which) - 1];
-  if (held == heat) return;
-  held = heat;
+  across_.y.resize(static_cast<std::size_t>(n));
+  across_.mu.resize(static_cast<std::size_t>(n));
+  for (std::size_t i = 0; i < across_.y.size(); ++i) across_.y[i] = points[2 * i], across_.mu[i] = points[2 * i + 1];
   ++revision.friction;
 }
 
@@ -313,17 +251,9 @@ void Scene::require_complete(bool has_surface) const {
     fail(Status::err_state,
          "no gap was given and no body has a mesh or a profile to compute it from: rollcon_contact_set_gap, "
          "rollcon_contact_set_gap_quadratic or rollcon_contact_set_gap_grid");
-  if (friction_.name == nullptr && friction_field_.empty() && friction_.across_y.empty())
+  if (!friction_.given() && friction_field_.empty() && across_.y.empty())
     fail(Status::err_state, "no friction was given: rollcon_contact_set_friction");
-  if (friction_.memory.length > 0 && !(friction_.law && friction_.law->falls()))
-    fail(Status::err_state,
-         "a length of slip was given (rollcon_contact_set_friction_memory), but this law does not fall with the slip "
-         "speed; allowed: 'linear', 'rational', 'exponential', or a length of 0");
-  if (friction_.yield.stress > 0 && friction_.law && !friction_.law->of_field() &&
-      !(friction_.law->falls() && friction_.memory.length > 0))
-    fail(Status::err_unsupported,
-         "a layer that flows (rollcon_contact_set_layer) is not there for this law; allowed: 'coulomb', "
-         "'temperature', or a law that falls with a memory (rollcon_contact_set_friction_memory)");
+  friction_.require_consistent("rollcon_contact");
   if (rolling_.step != StepKind::steady && law() && law()->of_field())
     fail(Status::err_unsupported,
          "friction of temperature, with a memory or of a layer that flows is that of steady rolling; allowed in a step "

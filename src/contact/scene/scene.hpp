@@ -8,9 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "contact/heat/flash_temperature.hpp"
-#include "contact/laws/friction_law.hpp"
 #include "contact/scene/enumerators.hpp"
+#include "contact/scene/friction_given.hpp"
 #include "contact/scene/options.hpp"
 #include "geometry/height_grid.hpp"
 #include "geometry/pose.hpp"
@@ -113,6 +112,8 @@ class Scene {
   void set_creep_field(std::int64_t n, const double* slip);
   void prescribe(std::int32_t direction, std::int32_t how, double value);        ///< numbers of Direction and How
   void set_friction(const char* law, std::int32_t n, const double* parameters);  ///< see law_names()
+  /// Takes law, layer and heat of another contact, with another (greatest) coefficient.
+  void take_friction(const FrictionGiven& given, double mu);
   /// Takes the coefficients of `of`, which has Coulomb's law without a field, times a factor.
   void scale_friction(const Scene& of, double factor);
   void set_friction_field(std::int64_t n, const double* mu);  ///< coefficient at each node
@@ -155,16 +156,16 @@ class Scene {
   /// Returns the friction coefficient of node k, which lies at y.
   double friction(std::int64_t k, double y) const {
     if (!friction_field_.empty()) return friction_field_[static_cast<std::size_t>(k)];
-    return friction_.across_y.empty() ? friction_.mu : linear_between(friction_.across_y, friction_.across_mu, y);
+    return across_.y.empty() ? friction_.mu() : linear_between(across_.y, across_.mu, y);
   }
   /// Return where coefficients across are given, and these.
-  const std::vector<double>& friction_places() const { return friction_.across_y; }
-  const std::vector<double>& friction_there() const { return friction_.across_mu; }
+  const std::vector<double>& friction_places() const { return across_.y; }
+  const std::vector<double>& friction_there() const { return across_.mu; }
   /// Returns null for Coulomb's law.
-  const std::shared_ptr<const FrictionLaw>& law() const { return friction_.law_in_use; }
-  bool friction_varies_across() const { return friction_field_.empty() && !friction_.across_y.empty(); }
-  double layer() const { return friction_.layer; }  ///< flexibility
-  const BothHeats& heat() const { return friction_.heat; }
+  const std::shared_ptr<const FrictionLaw>& law() const { return friction_.law(); }
+  bool friction_varies_across() const { return friction_field_.empty() && !across_.y.empty(); }
+  double layer() const { return friction_.layer(); }  ///< flexibility
+  const BothHeats& heat() const { return friction_.heat(); }
   /// Throws err_state naming what is missing: nodes, elements, gap (unless a body has a surface), friction, speed
   /// (where there are velocities). Arrays always fit the frame: their length is checked when they are set, and new
   /// nodes forget them.
@@ -174,7 +175,6 @@ class Scene {
   Revisions revision;
 
  private:
-  void choose_law();
   void require_frame_size(std::int64_t n, const char* what) const;
   void replace_frame(SurfaceMesh mesh, FrameSource source);
   void put_nodes(const FramePlace& place, std::vector<Vec3>& node) const;
@@ -201,21 +201,14 @@ class Scene {
     bool speed_given = false, velocities_given = false, travel_given = false;
     std::array<Velocity, 3> velocity{};  ///< velocities of the contact and both bodies
   };
-  struct FrictionGiven {
-    double mu = 0;
-    std::shared_ptr<const FrictionLaw> law, law_in_use;  ///< law as named, and with what else was set
-    FrictionMemory memory;
-    LayerYield yield;
-    std::vector<double> across_y, across_mu;
-    double layer = 0;
-    BothHeats heat{};
-    const LawName* name = nullptr;  ///< null: no law was given yet
-    std::vector<double> parameters;
+  struct FrictionAcross {
+    std::vector<double> y, mu;
   };
   GapGiven gap_;
   Rolling rolling_;
   std::array<Load, motion_count> load_{};
   FrictionGiven friction_;
+  FrictionAcross across_;
   std::vector<double> creep_field_, friction_field_;
 };
 

@@ -102,6 +102,7 @@ void Scene::take_over(const Scene& other) {
   rolling_ = other.rolling_;
   load_ = other.load_;
   friction_ = other.friction_;
+  across_ = other.across_;
 }
 
 void Scene::replace_frame(SurfaceMesh mesh, FrameSource source) {
