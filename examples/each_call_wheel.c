@@ -95,6 +95,8 @@ static void wheels(rollcon_context* context) {
   double force[3], moment[3], point[2], origin[3], axes[9], force_rate[3], moment_rate[3], z_rate, pressure, total,
       differences[2], conicity[2], wavelength[2];
   const double by_angle[4] = {-1, 0.1, -0.2, 0.3};
+  const double bent[6] = {0, 0.1, 0.05, 1e-4, 0, 0}, at_rest[6] = {0, 0, 0, 0, 0, 0};
+  const double stiffness[2] = {2e4, 6e4}, no_force[2] = {0, 0};
   const double falling_by_angle[8] = {-1, 0.05, 0.05, 500, -0.2, 0.2, 0.15, 1000}; /* angle, muk, mu1, s1 */
   const char* law = "archard";
   const double i = 1e-9; /* mm^2/N */
@@ -164,6 +166,16 @@ static void wheels(rollcon_context* context) {
   must(rollcon_wheelrail_get_resultant(right, ROLLCON_IN_TRACK, force, moment));
   printf("conformal: %.1f kN on the rail\n", -force[2] / 1000);
   must(rollcon_wheelrail_set_int(right, "conformal", 0));
+  must(rollcon_wheelrail_place_rail(right, 753.2, 0.1, atan(1.0 / 40))); /* the profile's origin */
+  must(rollcon_wheelrail_set_tape_circle(right, 0));
+  must(rollcon_wheelrail_set_flexibility(right, bent, at_rest));
+  must(rollcon_wheelrail_set_rail_springs(right, stiffness, no_force));
+  must(rollcon_wheelrail_prescribe_longitudinal(right, ROLLCON_BY_FORCE, 2000));
+  must(rollcon_wheelrail_solve(right));
+  must(rollcon_wheelrail_get_stat(right, "pitch_rate", &total));
+  printf("a force of 2 kN along: pitch rate %.4f\n", total);
+  must(rollcon_wheelrail_prescribe_longitudinal(right, ROLLCON_BY_MOTION, 0));
+  must(rollcon_wheelrail_set_track(right, 1435, 14, atan(1.0 / 40)));
   must(rollcon_wheelrail_set_friction(right, "by_angle", 4, by_angle)); /* a lubricated gauge face */
   must(rollcon_wheelrail_set_friction_by_angle(right, "exponential", 2, 8, falling_by_angle)); /* friction that falls */
   must(rollcon_wheelrail_set_friction_memory(right, 0.01, 0.1));                               /* after 10 um of slip */

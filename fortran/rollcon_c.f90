@@ -1592,6 +1592,46 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_set_wheelset
 
+    function rollcon_wheelrail_place_rail(wheelrail, y, z, cant) &
+        result(rc) bind(C, name="rollcon_wheelrail_place_rail")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      real(c_double), value :: y
+      real(c_double), value :: z
+      real(c_double), value :: cant
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_place_rail
+
+    function rollcon_wheelrail_set_tape_circle(wheelrail, y) &
+        result(rc) bind(C, name="rollcon_wheelrail_set_tape_circle")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      real(c_double), value :: y
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_set_tape_circle
+
+    function rollcon_wheelrail_set_flexibility(wheelrail, displacement, rate) &
+        result(rc) bind(C, name="rollcon_wheelrail_set_flexibility")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      real(c_double), intent(in) :: displacement(*)
+      real(c_double), intent(in) :: rate(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_set_flexibility
+
+    function rollcon_wheelrail_set_rail_springs(wheelrail, stiffness, force) &
+        result(rc) bind(C, name="rollcon_wheelrail_set_rail_springs")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      real(c_double), intent(in) :: stiffness(*)
+      real(c_double), intent(in) :: force(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_set_rail_springs
+
     function rollcon_wheelrail_set_rail_deviation(wheelrail, deviation, rate) &
         result(rc) bind(C, name="rollcon_wheelrail_set_rail_deviation")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
@@ -1629,6 +1669,16 @@ module rollcon_c
       real(c_double), value :: force
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_prescribe_vertical
+
+    function rollcon_wheelrail_prescribe_longitudinal(wheelrail, how, force) &
+        result(rc) bind(C, name="rollcon_wheelrail_prescribe_longitudinal")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int32_t), value :: how
+      real(c_double), value :: force
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_prescribe_longitudinal
 
     function rollcon_wheelrail_set_friction(wheelrail, law, n, parameters) &
         result(rc) bind(C, name="rollcon_wheelrail_set_friction")

@@ -1408,6 +1408,42 @@ subroutine rcwset(iwr, back_to_back, flange_back, radius, ierr)
   ierr = rollcon_wheelrail_set_wheelset(wheelrail_of(iwr), back_to_back, flange_back, radius)
 end subroutine
 
+!> Places the rail by the origin of its profile in the track, in place of rollcon_wheelrail_set_track.
+subroutine rcwplr(iwr, y, z, cant, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ierr
+  double precision :: y, z, cant
+  ierr = rollcon_wheelrail_place_rail(wheelrail_of(iwr), y, z, cant)
+end subroutine
+
+!> Says where on the wheel's profile the radius of rollcon_wheelrail_set_wheelset is measured, after that call, w.
+subroutine rcwtap(iwr, y, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ierr
+  double precision :: y
+  ierr = rollcon_wheelrail_set_tape_circle(wheelrail_of(iwr), y)
+end subroutine
+
+!> Displaces the wheel in the axes of the wheelset, which bends, and says how that changes.
+subroutine rcwflx(iwr, displacement, rate, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ierr
+  double precision :: displacement(6), rate(6)
+  ierr = rollcon_wheelrail_set_flexibility(wheelrail_of(iwr), displacement, rate)
+end subroutine
+
+!> Puts the rail on springs along y and z of the track.
+subroutine rcwspr(iwr, stiffness, force, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ierr
+  double precision :: stiffness(2), force(2)
+  ierr = rollcon_wheelrail_set_rail_springs(wheelrail_of(iwr), stiffness, force)
+end subroutine
+
 !> Sets the deviation of the rail from its place in the track and how it changes.
 subroutine rcwdev(iwr, deviation, rate, ierr)
   use rollcon_f77_support
@@ -1442,6 +1478,15 @@ subroutine rcwvrt(iwr, ihow, force, ierr)
   integer :: iwr, ihow, ierr
   double precision :: force
   ierr = rollcon_wheelrail_prescribe_vertical(wheelrail_of(iwr), narrow(ihow), force)
+end subroutine
+
+!> Prescribes the pitch rate by motion, from the velocity (standard), or the force on the wheel along the wheelse.
+subroutine rcwpll(iwr, ihow, force, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ihow, ierr
+  double precision :: force
+  ierr = rollcon_wheelrail_prescribe_longitudinal(wheelrail_of(iwr), narrow(ihow), force)
 end subroutine
 
 !> Sets the law of friction.

@@ -22,10 +22,15 @@ module rollcon_wheelrail_plain
     procedure :: create
     procedure :: set_track => wheelrail_set_track
     procedure :: set_wheelset => wheelrail_set_wheelset
+    procedure :: place_rail => wheelrail_place_rail
+    procedure :: set_tape_circle => wheelrail_set_tape_circle
+    procedure :: set_flexibility => wheelrail_set_flexibility
+    procedure :: set_rail_springs => wheelrail_set_rail_springs
     procedure :: set_rail_deviation => wheelrail_set_rail_deviation
     procedure :: set_position => wheelrail_set_position
     procedure :: set_velocity => wheelrail_set_velocity
     procedure :: prescribe_vertical => wheelrail_prescribe_vertical
+    procedure :: prescribe_longitudinal => wheelrail_prescribe_longitudinal
     procedure :: set_friction => wheelrail_set_friction
     procedure :: set_friction_by_angle => wheelrail_set_friction_by_angle
     procedure :: set_friction_memory => wheelrail_set_friction_memory
@@ -225,6 +230,53 @@ contains
       'rc_wheelrail%set_wheelset', stat, errmsg)
   end subroutine
 
+  !> Places the rail by the origin of its profile in the track, in place of rollcon_wheelrail_set_track. Deviations of
+  !> the rail roll about this origin then.
+  subroutine wheelrail_place_rail(self, y, z, cant, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    real(rc_real), intent(in) :: y
+    real(rc_real), intent(in) :: z
+    real(rc_real), intent(in) :: cant
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_wheelrail_place_rail(self%p, y, z, cant), self%p, 'rc_wheelrail%place_rail', stat, errmsg)
+  end subroutine
+
+  !> Says where on the wheel's profile the radius of rollcon_wheelrail_set_wheelset is measured, after that call, which
+  !> takes it where the profile has z = 0.
+  subroutine wheelrail_set_tape_circle(self, y, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    real(rc_real), intent(in) :: y
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_wheelrail_set_tape_circle(self%p, y), self%p, 'rc_wheelrail%set_tape_circle', stat, errmsg)
+  end subroutine
+
+  !> Displaces the wheel in the axes of the wheelset, which bends, and says how that changes. The wheel is displaced at
+  !> the origin of its profile below the axle, and turned there. The standard is 0.
+  subroutine wheelrail_set_flexibility(self, displacement, rate, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    real(rc_real), intent(in) :: displacement(6)
+    real(rc_real), intent(in) :: rate(6)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_wheelrail_set_flexibility(self%p, displacement, rate), self%p, 'rc_wheelrail%set_flexibility', &
+      stat, errmsg)
+  end subroutine
+
+  !> Puts the rail on springs along y and z of the track: beside its deviation it gives way until stiffness times
+  !> deflection is the force of the wheel on it plus the force given here. Statistics rail_deflection_y and _z are what
+  !> was found.
+  subroutine wheelrail_set_rail_springs(self, stiffness, force, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    real(rc_real), intent(in) :: stiffness(2)
+    real(rc_real), intent(in) :: force(2)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_wheelrail_set_rail_springs(self%p, stiffness, force), self%p, 'rc_wheelrail%set_rail_springs', &
+      stat, errmsg)
+  end subroutine
+
   !> Sets the deviation of the rail from its place in the track and how it changes: irregularities, and rails that give
   !> way. The standard is 0.
   subroutine wheelrail_set_rail_deviation(self, deviation, rate, stat, errmsg)
@@ -270,6 +322,21 @@ contains
     if (present(force)) force_or_standard = force
     call finish(rollcon_wheelrail_prescribe_vertical(self%p, how, force_or_standard), self%p, &
       'rc_wheelrail%prescribe_vertical', stat, errmsg)
+  end subroutine
+
+  !> Prescribes the pitch rate by motion, from the velocity (standard), or the force on the wheel along the wheelset's
+  !> x; the pitch rate is then found by the solve, from that of the velocity on (statistic "pitch_rate").
+  subroutine wheelrail_prescribe_longitudinal(self, how, force, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    integer(rc_int), intent(in) :: how
+    real(rc_real), intent(in), optional :: force
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    real(rc_real) :: force_or_standard
+    force_or_standard = 0
+    if (present(force)) force_or_standard = force
+    call finish(rollcon_wheelrail_prescribe_longitudinal(self%p, how, force_or_standard), self%p, &
+      'rc_wheelrail%prescribe_longitudinal', stat, errmsg)
   end subroutine
 
   !> Sets the law of friction: one of rollcon_contact_set_friction, or "by_angle", Coulomb's law by the inclination of

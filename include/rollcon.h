@@ -2215,6 +2215,54 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_wheelset(
     rollcon_wheelrail *wheelrail, double back_to_back, double flange_back, double radius);
 
 /*
+ * Places the rail by the origin of its profile in the track, in place of
+ * rollcon_wheelrail_set_track. Deviations of the rail roll about this origin then.
+ *   y          distance of the origin from the middle of the track, > 0 towards the side of the
+ *              rail, length
+ *   z          of the origin, length
+ *   cant       inwards, -0.5 to 0.5, radian; about the origin
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ * Source: docs/wheelrail.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_place_rail(
+    rollcon_wheelrail *wheelrail, double y, double z, double cant);
+
+/*
+ * Says where on the wheel's profile the radius of rollcon_wheelrail_set_wheelset is measured,
+ * after that call, which takes it where the profile has z = 0.
+ *   y          of the tape circle in the profile, length
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ * Source: docs/wheelrail.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_tape_circle(
+    rollcon_wheelrail *wheelrail, double y);
+
+/*
+ * Displaces the wheel in the axes of the wheelset, which bends, and says how that changes. The
+ * wheel is displaced at the origin of its profile below the axle, and turned there. The standard
+ * is 0.
+ *   displacement  [6]; along x, y, z, length; about x, z, y (roll, yaw, pitch), radian; roll and
+ *                 yaw -0.5 to 0.5
+ *   rate          [6]; rates of these, length/time and 1/time
+ * Also returns: ROLLCON_ERR_NONFINITE.
+ * Source: docs/wheelrail.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_flexibility(
+    rollcon_wheelrail *wheelrail, const double *displacement, const double *rate);
+
+/*
+ * Puts the rail on springs along y and z of the track: beside its deviation it gives way until
+ * stiffness times deflection is the force of the wheel on it plus the force given here.
+ * Statistics rail_deflection_y and _z are what was found.
+ *   stiffness  [2]; along y and z, force/length, > 0, or 0: rigid (standard)
+ *   force      [2]; on the rail beside that of the wheel, along y and z
+ * Also returns: ROLLCON_ERR_NONFINITE.
+ * Source: docs/wheelrail.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_rail_springs(
+    rollcon_wheelrail *wheelrail, const double *stiffness, const double *force);
+
+/*
  * Sets the deviation of the rail from its place in the track and how it changes: irregularities,
  * and rails that give way. The standard is 0.
  *   deviation  [3]; along y and z, length; roll, radian, about the point where the gauge is
@@ -2253,6 +2301,18 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_velocity(
  * Also returns: ROLLCON_ERR_NONFINITE.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_prescribe_vertical(
+    rollcon_wheelrail *wheelrail, int32_t how, double force);
+
+/*
+ * Prescribes the pitch rate by motion, from the velocity (standard), or the force on the wheel
+ * along the wheelset's x; the pitch rate is then found by the solve, from that of the velocity on
+ * (statistic "pitch_rate").
+ *   how        ROLLCON_BY_MOTION or ROLLCON_BY_FORCE
+ *   force      on the wheel, forwards; ignored by motion
+ * Also returns: ROLLCON_ERR_NONFINITE.
+ * Source: docs/wheelrail.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_prescribe_longitudinal(
     rollcon_wheelrail *wheelrail, int32_t how, double force);
 
 /*

@@ -36,6 +36,7 @@ void WheelSolver::prepare(const Problem& p) {
   search_.reset(search);
   const double zero[3] = {0, 0, 0}, x[3] = {1, 0, 0}, y[3] = {0, 1, 0}, z[3] = {0, 0, 1};
   check(rollcon_wheelrail_set_int(search, "roll_outside", 1));
+  check(rollcon_wheelrail_set_int(search, "roll_about_origin", 1));
   check(rollcon_body_extrude_profile(rail_profile.body(), zero, x, z));
   radius_ = in.wheelset.nomrad - (in.wheelset.ytape < 999 ? wheel_profile.z_at(in.wheelset.ytape) : 0);
   check(rollcon_body_revolve_profile(wheel_profile.body(), zero, y, radius_));
@@ -80,25 +81,22 @@ int WheelSolver::solve_search() {
   return check(status);
 }
 
-/// Finds height and patches: rollcon's wheel is a rigid one that stands where the bent one does.
+/// Finds height and patches.
 int WheelSolver::search(const Problem& p) {
   const Inputs& in = p.in;
   rollcon_wheelrail* search = search_.get();
-  place_wheel(set_.position[2]);
-  const Vec3 axle = wheel.rotation * Vec3{0, 1, 0};
-  const double roll = std::atan2(axle[2], axle[1]), yaw = -std::asin(std::clamp(axle[0], -1., 1.));
-  const double arm = set_.fbdist / 2 - set_.fbpos;
-  const Vec3 centre = wheel.origin - radius_ * (wheel.rotation * Vec3{0, 0, 1}) - arm * axle;
-  const double position[6] = {centre[0], centre[1], centre[2] + radius_, roll, yaw, 0};
   auto velocity = set_.velocity;
   if (in.digits.tang == 1) velocity = {1000, 0, 0, 0, 0, -1000 / radius_};  // shifts are no velocities
   if (!(std::abs(velocity[0]) > 0)) throw Failure(CNTC_err_search, "the forward speed VS is 0: a wheel must roll");
-  const bool gauge = track_.gaught > 0;
-  check(rollcon_wheelrail_set_track(search, gauge ? track_.gaugwd : 2 * track_.raily0, gauge ? track_.gaught : 0,
-                                    track_.cant));
-  check(rollcon_wheelrail_set_wheelset(search, set_.fbdist, set_.fbpos, radius_));
-  check(rollcon_wheelrail_set_position(search, position));
+  check(track_.gaught > 0 ? rollcon_wheelrail_set_track(search, track_.gaugwd, track_.gaught, track_.cant)
+                          : rollcon_wheelrail_place_rail(search, track_.raily0, track_.railz0, track_.cant));
+  check(rollcon_wheelrail_set_wheelset(search, set_.fbdist, set_.fbpos, set_.nomrad));
+  if (set_.ytape < 999) check(rollcon_wheelrail_set_tape_circle(search, set_.ytape));
+  check(rollcon_wheelrail_set_position(search, set_.position.data()));
   check(rollcon_wheelrail_set_velocity(search, velocity.data()));
+  check(rollcon_wheelrail_set_flexibility(search, set_.flexibility.data(), set_.flexibility.data() + 6));
+  check(rollcon_wheelrail_set_real(search, "curvature", track_.curv));
+  check(rollcon_wheelrail_set_rail_deviation(search, track_.deviation.data(), track_.rate.data()));
   const auto rest = [&](const FrictionRow& row) {
     return std::clamp(in.digits.tang == 0 ? 0 : rest_friction(row, in.friction.law), 0., 10.);
   };
@@ -110,39 +108,17 @@ int WheelSolver::search(const Problem& p) {
   } else {
     check(rollcon_wheelrail_set_friction(search, "coulomb", 1, &mu));
   }
-  const bool force = in.digits.norm == 1;
+  const bool force = in.digits.norm == 1, pull = in.digits.force == 1;
   check(rollcon_wheelrail_prescribe_vertical(search, force ? ROLLCON_BY_FORCE : ROLLCON_BY_MOTION, force ? in.fz : 0));
-  // The deviation is about the profile's origin; rollcon turns about the point where the gauge is measured.
-  const Vec3 pivot = {0, gauge ? track_.gaugwd / 2 : track_.raily0, 0};
-  Vec3 shift = {0, track_.deviation[0], track_.deviation[1] + (gauge ? 0 : track_.railz0)};
-  const Mat3 turn = about_x(track_.deviation[2]);
-  double deviation[3] = {shift[1], shift[2], track_.deviation[2]};
-  int status = ROLLCON_OK;
-  for (int n = 0; n < (track_.deviation[2] != 0 ? 2 : 1); ++n) {
-    check(rollcon_wheelrail_set_rail_deviation(search, deviation, track_.rate.data()));
-    status = solve_search();
-    place_rail();
-    const Vec3 now = {0, deviation[0], deviation[1]};
-    const Vec3 origin = pivot + transposed(turn) * (rail.origin - now - pivot);
-    const Vec3 next = shift + turn * (pivot - origin) - (pivot - origin);
-    deviation[0] = next[1];
-    deviation[1] = next[2];
-  }
-  if (in.digits.force == 1 && status != ROLLCON_NO_CONTACT && status != ROLLCON_DERAILED) {
-    const auto off = [&](double rate) {
-      pitch_rate = set_.velocity[5] = rate;
-      check(rollcon_wheelrail_set_velocity(search, set_.velocity.data()));
-      status = solve_search();
-      double f[3];
-      check(rollcon_wheelrail_get_resultant(search, ROLLCON_IN_WHEELSET, f, nullptr));
-      return -f[0] - in.fx;
-    };
-    find_rate(off, pitch_rate != 0 ? pitch_rate : -set_.velocity[0] / radius_, 1e-3 * mu * std::abs(in.fz) + 1e-9);
-  }
+  check(rollcon_wheelrail_prescribe_longitudinal(search, pull ? ROLLCON_BY_FORCE : ROLLCON_BY_MOTION, -in.fx));
+  const int status = solve_search();
   if (status == ROLLCON_DERAILED) throw Failure(CNTC_err_search, "the wheel is beside its rail");
+  place_rail();
+  if (pull) check(rollcon_wheelrail_get_stat(search, "pitch_rate", &pitch_rate));
+  set_.velocity[5] = pitch_rate;
   double height = 0;
   check(rollcon_wheelrail_get_stat(search, "z", &height));
-  place_wheel(set_.position[2] + height - position[2]);
+  place_wheel(height);
   return status;
 }
 

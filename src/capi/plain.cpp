@@ -513,6 +513,33 @@ rollcon_status rollcon_wheelrail_set_wheelset(rollcon_wheelrail *wheelrail, doub
   });
 }
 
+rollcon_status rollcon_wheelrail_place_rail(rollcon_wheelrail *wheelrail, double y, double z,
+    double cant) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    self.place_by_origin(y, z, cant);
+  });
+}
+
+rollcon_status rollcon_wheelrail_set_tape_circle(rollcon_wheelrail *wheelrail, double y) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    self.set_tape_circle(y);
+  });
+}
+
+rollcon_status rollcon_wheelrail_set_flexibility(rollcon_wheelrail *wheelrail,
+    const double *displacement, const double *rate) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    self.set_flexibility(displacement, rate);
+  });
+}
+
+rollcon_status rollcon_wheelrail_set_rail_springs(rollcon_wheelrail *wheelrail,
+    const double *stiffness, const double *force) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    self.set_rail_springs(stiffness, force);
+  });
+}
+
 rollcon_status rollcon_wheelrail_set_rail_deviation(rollcon_wheelrail *wheelrail,
     const double *deviation, const double *rate) {
   return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
@@ -538,6 +565,13 @@ rollcon_status rollcon_wheelrail_prescribe_vertical(rollcon_wheelrail *wheelrail
     double force) {
   return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
     self.prescribe_vertical(how, force);
+  });
+}
+
+rollcon_status rollcon_wheelrail_prescribe_longitudinal(rollcon_wheelrail *wheelrail,
+    int32_t how, double force) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    self.prescribe_longitudinal(how, force);
   });
 }
 

@@ -50,6 +50,7 @@ RailShape place_rail(std::shared_ptr<const ProfileCurve> curve, const TrackGauge
         "the rail's profile is highest at its end (y = %g, z = %g) and steeper than 45 degrees there; allowed: z down, "
         "the running surface between its ends",
         curve->at(peak).x[0], curve->at(peak).x[1]);
+  if (track.by_origin) return {std::move(curve), {0, track.y, track.z}, {1, 0, 0}, {0, s, c}};
   if (track.height == 0) return {std::move(curve), {0, 0.5 * track.gauge, 0}, {1, 0, 0}, {0, s, c}};
   int below = highest;
   while (below > 0 && canted(below * step)[1] - top < track.height) --below;

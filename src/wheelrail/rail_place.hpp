@@ -8,9 +8,11 @@
 namespace rollcon {
 
 struct TrackGauge {
-  double gauge = 0;   ///< distance between the rails
-  double height = 0;  ///< depth below the rail's top where it counts; 0: to the profile's origin, at the top
-  double cant = 0;    ///< angle in radian, inwards
+  double gauge = 0;        ///< distance between the rails
+  double height = 0;       ///< depth below the rail's top where it counts; 0: to the profile's origin, at the top
+  double cant = 0;         ///< angle in radian, inwards
+  bool by_origin = false;  ///< the profile's origin lies at (y, z), and gauge and height count for nothing
+  double y = 0, z = 0;
 };
 
 /// Returns the rail on the right; upright, the profile's y points to the right and its z down. err_argument: on its

@@ -12,6 +12,13 @@ const SettingTable<WheelOptions>& wheel_option_table() {
       {"conformal", &WheelOptions::conformal, 0, 1,
        "1: the frame of each patch follows the profiles, with normals that turn across the rolling direction, and "
        "tables are not used; 0: it lies in a plane."},
+      {"curvature", &WheelOptions::curvature, -1e6, 1e6,
+       "Curvature of the track, above 0 where it turns to the right: the velocity of the wheelset is relative to axes "
+       "that follow the track, which turn with the forward speed times this."},
+      {"roll_about_origin", &WheelOptions::roll_about_origin, 0, 1,
+       "1: deviations of the rail roll about the origin of its profile; 0: about the point where the gauge is "
+       "measured, "
+       "at the height of the rails' top (rails placed by their profile's origin: about that in any case)."},
       {"roll_outside", &WheelOptions::roll_outside, 0, 1,
        "1: positions are yawed, then rolled; 0: rolled, then yawed."},
   };

@@ -8,8 +8,8 @@
 namespace rollcon {
 
 struct WheelOptions {
-  double accuracy = 0.01;
-  std::int64_t hertzian = 0, conformal = 0, roll_outside = 0;
+  double accuracy = 0.01, curvature = 0;
+  std::int64_t hertzian = 0, conformal = 0, roll_outside = 0, roll_about_origin = 0;
 };
 
 const SettingTable<WheelOptions>& wheel_option_table();

@@ -98,32 +98,59 @@ Pose WheelRail::attitude_of(const WheelsetState& position) {
   return attitude(position.roll, position.yaw, position.roll_outside);
 }
 
-// Rolls the rail about the point of the track that the gauge is measured to, at the height of the rail's top.
+// Returns the point of the track that the gauge is measured to, at the height of the rail's top, or the rail's origin.
+Vec3 WheelRail::rail_pivot(const RailDeviation& deviation) const {
+  return deviation.about_origin || track_->by_origin ? rail_shape_.origin : Vec3{0, 0.5 * track_->gauge, 0};
+}
+
 Pose WheelRail::rail_pose(const RailDeviation& deviation) const {
-  const Vec3 pivot{0, 0.5 * track_->gauge, 0};
+  const Vec3 pivot = rail_pivot(deviation);
   Pose rail = attitude(deviation.roll, 0);
   rail.translation = pivot + Vec3{0, deviation.y, deviation.z} - rail.turn(pivot);
   return rail;
 }
 
-Pose WheelRail::wheel_pose(const WheelsetState& position, double z) const {
+Pose WheelRail::wheel_pose(const WheelsetState& position, double z, const WheelsetState& bend) const {
   Pose wheel = attitude_of(position);
-  wheel.translation = Vec3{0, position.y, z - radius_} + wheel.turn({0, 0.5 * back_to_back_ - flange_back_, radius_});
-  return wheel;
+  wheel.translation =
+      centre_at(position.y, z) + wheel.turn({bend.x, 0.5 * back_to_back_ - flange_back_ + bend.y, radius_ + bend.z});
+  if (bend.roll == 0 && bend.yaw == 0) return wheel;
+  Pose bent = attitude_of(bend);
+  for (std::size_t j = 0; j < 3; ++j) {
+    Vec3 unit{0, 0, 0};
+    unit[j] = 1;
+    const Vec3 column = wheel.turn(bent.turn(unit));
+    for (std::size_t i = 0; i < 3; ++i) bent.rotation[i][j] = column[i];
+  }
+  bent.translation = wheel.translation;
+  return bent;
 }
 
 WheelMotion WheelRail::motion_at(double z, const Inputs& in) const {
-  const Pose set = attitude_of(in.position), wheel = wheel_pose(in.position, z);
-  const Vec3 centre{0, in.position.y, z - radius_};
+  const Pose set = attitude_of(in.position), wheel = wheel_pose(in.position, z, in.bend);
+  Vec3 centre = centre_at(in.position.y, z), linear{in.velocity.x, in.velocity.y, in.velocity.z};
   const Pose rail = rail_pose(in.deviation);
   // The outer turn keeps its own axis and turns that of the inner one.
   const Pose outer = in.position.roll_outside ? attitude(in.position.roll, 0) : attitude(0, in.position.yaw);
-  const Vec3 turning = outer.turn({in.velocity.roll, 0, in.velocity.yaw}) + set.turn({0, in.velocity.pitch, 0});
+  Vec3 turning = outer.turn({in.velocity.roll, 0, in.velocity.yaw});
+  if (in.bent) {
+    const WheelsetState& rate = in.bend_rate;
+    const Vec3 middle = wheel.place({0, 0, -radius_});
+    linear = linear + cross(turning, middle - centre) + set.turn({rate.x, rate.y, rate.z});
+    turning = turning + set.turn({rate.roll, rate.pitch, rate.yaw}) + wheel.turn({0, in.velocity.pitch, 0});
+    centre = middle;
+  } else {
+    turning = turning + set.turn({0, in.velocity.pitch, 0});
+  }
+  // Axes that follow the track turn with it.
+  const Vec3 along_curve{0, 0, side_ * in.options.curvature * in.velocity.x};
+  linear = linear + cross(along_curve, centre);
+  turning = turning + along_curve;
   WheelMotion motion;
   motion.pose = relative(rail, wheel);
-  motion.velocity = seen_from(rail, {{in.velocity.x, in.velocity.y, in.velocity.z}, turning, centre});
+  motion.velocity = seen_from(rail, {linear, turning, centre});
   motion.rail =
-      seen_from(rail, {{0, in.rate.y, in.rate.z}, {in.rate.roll, 0, 0}, rail.place({0, 0.5 * track_->gauge, 0})});
+      seen_from(rail, {{0, in.rate.y, in.rate.z}, {in.rate.roll, 0, 0}, rail.place(rail_pivot(in.deviation))});
   motion.speed = in.velocity.x;
   return motion;
 }
@@ -300,12 +327,7 @@ Status WheelRail::meet_force() {
   return Status::not_converged;
 }
 
-Status WheelRail::solve() {
-  forget_cancel();
-  prepare();
-  for (const auto& slot : slot_) slot->contact.forget_cancel();
-  solved_.reset();
-  derived_ = false;
+Status WheelRail::find_height() {
   on_lattices_ = false;
   Status status = in_.by_force ? meet_force() : solve_at(in_.position.z);
   // Forces may jump where strips begin to fit a patch, and no height have the one that is wanted.
@@ -313,12 +335,42 @@ Status WheelRail::solve() {
     on_lattices_ = true;
     status = meet_force();
   }
+  return status;
+}
+
+Status WheelRail::solve() {
+  forget_cancel();
+  prepare();
+  for (const auto& slot : slot_) slot->contact.forget_cancel();
+  solved_.reset();
+  derived_ = false;
+  const Inputs given = in_;
+  Status status = Status::ok;
+  try {
+    status = find_deflection();
+  } catch (...) {
+    in_ = given;
+    throw;
+  }
   for (const Slot* slot : active_)
     if (slot->contact.held() && slot->contact.show() == Status::cancelled) status = Status::cancelled;
-  if (status == Status::not_converged)
+  if (status == Status::not_converged && in_.by_force)
     context_->caveat(status, "the vertical force is %.10g for %.10g; no height tried brought it nearer",
                      vertical_force(), in_.load);
-  solved_ = Solved{in_.position, in_.velocity, in_.deviation, in_.rate, in_.by_force, z_, status};
+  solved_ = Solved{in_.position,
+                   in_.velocity,
+                   in_.deviation,
+                   in_.rate,
+                   in_.bend,
+                   in_.bend_rate,
+                   in_.by_force,
+                   in_.by_pull,
+                   in_.stiffness,
+                   {in_.deviation.y - given.deviation.y, in_.deviation.z - given.deviation.z},
+                   z_,
+                   status};
+  in_.velocity = given.velocity;
+  in_.deviation = given.deviation;
   tell(status);
   return status;
 }

@@ -27,6 +27,7 @@ struct WheelsetState {
 /// Holds the deviation of a rail from its place in the track.
 struct RailDeviation {
   double y = 0, z = 0, roll = 0;
+  bool about_origin = false;  ///< position is rolled about the profile's origin; else about where the gauge is measured
 };
 
 class WheelRail {
@@ -36,12 +37,22 @@ class WheelRail {
             std::int32_t side);
 
   void set_track(double gauge, double gauge_height, double cant);  ///< cant: radian, inwards
+  /// Places the rail by its profile's origin, y from the middle of the track to the rail's side.
+  void place_by_origin(double y, double z, double cant);
   void set_wheelset(double back_to_back, double flange_back, double radius);
+  /// Takes the radius of the wheelset where the wheel's profile has this y.
+  void set_tape_circle(double y);
+  /// Displaces the wheel in the wheelset's axes: x, y, z, roll, yaw, pitch, and their rates.
+  void set_flexibility(const double* displacement, const double* rate);
+  /// Puts the rail on springs along y and z, 0: rigid, with forces on the rail beside the wheel's.
+  void set_rail_springs(const double* stiffness, const double* force);
   void set_rail_deviation(const double* deviation, const double* rate);  ///< y, z, roll
   void set_position(const double* position);                             ///< x, y, z, roll, yaw, pitch
   void set_velocity(const double* velocity);                             ///< rates of x, y, z, roll, yaw, pitch
   /// Prescribes z of the position (how: by motion), or the vertical force on the rail (how: by force).
   void prescribe_vertical(std::int32_t how, double force);
+  /// Prescribes the pitch rate of the velocity (how: by motion), or the force on the wheel along the wheelset's x.
+  void prescribe_longitudinal(std::int32_t how, double force);
   /// Sets a law as a contact has it, or "by_angle", pairs (inclination of the rail, mu) of Coulomb's law.
   void set_friction(const char* law, std::int32_t n, const double* parameters);
   /// Sets a law whose parameters are linear between inclinations of the rail: for each point the angle and these.
@@ -136,7 +147,9 @@ class WheelRail {
   struct Solved {
     WheelsetState position, velocity;
     RailDeviation deviation, rate;
-    bool by_force = false;
+    WheelsetState bend, bend_rate;
+    bool by_force = false, by_pull = false;
+    std::array<double, 2> stiffness{}, deflection{};
     double z = 0;
     Status status = Status::ok;
   };
@@ -150,7 +163,11 @@ class WheelRail {
   struct Inputs {
     WheelsetState position, velocity;
     RailDeviation deviation, rate;
-    bool position_given = false, velocity_given = false, friction_given = false, by_force = false;
+    WheelsetState bend, bend_rate;  ///< displacement of the wheel in the wheelset's axes
+    bool bent = false;
+    bool position_given = false, velocity_given = false, friction_given = false, by_force = false, by_pull = false;
+    double pull = 0;                                  ///< force on the wheel along the wheelset's x
+    std::array<double, 2> stiffness{}, rail_force{};  ///< springs of the rail along y and z
     WheelOptions options;
     double load = 0;
     std::shared_ptr<const ForceTable> table;
@@ -170,7 +187,12 @@ class WheelRail {
   void change_friction(Set set);
   /// Takes profiles and materials that the bodies were given since; what was solved with others is gone then.
   void follow_bodies();
-  Pose wheel_pose(const WheelsetState& position, double z) const;
+  void set_place(const TrackGauge& track);
+  void take_wheel_profile(std::shared_ptr<const ProfileCurve> curve, double nominal, const std::optional<double>& tape);
+  Vec3 rail_pivot(const RailDeviation& deviation) const;
+  Vec3 centre_at(double y, double z) const { return {0, y, z - nominal_radius_}; }
+  /// Returns the wheel's pose in the track; bend: its displacement in the wheelset.
+  Pose wheel_pose(const WheelsetState& position, double z, const WheelsetState& bend) const;
   WheelMotion motion_at(double z) const { return motion_at(z, in_); }
   WheelMotion motion_at(double z, const Inputs& in) const;
   Status solve_at(double z);
@@ -184,20 +206,28 @@ class WheelRail {
   PatchFriction friction_of(const OverlapPatch& patch) const;
   std::shared_ptr<const FrictionGiven> law_at(double angle) const;
   Status meet_force();
+  Status find_height();
+  Status find_pitch_rate();
+  Status find_deflection();
   void tell(Status status) const;
   double first_sink(double touch);
   double vertical_force() const;
   double give_way_under_others(const Slot& slot) const;
   double give_way_per_load(const OverlapPatch& here, const OverlapPatch& there, double modulus) const;
-  static constexpr std::size_t entries = 12;
+  static constexpr std::size_t entries = 12;  ///< of position and velocity
+  static constexpr std::size_t shifts = 2;    ///< entries behind them: deviations y and z of the rail
   /// Holds the totals at one place.
   struct Totals {
     Vec3 force{}, moment{};
     double vertical = 0;
+    double pull = 0;  ///< along the wheelset's x
+    double z = 0;     ///< among rates: that of the wheelset's height
   };
-  Totals totals(const Vec3& centre) const;
+  Totals totals(const WheelsetState& position, double z, const RailDeviation& deviation) const;
   void differentiate(const Inputs& in, std::size_t entry, double step, Totals& rate);
   void differentiate_by_solves(const Inputs& in, std::size_t entry, double step, Totals& rate);
+  static double& entry_of(Inputs& in, std::size_t entry);
+  void hold_what_is_given(std::array<Totals, entries + shifts>& rate) const;
   Inputs solved_inputs() const;
   Slot& slot_for(const OverlapPatch& patch);
   void require_solved() const;
@@ -214,7 +244,9 @@ class WheelRail {
   std::shared_ptr<const ProfileCurve> wheel_curve_;  ///< profile that was taken; the rail's is in rail_shape_
   double side_;                                      ///< -1: everything is solved in a mirror
   std::optional<TrackGauge> track_;
-  double back_to_back_ = 0, flange_back_ = 0, radius_ = 0;
+  double back_to_back_ = 0, flange_back_ = 0, nominal_radius_ = 0;
+  double radius_ = 0;           ///< radius where the wheel's profile has z = 0
+  std::optional<double> tape_;  ///< y where the nominal radius counts; none: where z is 0
   bool wheelset_given_ = false;
   std::int64_t dimensions_ = 0;  ///< counts how often they were set
   Inputs in_;

@@ -116,7 +116,9 @@ std::unique_ptr<WheelRail> WheelRail::copy(const std::shared_ptr<Context>& conte
   other->wheel_curve_ = wheel_curve_;
   other->back_to_back_ = back_to_back_;
   other->flange_back_ = flange_back_;
+  other->nominal_radius_ = nominal_radius_;
   other->radius_ = radius_;
+  other->tape_ = tape_;
   other->wheelset_given_ = wheelset_given_;
   other->dimensions_ = dimensions_;
   if (search_) {

@@ -24,6 +24,12 @@ const WheelRail::Stat WheelRail::stats[] = {
      }},
     {{"solves", "heights tried since the handle was made"},
      [](const WheelRail& w) { return static_cast<double>(w.solves_); }},
+    {{"pitch_rate", "pitch rate of the wheelset, found or given"},
+     [](const WheelRail& w) { return w.solved_->velocity.pitch; }},
+    {{"rail_deflection_y", "way of the rail on its springs, along y"},
+     [](const WheelRail& w) { return w.side_ * w.solved_->deflection[0]; }},
+    {{"rail_deflection_z", "way of the rail on its springs, along z"},
+     [](const WheelRail& w) { return w.solved_->deflection[1]; }},
 };
 
 struct WheelRail::PatchStat {
@@ -102,8 +108,9 @@ const StatisticInfo* WheelRail::patch_stat_info(std::int64_t i) {
 }
 
 // Sums the totals in the track, as they were solved: in the mirror for a left wheel.
-WheelRail::Totals WheelRail::totals(const Vec3& centre) const {
-  const Pose rail = rail_pose(solved_ ? solved_->deviation : in_.deviation);
+WheelRail::Totals WheelRail::totals(const WheelsetState& position, double z, const RailDeviation& deviation) const {
+  const Pose rail = rail_pose(deviation);
+  const Vec3 centre = centre_at(position.y, z);
   Totals sum;
   for (const Slot* slot : active_) {
     const PatchContact& p = slot->contact;
@@ -113,12 +120,14 @@ WheelRail::Totals WheelRail::totals(const Vec3& centre) const {
         sum.moment + p.overlap().share * rail.turn(p.moment()) + cross(rail.place(p.overlap().reference) - centre, own);
   }
   sum.vertical = vertical_force();
+  sum.pull = dot(sum.force, attitude_of(position).turn({1, 0, 0}));
   return sum;
 }
 
 void WheelRail::resultant(bool of_wheelset, double* force, double* moment) const {
   require_solved();
-  auto [f, m, vertical] = totals({0, solved_->position.y, solved_->z - radius_});
+  const Totals all = totals(solved_->position, solved_->z, solved_->deviation);
+  Vec3 f = all.force, m = all.moment;
   if (of_wheelset) {
     const Pose set = attitude_of(solved_->position);
     f = set.turn_back(f);
@@ -150,7 +159,7 @@ std::array<double, 2> WheelRail::profile_point(std::int32_t body, double share) 
   const Vec2 at = curve.at(share * curve.length()).x;
   const RailShape& r = rail_shape_;
   const Vec3 x = body == 1
-                     ? wheel_pose(solved_->position, solved_->z).place({0, at[0], at[1]})
+                     ? wheel_pose(solved_->position, solved_->z, solved_->bend).place({0, at[0], at[1]})
                      : rail_pose(solved_->deviation).place(r.origin + at[0] * cross(r.down, r.along) + at[1] * r.down);
   return {side_ * x[1], x[2]};
 }

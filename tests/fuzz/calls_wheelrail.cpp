@@ -93,6 +93,13 @@ void set_law(World& w) {
               parameters.data());
   else
     FUZZ_CALL(w, rollcon_wheelrail_set_friction, h, "coulomb", 1, &mu);
+  const std::vector<double> more = w.in.reals(12);
+  if (w.in.one_in(6)) FUZZ_CALL(w, rollcon_wheelrail_place_rail, h, w.in.real(), w.in.real(), w.in.real());
+  if (w.in.one_in(6)) FUZZ_CALL(w, rollcon_wheelrail_set_tape_circle, h, w.in.real());
+  if (w.in.one_in(6)) FUZZ_CALL(w, rollcon_wheelrail_set_flexibility, h, more.data(), more.data() + 6);
+  if (w.in.one_in(6)) FUZZ_CALL(w, rollcon_wheelrail_set_rail_springs, h, more.data(), more.data() + 2);
+  if (w.in.one_in(6)) FUZZ_CALL(w, rollcon_wheelrail_prescribe_longitudinal, h, few(w, 3), w.in.real());
+  if (w.in.one_in(6)) FUZZ_CALL(w, rollcon_wheelrail_set_real, h, "curvature", w.in.real());
   if (w.in.one_in(4)) FUZZ_CALL(w, rollcon_wheelrail_set_friction, h, "linear", 3, parameters.data());
   if (w.in.one_in(6))
     FUZZ_CALL(w, rollcon_wheelrail_set_friction_by_angle, h, "linear", few(w, 2), 4, parameters.data());

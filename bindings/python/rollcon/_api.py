@@ -409,12 +409,21 @@ FUNCTIONS = {
     "rollcon_wheelrail_release": (None, [c_void_p]),
     "rollcon_wheelrail_set_track": (c_int32, [c_void_p, c_double, c_double, c_double]),
     "rollcon_wheelrail_set_wheelset": (c_int32, [c_void_p, c_double, c_double, c_double]),
+    "rollcon_wheelrail_place_rail": (c_int32, [c_void_p, c_double, c_double, c_double]),
+    "rollcon_wheelrail_set_tape_circle": (c_int32, [c_void_p, c_double]),
+    "rollcon_wheelrail_set_flexibility": (c_int32, [
+        c_void_p, POINTER(c_double),
+        POINTER(c_double)]),
+    "rollcon_wheelrail_set_rail_springs": (c_int32, [
+        c_void_p, POINTER(c_double),
+        POINTER(c_double)]),
     "rollcon_wheelrail_set_rail_deviation": (c_int32, [
         c_void_p, POINTER(c_double),
         POINTER(c_double)]),
     "rollcon_wheelrail_set_position": (c_int32, [c_void_p, POINTER(c_double)]),
     "rollcon_wheelrail_set_velocity": (c_int32, [c_void_p, POINTER(c_double)]),
     "rollcon_wheelrail_prescribe_vertical": (c_int32, [c_void_p, c_int32, c_double]),
+    "rollcon_wheelrail_prescribe_longitudinal": (c_int32, [c_void_p, c_int32, c_double]),
     "rollcon_wheelrail_set_friction": (c_int32, [c_void_p, c_char_p, c_int32, POINTER(c_double)]),
     "rollcon_wheelrail_set_friction_by_angle": (c_int32, [
         c_void_p, c_char_p, c_int32,
@@ -815,10 +824,15 @@ ARGUMENTS = {
     "rollcon_wheelrail_set_wheelset": [
         ("wheelrail", ""), ("back_to_back", ""), ("flange_back", ""), ("radius", "")
     ],
+    "rollcon_wheelrail_place_rail": [("wheelrail", ""), ("y", ""), ("z", ""), ("cant", "")],
+    "rollcon_wheelrail_set_tape_circle": [("wheelrail", ""), ("y", "")],
+    "rollcon_wheelrail_set_flexibility": [("wheelrail", ""), ("displacement", ""), ("rate", "")],
+    "rollcon_wheelrail_set_rail_springs": [("wheelrail", ""), ("stiffness", ""), ("force", "")],
     "rollcon_wheelrail_set_rail_deviation": [("wheelrail", ""), ("deviation", ""), ("rate", "")],
     "rollcon_wheelrail_set_position": [("wheelrail", ""), ("position", "")],
     "rollcon_wheelrail_set_velocity": [("wheelrail", ""), ("velocity", "")],
     "rollcon_wheelrail_prescribe_vertical": [("wheelrail", ""), ("how", "how"), ("force", "")],
+    "rollcon_wheelrail_prescribe_longitudinal": [("wheelrail", ""), ("how", "how"), ("force", "")],
     "rollcon_wheelrail_set_friction": [
         ("wheelrail", ""), ("law", ""), ("n", ""), ("parameters", "")
     ],

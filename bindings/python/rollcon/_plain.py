@@ -921,6 +921,50 @@ class WheelrailPlain:
         """
         self._call("set_wheelset", back_to_back, flange_back, radius)
 
+    def place_rail(self, y: float, z: float, cant: float) -> None:
+        """Places the rail by the origin of its profile in the track, in place of set_track().
+        Deviations of the rail roll about this origin then.
+
+        y: distance of the origin from the middle of the track, > 0 towards the side of the rail,
+          length.
+        z: of the origin, length.
+        cant: inwards, -0.5 to 0.5, radian; about the origin.
+        """
+        self._call("place_rail", y, z, cant)
+
+    def set_tape_circle(self, y: float) -> None:
+        """Says where on the wheel's profile the radius of set_wheelset() is measured, after that
+        call, which takes it where the profile has z = 0.
+
+        y: of the tape circle in the profile, length.
+        """
+        self._call("set_tape_circle", y)
+
+    def set_flexibility(self, displacement: ArrayLike, rate: ArrayLike) -> None:
+        """Displaces the wheel in the axes of the wheelset, which bends, and says how that
+        changes. The wheel is displaced at the origin of its profile below the axle, and turned
+        there. The standard is 0.
+
+        displacement: along x, y, z, length; about x, z, y (roll, yaw, pitch), radian; roll and
+          yaw -0.5 to 0.5.
+        rate: rates of these, length/time and 1/time.
+        """
+        displacement, displacement_at = vector(displacement, 6)
+        rate, rate_at = vector(rate, 6)
+        self._call("set_flexibility", displacement_at, rate_at)
+
+    def set_rail_springs(self, stiffness: ArrayLike, force: ArrayLike) -> None:
+        """Puts the rail on springs along y and z of the track: beside its deviation it gives way
+        until stiffness times deflection is the force of the wheel on it plus the force given
+        here. Statistics rail_deflection_y and _z are what was found.
+
+        stiffness: along y and z, force/length, > 0, or 0: rigid (standard).
+        force: on the rail beside that of the wheel, along y and z.
+        """
+        stiffness, stiffness_at = vector(stiffness, 2)
+        force, force_at = vector(force, 2)
+        self._call("set_rail_springs", stiffness_at, force_at)
+
     def set_rail_deviation(self, deviation: ArrayLike, rate: ArrayLike) -> None:
         """Sets the deviation of the rail from its place in the track and how it changes:
         irregularities, and rails that give way. The standard is 0.
@@ -961,6 +1005,16 @@ class WheelrailPlain:
         force: force of this wheel on its rail, along z of the track, >= 0; ignored by motion.
         """
         self._call("prescribe_vertical", how, force)
+
+    def prescribe_longitudinal(self, how: int | str, force: float = 0) -> None:
+        """Prescribes the pitch rate by motion, from the velocity (standard), or the force on the
+        wheel along the wheelset's x; the pitch rate is then found by the solve, from that of the
+        velocity on (statistic "pitch_rate").
+
+        how: BY_MOTION or BY_FORCE.
+        force: on the wheel, forwards; ignored by motion.
+        """
+        self._call("prescribe_longitudinal", how, force)
 
     def set_friction_by_angle(self, law: str, points: int, parameters: ArrayLike) -> None:
         """Sets a law whose parameters follow the inclination of the rail's surface, linear
