@@ -176,9 +176,9 @@ static void wheels(rollcon_context* context) {
   printf("a force of 2 kN along: pitch rate %.4f\n", total);
   must(rollcon_wheelrail_prescribe_longitudinal(right, ROLLCON_BY_MOTION, 0));
   must(rollcon_wheelrail_set_track(right, 1435, 14, atan(1.0 / 40)));
-  must(rollcon_wheelrail_set_friction(right, "by_angle", 4, by_angle)); /* a lubricated gauge face */
-  must(rollcon_wheelrail_set_friction_by_angle(right, "exponential", 2, 8, falling_by_angle)); /* friction that falls */
-  must(rollcon_wheelrail_set_friction_memory(right, 0.01, 0.1));                               /* after 10 um of slip */
+  must(rollcon_wheelrail_set_friction(right, "by_angle", 4, by_angle));                   /* a lubricated gauge face */
+  must(rollcon_wheelrail_set_law_by_angle(right, "exponential", 2, 8, falling_by_angle)); /* friction that falls */
+  must(rollcon_wheelrail_set_friction_memory(right, 0.01, 0.1));                          /* after 10 um of slip */
   must(rollcon_wheelrail_set_layer(right, 1e-7, 0, 0));                /* 10 um of dirt with G = 100 MPa */
   must(rollcon_wheelrail_set_heat(right, ROLLCON_WHEEL, 50, 3.7, 20)); /* mm, N, s, K: steel */
   must(rollcon_wheelrail_set_heat(right, ROLLCON_RAIL, 50, 3.7, 20));

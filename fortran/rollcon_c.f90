@@ -1691,8 +1691,8 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_set_friction
 
-    function rollcon_wheelrail_set_friction_by_angle(wheelrail, law, points, n, parameters) &
-        result(rc) bind(C, name="rollcon_wheelrail_set_friction_by_angle")
+    function rollcon_wheelrail_set_law_by_angle(wheelrail, law, points, n, parameters) &
+        result(rc) bind(C, name="rollcon_wheelrail_set_law_by_angle")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
       type(c_ptr), value :: wheelrail
@@ -1701,7 +1701,7 @@ module rollcon_c
       integer(c_int32_t), value :: n
       real(c_double), intent(in) :: parameters(*)
       integer(c_int32_t) :: rc
-    end function rollcon_wheelrail_set_friction_by_angle
+    end function rollcon_wheelrail_set_law_by_angle
 
     function rollcon_wheelrail_set_friction_memory(wheelrail, length, least_speed) &
         result(rc) bind(C, name="rollcon_wheelrail_set_friction_memory")

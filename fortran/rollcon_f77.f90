@@ -1500,13 +1500,13 @@ subroutine rcwfri(iwr, law, n, par, ierr)
 end subroutine
 
 !> Sets a law whose parameters follow the inclination of the rail's surface, linear between points and constant b.
-subroutine rcwfra(iwr, law, ipoints, n, par, ierr)
+subroutine rcwlba(iwr, law, ipoints, n, par, ierr)
   use rollcon_f77_support
   implicit none
   integer :: iwr, ipoints, n, ierr
   character(len=*) :: law
   double precision :: par(*)
-  ierr = rollcon_wheelrail_set_friction_by_angle(wheelrail_of(iwr), c_name(law), narrow(ipoints), narrow(n), par)
+  ierr = rollcon_wheelrail_set_law_by_angle(wheelrail_of(iwr), c_name(law), narrow(ipoints), narrow(n), par)
 end subroutine
 
 !> Gives friction that falls with the slip speed a memory, as for a contact.

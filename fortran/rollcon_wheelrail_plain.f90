@@ -32,7 +32,7 @@ module rollcon_wheelrail_plain
     procedure :: prescribe_vertical => wheelrail_prescribe_vertical
     procedure :: prescribe_longitudinal => wheelrail_prescribe_longitudinal
     procedure :: set_friction => wheelrail_set_friction
-    procedure :: set_friction_by_angle => wheelrail_set_friction_by_angle
+    procedure :: set_law_by_angle => wheelrail_set_law_by_angle
     procedure :: set_friction_memory => wheelrail_set_friction_memory
     procedure :: set_layer => wheelrail_set_layer
     procedure :: set_heat => wheelrail_set_heat
@@ -340,8 +340,8 @@ contains
   end subroutine
 
   !> Sets the law of friction: one of rollcon_contact_set_friction, or "by_angle", Coulomb's law by the inclination of
-  !> the rail, angle1, mu1, angle2, mu2, ... (rollcon_wheelrail_set_friction_by_angle). Angles of orthotropic laws count
-  !> in the axes of the patch, those of a left wheel in the mirror. Where friction falls and several solutions exist, a
+  !> the rail, angle1, mu1, angle2, mu2, ... (rollcon_wheelrail_set_law_by_angle). Angles of orthotropic laws count in
+  !> the axes of the patch, those of a left wheel in the mirror. Where friction falls and several solutions exist, a
   !> solve continues the last one, and one from nothing begins with the friction of rest.
   subroutine wheelrail_set_friction(self, law, parameters, stat, errmsg)
     class(rc_wheelrail_plain), intent(inout) :: self
@@ -358,7 +358,7 @@ contains
   !> z down, its cant included, its deviation not: negative on the gauge face; left rails are mirrored, so that one
   !> table serves both. The greatest coefficient follows the inclination across a patch, the form of the law is that at
   !> the reference of the patch.
-  subroutine wheelrail_set_friction_by_angle(self, law, points, parameters, stat, errmsg)
+  subroutine wheelrail_set_law_by_angle(self, law, points, parameters, stat, errmsg)
     class(rc_wheelrail_plain), intent(inout) :: self
     character(len=*), intent(in) :: law
     integer, intent(in) :: points
@@ -366,8 +366,8 @@ contains
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
     call finish( &
-      rollcon_wheelrail_set_friction_by_angle(self%p, c_text(law), int(points, rc_int), size(parameters, 1, rc_int), parameters), &
-      self%p, 'rc_wheelrail%set_friction_by_angle', stat, errmsg)
+      rollcon_wheelrail_set_law_by_angle(self%p, c_text(law), int(points, rc_int), size(parameters, 1, rc_int), parameters), &
+      self%p, 'rc_wheelrail%set_law_by_angle', stat, errmsg)
   end subroutine
 
   !> Gives friction that falls with the slip speed a memory, as for a contact.

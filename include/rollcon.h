@@ -2318,7 +2318,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_prescribe_longitudinal
 /*
  * Sets the law of friction: one of rollcon_contact_set_friction, or "by_angle", Coulomb's law by
  * the inclination of the rail, angle1, mu1, angle2, mu2, ...
- * (rollcon_wheelrail_set_friction_by_angle). Angles of orthotropic laws count in the axes of the
+ * (rollcon_wheelrail_set_law_by_angle). Angles of orthotropic laws count in the axes of the
  * patch, those of a left wheel in the mirror. Where friction falls and several solutions exist, a
  * solve continues the last one, and one from nothing begins with the friction of rest.
  *   law         a name of a law, or by_angle
@@ -2346,7 +2346,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_friction(
  * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MEMORY.
  * Source: docs/friction.md.
  */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_friction_by_angle(
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_law_by_angle(
     rollcon_wheelrail *wheelrail, const char *law, int32_t points, int32_t n,
     const double *parameters);
 

@@ -582,10 +582,10 @@ rollcon_status rollcon_wheelrail_set_friction(rollcon_wheelrail *wheelrail, cons
   });
 }
 
-rollcon_status rollcon_wheelrail_set_friction_by_angle(rollcon_wheelrail *wheelrail,
-    const char *law, int32_t points, int32_t n, const double *parameters) {
+rollcon_status rollcon_wheelrail_set_law_by_angle(rollcon_wheelrail *wheelrail, const char *law,
+    int32_t points, int32_t n, const double *parameters) {
   return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
-    self.set_friction_by_angle(law, points, n, parameters);
+    self.set_law_by_angle(law, points, n, parameters);
   });
 }
 

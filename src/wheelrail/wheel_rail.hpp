@@ -56,7 +56,7 @@ class WheelRail {
   /// Sets a law as a contact has it, or "by_angle", pairs (inclination of the rail, mu) of Coulomb's law.
   void set_friction(const char* law, std::int32_t n, const double* parameters);
   /// Sets a law whose parameters are linear between inclinations of the rail: for each point the angle and these.
-  void set_friction_by_angle(const char* law, std::int32_t points, std::int32_t n, const double* parameters);
+  void set_law_by_angle(const char* law, std::int32_t points, std::int32_t n, const double* parameters);
   // Those of a contact follow, with the wheel as body 1 and the rail as body 2.
   void set_friction_memory(double length, double least_speed);
   void set_layer(double flexibility, double stress, double hardening);

@@ -47,10 +47,10 @@ void WheelRail::set_friction(const char* law, std::int32_t n, const double* para
     return;
   }
   if (n < 2 || n % 2 != 0) fail(Status::err_argument, "n is %d; allowed for by_angle: 2, 4, 6, ...", n);
-  set_friction_by_angle("coulomb", n / 2, n, parameters);
+  set_law_by_angle("coulomb", n / 2, n, parameters);
 }
 
-void WheelRail::set_friction_by_angle(const char* law, std::int32_t points, std::int32_t n, const double* parameters) {
+void WheelRail::set_law_by_angle(const char* law, std::int32_t points, std::int32_t n, const double* parameters) {
   require_pointer(law, "law");
   if (points < 1 || points > most_angles)
     fail(Status::err_argument, "points is %d; allowed: 1 to %d", points, most_angles);

@@ -198,7 +198,7 @@ TEST_F(wheel_laws, by_angle_have_their_own_parameters) {
   const double rows[] = {-1.1, face[0], face[1], face[2], -0.9, head[0], head[1], head[2]};
   for (const double y : {1.0, 6.5}) {
     const auto w = make();
-    w->set_friction_by_angle("rational", 2, 8, rows);
+    w->set_law_by_angle("rational", 2, 8, rows);
     w->prescribe_vertical(2, 10000);
     pitch(*w, -8);
     place(*w, y);
@@ -233,8 +233,8 @@ TEST_F(wheel_laws, are_refused_with_the_reason) {
   refused([&] { w->set_friction("static", 1, &much); }, Status::err_argument, {"law is 'static'", "'by_angle'"});
   refused([&] { w->set_friction("linear", 2, falling); }, Status::err_argument, {"n is 2", "3 or 5 parameters"});
   refused([&] { w->set_friction("coulomb", 1, &much); }, Status::err_argument, {"11", "0 to 10"});
-  refused([&] { w->set_friction_by_angle("linear", 2, 7, falling); }, Status::err_argument, {"n is 7", "2 points"});
-  refused([&] { w->set_friction_by_angle("linear", 0, 7, falling); }, Status::err_argument, {"points is 0"});
+  refused([&] { w->set_law_by_angle("linear", 2, 7, falling); }, Status::err_argument, {"n is 7", "2 points"});
+  refused([&] { w->set_law_by_angle("linear", 0, 7, falling); }, Status::err_argument, {"points is 0"});
   refused([&] { w->set_layer(-1, 0, 0); }, Status::err_argument, {"flexibility is -1"});
   refused([&] { w->set_heat(3, 1, 1, 0); }, Status::err_argument, {"which is 3"});
   w->prescribe_vertical(2, 10000);

@@ -425,7 +425,7 @@ FUNCTIONS = {
     "rollcon_wheelrail_prescribe_vertical": (c_int32, [c_void_p, c_int32, c_double]),
     "rollcon_wheelrail_prescribe_longitudinal": (c_int32, [c_void_p, c_int32, c_double]),
     "rollcon_wheelrail_set_friction": (c_int32, [c_void_p, c_char_p, c_int32, POINTER(c_double)]),
-    "rollcon_wheelrail_set_friction_by_angle": (c_int32, [
+    "rollcon_wheelrail_set_law_by_angle": (c_int32, [
         c_void_p, c_char_p, c_int32,
         c_int32, POINTER(c_double)]),
     "rollcon_wheelrail_set_friction_memory": (c_int32, [c_void_p, c_double, c_double]),
@@ -836,7 +836,7 @@ ARGUMENTS = {
     "rollcon_wheelrail_set_friction": [
         ("wheelrail", ""), ("law", ""), ("n", ""), ("parameters", "")
     ],
-    "rollcon_wheelrail_set_friction_by_angle": [
+    "rollcon_wheelrail_set_law_by_angle": [
         ("wheelrail", ""), ("law", ""), ("points", ""), ("n", ""), ("parameters", "")
     ],
     "rollcon_wheelrail_set_friction_memory": [

@@ -1016,7 +1016,7 @@ class WheelrailPlain:
         """
         self._call("prescribe_longitudinal", how, force)
 
-    def set_friction_by_angle(self, law: str, points: int, parameters: ArrayLike) -> None:
+    def set_law_by_angle(self, law: str, points: int, parameters: ArrayLike) -> None:
         """Sets a law whose parameters follow the inclination of the rail's surface, linear
         between points and constant beyond them: lubricated gauge faces under dry heads. The
         inclination is atan dz/dy of a right rail with y to the right and z down, its cant
@@ -1030,7 +1030,7 @@ class WheelrailPlain:
           law there.
         """
         parameters, parameters_at = reals(parameters)
-        self._call("set_friction_by_angle", c_text(law, "law"), points, len(parameters), parameters_at)
+        self._call("set_law_by_angle", c_text(law, "law"), points, len(parameters), parameters_at)
 
     def set_friction_memory(self, length: float, least_speed: float) -> None:
         """Gives friction that falls with the slip speed a memory, as for a contact.
