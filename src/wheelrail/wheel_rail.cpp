@@ -12,17 +12,6 @@
 namespace rollcon {
 namespace {
 
-/// Returns the pose with the roll about x inside the yaw about z, or outside of it.
-Pose attitude(double roll, double yaw, bool roll_outside = false) {
-  const double cr = std::cos(roll), sr = std::sin(roll), cy = std::cos(yaw), sy = std::sin(yaw);
-  if (roll_outside) return {.rotation = {{{cy, -sy, 0}, {cr * sy, cr * cy, -sr}, {sr * sy, sr * cy, cr}}}};
-  return {.rotation = {{{cy, -sy * cr, sy * sr}, {sy, cy * cr, -cy * sr}, {0, sr, cr}}}};
-}
-
-Velocity seen_from(const Pose& pose, const Velocity& v) {
-  return {pose.turn_back(v.linear), pose.turn_back(v.angular), pose.to_body(v.point)};
-}
-
 /// Holds what accuracies are solved with (docs/wheelrail.md).
 struct Level {
   double accuracy;
@@ -92,67 +81,6 @@ void WheelRail::prepare_search() {
   spare_.clear();
   sink_ = 0;
   derived_ = false;
-}
-
-Pose WheelRail::attitude_of(const WheelsetState& position) {
-  return attitude(position.roll, position.yaw, position.roll_outside);
-}
-
-// Returns the point of the track that the gauge is measured to, at the height of the rail's top, or the rail's origin.
-Vec3 WheelRail::rail_pivot(const RailDeviation& deviation) const {
-  return deviation.about_origin || track_->by_origin ? rail_shape_.origin : Vec3{0, 0.5 * track_->gauge, 0};
-}
-
-Pose WheelRail::rail_pose(const RailDeviation& deviation) const {
-  const Vec3 pivot = rail_pivot(deviation);
-  Pose rail = attitude(deviation.roll, 0);
-  rail.translation = pivot + Vec3{0, deviation.y, deviation.z} - rail.turn(pivot);
-  return rail;
-}
-
-Pose WheelRail::wheel_pose(const WheelsetState& position, double z, const WheelsetState& bend) const {
-  Pose wheel = attitude_of(position);
-  wheel.translation =
-      centre_at(position.y, z) + wheel.turn({bend.x, 0.5 * back_to_back_ - flange_back_ + bend.y, radius_ + bend.z});
-  if (bend.roll == 0 && bend.yaw == 0) return wheel;
-  Pose bent = attitude_of(bend);
-  for (std::size_t j = 0; j < 3; ++j) {
-    Vec3 unit{0, 0, 0};
-    unit[j] = 1;
-    const Vec3 column = wheel.turn(bent.turn(unit));
-    for (std::size_t i = 0; i < 3; ++i) bent.rotation[i][j] = column[i];
-  }
-  bent.translation = wheel.translation;
-  return bent;
-}
-
-WheelMotion WheelRail::motion_at(double z, const Inputs& in) const {
-  const Pose set = attitude_of(in.position), wheel = wheel_pose(in.position, z, in.bend);
-  Vec3 centre = centre_at(in.position.y, z), linear{in.velocity.x, in.velocity.y, in.velocity.z};
-  const Pose rail = rail_pose(in.deviation);
-  // The outer turn keeps its own axis and turns that of the inner one.
-  const Pose outer = in.position.roll_outside ? attitude(in.position.roll, 0) : attitude(0, in.position.yaw);
-  Vec3 turning = outer.turn({in.velocity.roll, 0, in.velocity.yaw});
-  if (in.bent) {
-    const WheelsetState& rate = in.bend_rate;
-    const Vec3 middle = wheel.place({0, 0, -radius_});
-    linear = linear + cross(turning, middle - centre) + set.turn({rate.x, rate.y, rate.z});
-    turning = turning + set.turn({rate.roll, rate.pitch, rate.yaw}) + wheel.turn({0, in.velocity.pitch, 0});
-    centre = middle;
-  } else {
-    turning = turning + set.turn({0, in.velocity.pitch, 0});
-  }
-  // Axes that follow the track turn with it.
-  const Vec3 along_curve{0, 0, side_ * in.options.curvature * in.velocity.x};
-  linear = linear + cross(along_curve, centre);
-  turning = turning + along_curve;
-  WheelMotion motion;
-  motion.pose = relative(rail, wheel);
-  motion.velocity = seen_from(rail, {linear, turning, centre});
-  motion.rail =
-      seen_from(rail, {{0, in.rate.y, in.rate.z}, {in.rate.roll, 0, 0}, rail.place(rail_pivot(in.deviation))});
-  motion.speed = in.velocity.x;
-  return motion;
 }
 
 WheelRail::Slot& WheelRail::add_slot() {
