@@ -57,7 +57,12 @@ std::optional<PatchCalibration> PatchContact::calibration(const OverlapPatch& pa
   // The wheel turns so fast that there is no slip along x at the middle of the patch.
   const double turning = (motion.velocity.at(middle_of(patch)) - motion.velocity.linear)[0];
   motion.velocity.angular = (-motion.velocity.linear[0] / turning) * motion.velocity.angular;
-  solve(patch, motion, {.mu = calibration_friction}, {{12, 12}, {12, 20}, {12, 22}}, 0);
+  const auto coulomb = std::make_shared<FrictionGiven>();
+  coulomb->set_law("coulomb", 1, &calibration_friction);
+  PatchFriction friction;
+  friction.law = coulomb;
+  friction.mu = calibration_friction;
+  solve(patch, motion, friction, {{12, 12}, {12, 20}, {12, 22}}, 0);
   const HertzianPatch h = hertzian_patch(patch, modulus(), 0);
   const strips::StripSolution& found = strips_->solution();
   if (!now_.on_strips || now_.status == Status::no_contact || found.share < 1 || found.strips.layout.parts > 1 ||

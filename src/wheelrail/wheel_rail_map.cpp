@@ -16,7 +16,7 @@ namespace {
 // Distances of the map's nodes: along the profile and between shifts that are tried, over the wheel's radius, and of
 // the depths' logarithms.
 constexpr double spacing = 1.0 / 400, shift = 1.0 / 400, spacing_of_depths = 0.4;
-constexpr int shifts = 20;
+constexpr int places_tried = 20;
 constexpr double least_rise = 0.02;  // least rise of y by arc length of what is seen
 // Depths over the radius between which there is a map: shallower patches are like the least one.
 constexpr double least_depth = 2e-6, greatest_depth = 2e-3;
@@ -108,7 +108,7 @@ CreepMap::Node WheelRail::map_node(const CreepMap::Place& place) {
   const auto off = [&](double y) { return sink_for_map(y, wheel_y, depth); };
   const double near = 1e-9 * radius_;
   std::optional<double> before;
-  for (int k = -shifts; k <= shifts; ++k) {
+  for (int k = -places_tried; k <= places_tried; ++k) {
     const double y = k * shift * radius_;
     const std::optional<double> here = off(y);
     const std::optional<double> last = std::exchange(before, here);
