@@ -57,7 +57,7 @@ class WheelRail {
   void set_friction(const char* law, std::int32_t n, const double* parameters);
   /// Sets a law whose parameters are linear between inclinations of the rail: for each point the angle and these.
   void set_law_by_angle(const char* law, std::int32_t points, std::int32_t n, const double* parameters);
-  // Those of a contact follow, with the wheel as body 1 and the rail as body 2.
+  // Setters follow that contacts have too, with the wheel as body 1 and the rail as body 2.
   void set_friction_memory(double length, double least_speed);
   void set_layer(double flexibility, double stress, double hardening);
   void set_heat(std::int32_t which, double conductivity, double capacity, double temperature);
@@ -214,7 +214,7 @@ class WheelRail {
   double vertical_force() const;
   double give_way_under_others(const Slot& slot) const;
   double give_way_per_load(const OverlapPatch& here, const OverlapPatch& there, double modulus) const;
-  static constexpr std::size_t entries = 12;  ///< of position and velocity
+  static constexpr std::size_t entries = 12;  ///< entries of position and velocity
   static constexpr std::size_t shifts = 2;    ///< entries behind them: deviations y and z of the rail
   /// Holds the totals at one place.
   struct Totals {

@@ -1,6 +1,4 @@
-/// Tests profiles with sharp edges and overhanging lips, bad input, and what a search costs.
-
-#include <chrono>
+/// Tests profiles with sharp edges and overhanging lips, and bad input.
 
 #include "manchester.hpp"
 #include "support/error.hpp"
@@ -115,28 +113,4 @@ TEST(contact_search, poses_without_sense_have_no_patch) {
   pose.translation = {0, 717, 0};
   search.find(pose, patch);
   EXPECT_TRUE(patch.empty());
-}
-
-/// The time is compared with that which 3000 points of the rail take, 50 us on an AMD EPYC, because both grow alike on
-/// busy machines.
-TEST(contact_search, costs_less_than_3000_points_of_the_rail) {
-  using Clock = std::chrono::steady_clock;
-  const RailShape rail = manchester::rail();
-  ContactSearch search(manchester::wheel(), rail);
-  std::vector<OverlapPatch> patch;
-  double find = INFINITY, points = INFINITY, sum = 0;
-  for (int k = 0; k < 50; ++k) {
-    const manchester::Position& p = manchester::positions[2];
-    const Pose pose = manchester::placed(p.y, p.roll, 2.4e-3 * p.y, p.z);
-    const auto start = Clock::now();
-    search.find(pose, patch);
-    const auto middle = Clock::now();
-    for (int i = 0; i < 3000; ++i) sum += rail.curve->at(3, 0.006 * i).x[1];
-    const auto end = Clock::now();
-    find = std::min(find, std::chrono::duration<double>(middle - start).count());
-    points = std::min(points, std::chrono::duration<double>(end - middle).count());
-  }
-  EXPECT_GT(sum, 0);
-  report("a search, microseconds", 1e6 * find);
-  expect_error("a search over 3000 points of the rail", find / points, 1);
 }
