@@ -134,6 +134,9 @@ def check(chosen, prefix):
         # Matplotlib says once that it looks for fonts, and Octave complains of a home that has nowhere for its history.
         shell("mkdir -p .local/share/octave; python3 -c 'import matplotlib.pyplot'", home, home)
         for number, page in enumerate(chosen):
+            if page.name == "calculix.md" and not shutil.which("ccx"):
+                print(f"{page.relative_to(ROOT)}: passed over, as CalculiX is not installed", flush=True)
+                continue
             folder = pathlib.Path(work) / str(number)
             folder.mkdir()
             wrong = run(page, home, folder)
