@@ -79,7 +79,7 @@ TEST(HierarchicalOperator, EqualsTheDenseOperators) {
     EXPECT_LT(normal, 1e-6) << name;
   };
   for (const Scheme scheme : {Scheme::characteristic, scheme_of("godunov"), scheme_of("least_squares")})
-    expect("tri3", irregular(ElementType::tri3, 36), scheme, unlike);
+    expect("tri3", irregular(ElementType::tri3, 28), scheme, unlike);
   expect("tri3, alike", irregular(ElementType::tri3, 26), Scheme::characteristic, alike);
   expect("tri3, no shear", irregular(ElementType::tri3, 26), Scheme::characteristic, incompressible);
   expect("tri6", irregular(ElementType::tri6, 20), Scheme::characteristic, unlike);
@@ -94,8 +94,8 @@ TEST(HierarchicalOperator, EqualsTheDenseOperators) {
 }
 
 TEST(HierarchicalOperator, ErrorsFallWithTheAccuracy) {
-  const SurfaceMesh mesh = irregular(ElementType::tri3, 26);
-  for (const double accuracy : {1e-3, 1e-5, 1e-7, 1e-9}) {
+  const SurfaceMesh mesh = irregular(ElementType::tri3, 22);
+  for (const double accuracy : {1e-3, 1e-6, 1e-9}) {
     const auto [slip, normal] = errors(Operands(mesh, unlike, 1e-10), accuracy);
     std::printf("accuracy %.0e: error of slip %.1e, bound %.0e, of displacement %.1e\n", accuracy, slip, 5 * accuracy,
                 normal);
