@@ -70,7 +70,7 @@ Status WheelRail::find_pitch_rate() {
 
 // Meets stiffness times deflection = force of the wheel + force given by Broyden's method, from differences.
 Status WheelRail::find_deflection() {
-  const auto [ky, kz] = in_.stiffness;
+  const double ky = in_.stiffness[0], kz = in_.stiffness[1];
   if (ky == 0 && kz == 0) return find_pitch_rate();
   const RailDeviation given = in_.deviation;
   Status status = Status::ok;
