@@ -139,7 +139,7 @@ void WheelRail::hold_what_is_given(std::array<Totals, entries + shifts>& rate) c
     std::size_t entry;
     bool is;
   };
-  const auto [ky, kz] = solved_->stiffness;
+  const double ky = solved_->stiffness[0], kz = solved_->stiffness[1];
   const Found all[] = {{z, rate[z].vertical != 0 && solved_->by_force},
                        {pitch, solved_->by_pull},
                        {entries, ky > 0},
