@@ -199,10 +199,7 @@ void HierarchicalOperator::fill_leaf(const Frame& frame, const Compliance& compl
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 3; ++c) {
       const bool own_kind = (r == 2) == (c == 2);
-      if (r == 2 && c == 2)
-        wanted.a[r][c] = &any;
-      else if (tangential && (own_kind || coupled))
-        wanted.a[r][c] = &any;
+      if ((r == 2 && c == 2) || (tangential && (own_kind || coupled))) wanted.a[r][c] = &any;
     }
   const BlockBuffer u(wanted, sample.size(), columns);
   bodies->block({x, y}, u.block());
