@@ -14,11 +14,11 @@ constexpr int most_points = 16;
 constexpr double stretch = 1 + 2 * SquareCells::overhang;
 // The nearest squares that are far from each other leave a gap of (4 - stretch) half widths: the reciprocal of this
 // Bernstein ellipse's sum of semi-axes is the factor.
-// Sums over many squares are off by a hundredth of the worst pair, which is two points less.
 const double falls_by = (4 - stretch) / stretch + std::sqrt((4 - stretch) * (4 - stretch) / (stretch * stretch) - 1);
 
 }  // namespace
 
+// Sums over many squares are off by a hundredth of what the worst pair is: fewer points do.
 CellSeries::CellSeries(double accuracy)
     : line_(std::clamp(static_cast<int>(std::ceil(-std::log(accuracy) / std::log(falls_by))) - 2, 4, most_points)) {
   for (int p = 0; p < line_; ++p) {
