@@ -205,11 +205,19 @@ static void profiles(rollcon_context* context) {
   const double points[8] = {-1, 0, 0, 0, 1, 0, 2, 0}; /* y, z */
   const double origin[3] = {0, 0, 0}, along[3] = {1, 0, 0}, up[3] = {0, 0, 1};
   double length, point[2], tangent[2], curvature;
+  FILE* list;
   rollcon_body* rail;
   must(rollcon_body_create(context, ROLLCON_BODY_RIGID, &rail));
   must(rollcon_body_set_profile(rail, 4, points, 0));
   must(rollcon_body_write_profile(rail, "each_call.txt", 1));
   must(rollcon_body_read_profile(rail, "each_call.txt", 1, 1, 0)); /* mirrored in y */
+  list = fopen("each_call.slcs", "w"); /* lists the profile at 0 and 10: offset, scale, counts, interpolation, places */
+  if (!list) exit(1);
+  fprintf(list, "0 1\n2\n0 0 0\n1\n0 'each_call.txt'\n10 'each_call.txt'\n");
+  fclose(list);
+  must(rollcon_body_read_slices(rail, "each_call.slcs", 1, 1, 0, 0));
+  must(rollcon_body_add_slice(rail, 20, 0, NULL)); /* is there once more 20 ahead */
+  must(rollcon_body_add_wave(rail, 0.01, 5, 0));
   must(rollcon_body_extrude_profile(rail, origin, along, up));
   must(rollcon_body_get_profile_length(rail, &length));
   must(rollcon_body_get_profile_point(rail, length / 2, point, tangent, &curvature));

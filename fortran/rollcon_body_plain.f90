@@ -43,6 +43,9 @@ module rollcon_body_plain
     procedure :: set_profile => body_set_profile
     procedure :: set_profile_shape => body_set_profile_shape
     procedure :: read_profile => body_read_profile
+    procedure :: add_slice => body_add_slice
+    procedure :: read_slices => body_read_slices
+    procedure :: add_wave => body_add_wave
     procedure :: write_profile => body_write_profile
     procedure :: extrude_profile => body_extrude_profile
     procedure :: revolve_profile => body_revolve_profile
@@ -564,6 +567,56 @@ contains
     call finish( &
       rollcon_body_read_profile(self%p, c_text(path), unit, int(mirror_or_standard, rc_int), filter_length_or_standard), &
       self%p, 'rc_body%read_profile', stat, errmsg)
+  end subroutine
+
+  !> Takes the profile as that of one place, a length along the body or an angle round it, and waits for the profile of
+  !> the next: a switch, a crossing or a wheel that is out of round is given by several. Each slice is divided at its
+  !> features, points that correspond from slice to slice, and between two that neighbours have in common lines of equal
+  !> fractions of arc length are joined by cubic splines (option smooth_slices). Beyond the first and last slice a rail
+  !> stays as it is there; round a wheel they are periodic. Angles count from the body's z about its axis, for a wheel
+  !> about y from below to ahead. One slice is an ordinary profile.
+  subroutine body_add_slice(self, u, features, stat, errmsg)
+    class(rc_body_plain), intent(inout) :: self
+    real(rc_real), intent(in) :: u
+    real(rc_real), intent(in), contiguous :: features(:)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_body_add_slice(self%p, u, size(features, 1, rc_long), features), self%p, 'rc_body%add_slice', &
+      stat, errmsg)
+  end subroutine
+
+  !> Reads all slices of a rail or wheel from a list, .slcs with lengths or .slcw with angles, and the profiles that it
+  !> names (docs/profiles.md). The former profile, slices and waves are forgotten.
+  subroutine body_read_slices(self, path, mm, unit, mirror, filter_length, stat, errmsg)
+    class(rc_body_plain), intent(inout) :: self
+    character(len=*), intent(in) :: path
+    real(rc_real), intent(in) :: mm
+    real(rc_real), intent(in) :: unit
+    integer, intent(in), optional :: mirror
+    real(rc_real), intent(in), optional :: filter_length
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer :: mirror_or_standard
+    real(rc_real) :: filter_length_or_standard
+    mirror_or_standard = 0
+    if (present(mirror)) mirror_or_standard = mirror
+    filter_length_or_standard = 0
+    if (present(filter_length)) filter_length_or_standard = filter_length
+    call finish( &
+      rollcon_body_read_slices(self%p, c_text(path), mm, unit, int(mirror_or_standard, rc_int), filter_length_or_standard), &
+      self%p, 'rc_body%read_slices', stat, errmsg)
+  end subroutine
+
+  !> Adds amplitude sin(2 pi u / wavelength + phase) to z of the profile, at the length or angle u: corrugation of a
+  !> rail, a polygon of a wheel. Several add up.
+  subroutine body_add_wave(self, amplitude, wavelength, phase, stat, errmsg)
+    class(rc_body_plain), intent(inout) :: self
+    real(rc_real), intent(in) :: amplitude
+    real(rc_real), intent(in) :: wavelength
+    real(rc_real), intent(in) :: phase
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_body_add_wave(self%p, amplitude, wavelength, phase), self%p, 'rc_body%add_wave', stat, errmsg)
   end subroutine
 
   !> Writes points of the profile to a file: of Simpack if the name ends in .prr or .prw, else two columns. A profile

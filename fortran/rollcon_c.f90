@@ -688,6 +688,41 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_body_read_profile
 
+    function rollcon_body_add_slice(body, u, n, features) &
+        result(rc) bind(C, name="rollcon_body_add_slice")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      real(c_double), value :: u
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: features(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_body_add_slice
+
+    function rollcon_body_read_slices(body, path, mm, unit, mirror, filter_length) &
+        result(rc) bind(C, name="rollcon_body_read_slices")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      character(kind=c_char), intent(in) :: path(*)
+      real(c_double), value :: mm
+      real(c_double), value :: unit
+      integer(c_int32_t), value :: mirror
+      real(c_double), value :: filter_length
+      integer(c_int32_t) :: rc
+    end function rollcon_body_read_slices
+
+    function rollcon_body_add_wave(body, amplitude, wavelength, phase) &
+        result(rc) bind(C, name="rollcon_body_add_wave")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      real(c_double), value :: amplitude
+      real(c_double), value :: wavelength
+      real(c_double), value :: phase
+      integer(c_int32_t) :: rc
+    end function rollcon_body_add_wave
+
     function rollcon_body_write_profile(body, path, unit) &
         result(rc) bind(C, name="rollcon_body_write_profile")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr

@@ -570,6 +570,34 @@ subroutine rcbprd(ibody, path, unit, mirror, filter_length, ierr)
   ierr = rollcon_body_read_profile(body_of(ibody), c_text(path), unit, narrow(mirror), filter_length)
 end subroutine
 
+!> Takes the profile as that of one place, a length along the body or an angle round it, and waits for the profil.
+subroutine rcbsli(ibody, u, n, features, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, n, ierr
+  double precision :: u, features(*)
+  ierr = rollcon_body_add_slice(body_of(ibody), u, int(n, c_int64_t), features)
+end subroutine
+
+!> Reads all slices of a rail or wheel from a list, .slcs with lengths or .slcw with angles, and the profiles tha.
+subroutine rcbslr(ibody, path, xmm, unit, mirror, filter_length, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, mirror, ierr
+  character(len=*) :: path
+  double precision :: xmm, unit, filter_length
+  ierr = rollcon_body_read_slices(body_of(ibody), c_text(path), xmm, unit, narrow(mirror), filter_length)
+end subroutine
+
+!> Adds amplitude sin(2 pi u / wavelength + phase) to z of the profile, at the length or angle u.
+subroutine rcbwav(ibody, amplitude, wavelength, phase, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, ierr
+  double precision :: amplitude, wavelength, phase
+  ierr = rollcon_body_add_wave(body_of(ibody), amplitude, wavelength, phase)
+end subroutine
+
 !> Writes points of the profile to a file.
 subroutine rcbpwr(ibody, path, unit, ierr)
   use rollcon_f77_support

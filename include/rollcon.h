@@ -995,6 +995,57 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_read_profile(rollcon_body *
     const char *path, double unit, int32_t mirror, double filter_length);
 
 /*
+ * Takes the profile as that of one place, a length along the body or an angle round it, and waits
+ * for the profile of the next: a switch, a crossing or a wheel that is out of round is given by
+ * several. Each slice is divided at its features, points that correspond from slice to slice, and
+ * between two that neighbours have in common lines of equal fractions of arc length are joined by
+ * cubic splines (option smooth_slices). Beyond the first and last slice a rail stays as it is
+ * there; round a wheel they are periodic. Angles count from the body's z about its axis, for a
+ * wheel about y from below to ahead. One slice is an ordinary profile.
+ *   body      with a profile (else ROLLCON_ERR_STATE)
+ *   u         place of the slice, length or radian; none is there yet
+ *   n         features, 0: both ends of the profile; 2 to 1000, as many for each slice
+ *   features  [n]; arc lengths from the end where y is less, ascending; < 0: this slice does not
+ *             have it; beyond the end: the end. What lies before the first and behind the last is
+ *             left out
+ * Ownership: The features are copied. After a failure the body is unchanged.
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ * Source: docs/profiles.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_add_slice(rollcon_body *body, double u,
+    int64_t n, const double *features);
+
+/*
+ * Reads all slices of a rail or wheel from a list, .slcs with lengths or .slcw with angles, and
+ * the profiles that it names (docs/profiles.md). The former profile, slices and waves are
+ * forgotten.
+ *   body           a half-space or rigid, without a mesh (else ROLLCON_ERR_STATE)
+ *   path           name of the list
+ *   mm             length of a millimetre, in which the list counts places and features, > 0
+ *   unit           factor on the profiles' numbers: that of rollcon_body_read_profile
+ *   mirror         0: no; 1: in y, 2: in z, 3: in both
+ *   filter_length  that of rollcon_body_set_profile, length
+ * Ownership: All files are closed. After a failure the body is unchanged.
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_IO, ROLLCON_ERR_MEMORY.
+ * Source: docs/profiles.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_read_slices(rollcon_body *body,
+    const char *path, double mm, double unit, int32_t mirror, double filter_length);
+
+/*
+ * Adds amplitude sin(2 pi u / wavelength + phase) to z of the profile, at the length or angle u:
+ * corrugation of a rail, a polygon of a wheel. Several add up.
+ *   body        with a profile (else ROLLCON_ERR_STATE)
+ *   amplitude   length
+ *   wavelength  length along a rail; round a wheel an angle, 2 pi over a whole number
+ *   phase       radian
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ * Source: docs/profiles.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_add_wave(rollcon_body *body,
+    double amplitude, double wavelength, double phase);
+
+/*
  * Writes points of the profile to a file: of Simpack if the name ends in .prr or .prw, else two
  * columns. A profile through points is the same when read again, one in closed form within 1e-9
  * of its size where its curvature is continuous. The file appears whole or not at all.

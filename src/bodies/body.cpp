@@ -112,7 +112,7 @@ void Body::prepare(SectionReader* saved) {
     model_ = std::move(model);
     if (shared_ && saved && response() && response()->saved()) response()->saved()->add_kept(*saved);
   } else if (model_->profile.curve) {
-    model_->surface = surface_of(model_->profile);
+    model_->surface = surface_of(model_->profile, model_->options.smooth_slices != 0);
   }
   prepared_.store(true);
   lock.unlock();  // the log sink may ask the body

@@ -95,6 +95,9 @@ class Body {
   void set_profile_shape(const char* shape, std::int64_t n, const double* parameters);
   /// Reads a file, see profile_file.hpp, whose numbers count in `unit`; mirror: 1 y, 2 z, 3 both. err_io, err_argument.
   void read_profile(const char* path, double unit, std::int32_t mirror, double filter_length);
+  /// Reads a list of slices, see slice_file.hpp, whose profiles' numbers count in `unit`; replaces the profile and all
+  /// slices.
+  void read_slices(const char* path, double millimetre, double unit, std::int32_t mirror, double filter_length);
   /// Writes the profile's points in `unit`. err_state: there is no profile; err_io.
   void write_profile(const char* path, double unit) const;
   /// Places the profile with its x along `along`, its z along the part of z_axis at right angles to that and its y
@@ -102,7 +105,16 @@ class Body {
   void extrude_profile(const double* origin, const double* along, const double* z_axis);
   /// Places the profile with its y along the axis and its points at radius + z from it. err_state: there is no profile.
   void revolve_profile(const double* origin, const double* axis, double radius);
-  /// Returns the profile. err_state: there is none.
+  /// Takes the profile as that at one place of several, at this length along the body or angle round it; feature: n arc
+  /// lengths of points that correspond, see ProfileSlice. Profiles that are set later leave it. err_state: no profile.
+  void add_slice(double u, std::int64_t n, const double* feature);
+  /// Adds a wave to z along or round the body, see ProfileWave.
+  void add_wave(double amplitude, double wavelength, double phase);
+  /// Returns what add_slice() and add_wave() were given, of a profile that has a place; null: nothing.
+  std::shared_ptr<const ProfileSlices> slices() const;
+  /// Returns a number that changes with each slice and wave.
+  std::size_t variations() const;
+  /// Returns the profile, or that of the slice nearest to 0. err_state: there is none.
   std::shared_ptr<const ProfileCurve> profile() const;
   /// Makes another body of this kind and material, not prepared, with this profile, which has no place yet. err_state:
   /// there is no profile.
@@ -192,8 +204,8 @@ class Body {
   void require_takes_profile() const;
   void require_profile() const;
   void replace_profile(ProfileCurve curve);
-  /// Takes the profile through points, and logs what is told of the file and of the fit.
-  void fit_profile(const std::vector<Vec2>& point, double filter_length, const PointName& name, std::string told = {});
+  /// Logs what is told of a file and of the fit.
+  void tell_of_profile(const std::string& told) const;
   /// Takes what a file has, if one is given.
   void prepare(SectionReader* saved);
   void log_preparation() const;

@@ -131,9 +131,10 @@ void mesh_content(Archive& ar, Mesh& mesh, const BodyTraits& traits) {
   ar(mesh.path.period);
 }
 
-/// Checks of a profile what setters check when a caller gives it.
-void check_profile(const BodyProfile& profile, const std::vector<ProfilePiece>& piece) {
-  constexpr double most = 1e31, most_turned = 3.2, unit = 1e-9;
+// Checks of a profile what setters check when a caller gives it follow.
+
+void check_pieces(const std::vector<ProfilePiece>& piece) {
+  constexpr double most = 1e31, most_turned = 3.2;
   const auto moderate = [](double x) { return std::abs(x) <= most; };
   require(!piece.empty(), "a profile has no piece");
   for (const ProfilePiece& p : piece) {
@@ -143,6 +144,10 @@ void check_profile(const BodyProfile& profile, const std::vector<ProfilePiece>& 
     for (const Vec2& v : {p.start, p.along, p.square, p.cube})
       require(moderate(v[0]) && moderate(v[1]), "a number of a profile is out of range");
   }
+}
+
+void check_profile(const BodyProfile& profile) {
+  constexpr double unit = 1e-9;
   require(profile.place == ProfilePlace::extruded || profile.place == ProfilePlace::revolved, "a profile has no place");
   for (const double x : profile.origin) require(std::isfinite(x), "a number is not finite");
   require(std::abs(length(profile.axis) - 1) < unit && std::abs(length(profile.z) - 1) < unit,
@@ -150,13 +155,10 @@ void check_profile(const BodyProfile& profile, const std::vector<ProfilePiece>& 
   require(std::isfinite(profile.radius), "a number is not finite");
 }
 
-template <class Archive, class Profile>
-void profile_content(Archive& ar, Profile& profile) {
-  std::uint8_t given = profile.curve ? 1 : 0;
-  ar(given);
-  if (given == 0) return;
+template <class Archive, class Curve>
+void curve_content(Archive& ar, Curve& curve) {
   std::vector<ProfilePiece> piece;
-  if constexpr (!Archive::reads) piece = profile.curve->pieces();
+  if constexpr (!Archive::reads) piece = curve->pieces();
   ar.list(piece, sizeof(ProfilePiece), [](auto& a, auto& p) {
     a(p.length);
     a(p.start);
@@ -165,15 +167,43 @@ void profile_content(Archive& ar, Profile& profile) {
     a(p.cube);
     a(p.curvature);
   });
+  if constexpr (Archive::reads) {
+    check_pieces(piece);
+    curve = std::make_shared<const ProfileCurve>(std::move(piece));
+  }
+}
+
+template <class Archive, class Profile>
+void profile_content(Archive& ar, Profile& profile) {
+  std::uint8_t given = profile.curve ? 1 : 0;
+  ar(given);
+  if (given == 0) return;
+  curve_content(ar, profile.curve);
   ar(profile.place);
   ar(profile.origin);
   ar(profile.axis);
   ar(profile.z);
   ar(profile.radius);
-  if constexpr (Archive::reads) {
-    check_profile(profile, piece);
-    profile.curve = std::make_shared<const ProfileCurve>(std::move(piece));
-  }
+  if constexpr (Archive::reads) check_profile(profile);
+}
+
+template <class Archive, class Profile>
+void slices_content(Archive& ar, Profile& profile) {
+  constexpr std::size_t least = 2 * sizeof(double);
+  ar.list(profile.slice, least, [](auto& a, auto& slice) {
+    a(slice.u);
+    a(slice.feature);
+    curve_content(a, slice.curve);
+    if constexpr (Archive::reads) require(std::isfinite(slice.u), "a number is not finite");
+  });
+  ar.list(profile.wave, least, [](auto& a, auto& wave) {
+    a(wave.amplitude);
+    a(wave.length);
+    a(wave.phase);
+    if constexpr (Archive::reads)
+      require(std::isfinite(wave.amplitude) && std::isfinite(wave.phase) && wave.length > 0,
+              "a wave of a profile is out of range");
+  });
 }
 
 template <class Archive, class Model>
@@ -293,6 +323,17 @@ void read_relaxation(SectionReader& file, BodyModel& model) {
   model.relaxation = checked_relaxation(static_cast<std::int64_t>(ratio.size()), ratio.data(), time.data());
 }
 
+void read_slices(SectionReader& file, BodyModel& model) {
+  if (!file.has("slices")) return;
+  require(model.profile.curve != nullptr, "slices have no profile");
+  file.begin("slices");
+  InArchive ar(file);
+  slices_content(ar, model.profile);
+  file.end();
+  for (const ProfileSlice& s : model.profile.slice)
+    require(s.feature.size() == model.profile.slice[0].feature.size(), "slices have unlike numbers of features");
+}
+
 }  // namespace
 
 void require_elastic_constants(double young, double poisson) {
@@ -330,6 +371,11 @@ void write_content(const BodyModel& model, SectionWriter& file) {
   file.begin("body");
   OutArchive ar(file);
   content(ar, model);
+  if (model.profile.varies()) {
+    file.begin("slices");
+    OutArchive slices(file);
+    slices_content(slices, model.profile);
+  }
   if (model.relaxation.empty()) return;
   std::vector<double> ratio, time;
   for (const PronyTerm& term : model.relaxation) ratio.push_back(term.ratio), time.push_back(term.time);
@@ -347,6 +393,7 @@ void read_content(SectionReader& file, BodyModel& model) {
     check_materials(model);
     check_mesh(model);
     read_relaxation(file, model);
+    read_slices(file, model);
   } catch (const Error& e) {
     if (e.status() == Status::err_io) throw;
     file.fail_here(e.what());

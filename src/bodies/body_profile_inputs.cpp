@@ -1,12 +1,15 @@
 /// Takes, places and returns profiles that bodies carry.
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 
 #include "bodies/body.hpp"
 #include "geometry/profile_shapes.hpp"
 #include "io/profile_file.hpp"
+#include "io/slice_file.hpp"
 #include "mesh/surface_geometry.hpp"
 #include "support/input_checks.hpp"
 
@@ -47,12 +50,9 @@ void Body::replace_profile(ProfileCurve curve) {
   require_takes_profile();
   BodyProfile profile;
   profile.curve = std::make_shared<const ProfileCurve>(std::move(curve));
+  profile.slice = std::move(model_->profile.slice);
+  profile.wave = std::move(model_->profile.wave);
   model_->profile = std::move(profile);
-}
-
-void Body::fit_profile(const std::vector<Vec2>& point, double filter_length, const PointName& name, std::string told) {
-  replace_profile(profile_through(point, filter_length, name, &told));
-  if (!told.empty()) context_->log(LogLevel::warning, "%.*s", static_cast<int>(told.size() - 2), told.c_str());
 }
 
 void Body::set_profile(std::int64_t n, const double* points, double filter_length) {
@@ -69,7 +69,10 @@ void Body::set_profile(std::int64_t n, const double* points, double filter_lengt
              point.back()[c]);
   }
   require_finite(filter_length, "filter_length");
-  fit_profile(point, filter_length, [](std::size_t i) { return "point " + std::to_string(i) + " (counting from 0)"; });
+  std::string told;
+  const auto name = [](std::size_t i) { return "point " + std::to_string(i) + " (counting from 0)"; };
+  replace_profile(profile_through(point, filter_length, name, &told));
+  tell_of_profile(told);
 }
 
 void Body::set_profile_shape(const char* shape, std::int64_t n, const double* parameters) {
@@ -79,11 +82,16 @@ void Body::set_profile_shape(const char* shape, std::int64_t n, const double* pa
   replace_profile(profile_of_shape(shape, {parameters, static_cast<std::size_t>(n)}));
 }
 
-void Body::read_profile(const char* path, double unit, std::int32_t mirror, double filter_length) {
-  require_pointer(path, "path");
-  require_unit(unit);
-  if (mirror < 0 || mirror > 3) fail(Status::err_argument, "mirror is %d; allowed: 0, 1 (y), 2 (z), 3 (both)", mirror);
-  require_finite(filter_length, "filter_length");
+namespace {
+
+/// Holds a curve through the points of a file, and what is told of it.
+struct ReadProfile {
+  ProfileCurve curve;
+  std::string told;
+  bool reversed;  ///< the file's last point is that of least y
+};
+
+ReadProfile profile_in(const std::string& path, double unit, std::int32_t mirror, double filter_length) {
   ProfileFile file = read_profile_file(path);
   const std::array<double, 2> factor{mirror & 1 ? -unit : unit, mirror & 2 ? -unit : unit};
   const double span = std::abs(file.point.back()[0] - file.point.front()[0]);
@@ -93,9 +101,65 @@ void Body::read_profile(const char* path, double unit, std::int32_t mirror, doub
   if (unit == 1 && span < 1)
     told += path + (": the profile spans " + std::to_string(span)) +
             ", taken as it is: of a file in metres 1000 as unit makes millimetres; ";
-  fit_profile(
-      file.point, filter_length, [&](std::size_t i) { return "line " + std::to_string(file.line[i]) + " of " + path; },
-      std::move(told));
+  const auto name = [&](std::size_t i) { return "line " + std::to_string(file.line[i]) + " of " + path; };
+  const bool reversed = file.point.front()[0] > file.point.back()[0];
+  ProfileCurve curve = profile_through(file.point, filter_length, name, &told);
+  return {std::move(curve), std::move(told), reversed};
+}
+
+void require_file(const char* path, double unit, std::int32_t mirror, double filter_length) {
+  require_pointer(path, "path");
+  require_unit(unit);
+  if (mirror < 0 || mirror > 3) fail(Status::err_argument, "mirror is %d; allowed: 0, 1 (y), 2 (z), 3 (both)", mirror);
+  require_finite(filter_length, "filter_length");
+}
+
+}  // namespace
+
+void Body::tell_of_profile(const std::string& told) const {
+  if (!told.empty()) context_->log(LogLevel::warning, "%.*s", static_cast<int>(told.size() - 2), told.c_str());
+}
+
+void Body::read_profile(const char* path, double unit, std::int32_t mirror, double filter_length) {
+  require_file(path, unit, mirror, filter_length);
+  ReadProfile read = profile_in(path, unit, mirror, filter_length);
+  replace_profile(std::move(read.curve));
+  tell_of_profile(read.told);
+}
+
+void Body::read_slices(const char* path, double millimetre, double unit, std::int32_t mirror, double filter_length) {
+  require_file(path, unit, mirror, filter_length);
+  require_finite(millimetre, "millimetre");
+  if (!(millimetre > 0)) fail(Status::err_argument, "millimetre is %g; allowed: > 0", millimetre);
+  const SliceFile file = read_slice_file(path);
+  const double along = file.round ? 1 : millimetre;
+  BodyProfile fresh;
+  std::string told;
+  for (const SliceFile::Slice& given : file.slice) {
+    ReadProfile read = profile_in(given.path, unit, mirror, filter_length);
+    ProfileSlice slice{along * given.u, std::make_shared<const ProfileCurve>(std::move(read.curve)), given.feature};
+    for (double& s : slice.feature)
+      if (s >= 0) s = std::min(millimetre * s, slice.curve->length());
+    if (read.reversed) {
+      std::reverse(slice.feature.begin(), slice.feature.end());
+      for (double& s : slice.feature)
+        if (s >= 0) s = slice.curve->length() - s;
+    }
+    fresh.slice.push_back(std::move(slice));
+    told += read.told;
+  }
+  for (const auto& [amplitude, length, phase] : file.wave)
+    fresh.wave.push_back({millimetre * amplitude, along * length, phase});
+  fresh.curve = fresh.nominal();
+  // What no surface can be made of is refused here.
+  ProfileSlices(fresh.slice, fresh.wave, file.smooth, file.round ? 2 * std::numbers::pi : 0);
+  {
+    const std::lock_guard lock(mutex_);
+    require_takes_profile();
+    model_->profile = std::move(fresh);
+    options_.smooth_slices = file.smooth ? 1 : 0;
+  }
+  tell_of_profile(told);
 }
 
 void Body::write_profile(const char* path, double unit) const {
@@ -151,7 +215,61 @@ void Body::require_profile() const {
 std::shared_ptr<const ProfileCurve> Body::profile() const {
   const std::lock_guard lock(mutex_);
   require_profile();
-  return model_->profile.curve;
+  return model_->profile.nominal();
+}
+
+void Body::add_slice(double u, std::int64_t n, const double* feature) {
+  require_finite(u, "u");
+  require_count(n, "n");
+  constexpr std::int64_t most = 1000;
+  if (n == 1 || n > most)
+    fail(Status::err_argument, "n is %lld; allowed: 0, or 2 to %lld", static_cast<long long>(n),
+         static_cast<long long>(most));
+  if (n > 0) require_pointer(feature, "features");
+  ProfileSlice slice{u, nullptr, {feature, feature + n}};
+  double before = -1;
+  for (std::int64_t i = 0; i < n; ++i) {
+    const double s = feature[i];
+    if (!std::isfinite(s)) fail(Status::err_nonfinite, "entry %lld of features is %g", static_cast<long long>(i), s);
+    if (s >= 0 && !(s >= before))
+      fail(Status::err_argument, "entry %lld of features is %g, after %g; allowed: ascending arc lengths, < 0: missing",
+           static_cast<long long>(i), s, before);
+    if (s >= 0) before = s;
+  }
+  const std::lock_guard lock(mutex_);
+  require_takes_profile();
+  require_profile();
+  std::vector<ProfileSlice>& all = model_->profile.slice;
+  for (const ProfileSlice& s : all) {
+    if (s.u == u) fail(Status::err_argument, "u is %g, where a slice is already; allowed: another place", u);
+    if (s.feature.size() != slice.feature.size())
+      fail(Status::err_argument, "n is %lld; allowed: %lld, as for the slices before", static_cast<long long>(n),
+           static_cast<long long>(s.feature.size()));
+  }
+  slice.curve = model_->profile.curve;
+  all.push_back(std::move(slice));
+}
+
+void Body::add_wave(double amplitude, double wavelength, double phase) {
+  require_finite(amplitude, "amplitude");
+  require_finite(wavelength, "wavelength");
+  require_finite(phase, "phase");
+  if (!(wavelength > 0)) fail(Status::err_argument, "wavelength is %g; allowed: > 0", wavelength);
+  const std::lock_guard lock(mutex_);
+  require_takes_profile();
+  require_profile();
+  model_->profile.wave.push_back({amplitude, wavelength, phase});
+}
+
+std::shared_ptr<const ProfileSlices> Body::slices() const {
+  const std::lock_guard lock(mutex_);
+  return slices_of(model_->profile, options_.smooth_slices != 0);
+}
+
+std::size_t Body::variations() const {
+  const std::lock_guard lock(mutex_);
+  const BodyProfile& p = model_->profile;
+  return 2 * (p.slice.size() + p.wave.size()) + (options_.smooth_slices != 0 ? 1 : 0);
 }
 
 std::shared_ptr<Body> Body::with_profile_alone() const {
@@ -161,7 +279,11 @@ std::shared_ptr<Body> Body::with_profile_alone() const {
   body->model_->material = model_->material;
   body->model_->relaxation = model_->relaxation;
   body->model_->contact_material = model_->contact_material;
-  body->model_->profile.curve = model_->profile.curve;
+  BodyProfile& to = body->model_->profile;
+  to.curve = model_->profile.nominal();
+  to.slice = model_->profile.slice;
+  to.wave = model_->profile.wave;
+  body->options_.smooth_slices = options_.smooth_slices;
   return body;
 }
 

@@ -227,6 +227,27 @@ rollcon_status rollcon_body_read_profile(rollcon_body *body, const char *path, d
   });
 }
 
+rollcon_status rollcon_body_add_slice(rollcon_body *body, double u, int64_t n,
+    const double *features) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.add_slice(u, n, features);
+  });
+}
+
+rollcon_status rollcon_body_read_slices(rollcon_body *body, const char *path, double mm,
+    double unit, int32_t mirror, double filter_length) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.read_slices(path, mm, unit, mirror, filter_length);
+  });
+}
+
+rollcon_status rollcon_body_add_wave(rollcon_body *body, double amplitude, double wavelength,
+    double phase) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.add_wave(amplitude, wavelength, phase);
+  });
+}
+
 rollcon_status rollcon_body_write_profile(const rollcon_body *body, const char *path,
     double unit) {
   return with_body(__func__, body, [&](Body& self) {

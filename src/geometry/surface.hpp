@@ -16,6 +16,7 @@ struct SurfaceHint {
   int branch = -1;  ///< -1 if nothing is known
   std::size_t piece = 0;
   double parameter = 0;
+  double place = 0;  ///< second parameter of surfaces that need one
 };
 
 /// Meets lines from + t * direction (unit) where |t| is least, among the parts that look towards `facing`; the zero

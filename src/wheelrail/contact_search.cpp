@@ -32,30 +32,42 @@ ContactSearch::ContactSearch(const WheelShape& wheel, const RailShape& rail)
   if (!(least > 0))
     fail(Status::err_argument, "the wheel's radius is %g, and its profile reaches its axis; allowed: a greater one",
          wheel.radius);
+  if (wheel.slices)
+    wheel_heights_.emplace(wheel.slices, ProfilePlane{{0, 0}, {side_, 0}, {0, 1}},
+                           VisibleProfile::Seen::from_greater_z);
+  if (rail.slices) rail_heights_.emplace(rail.slices, in_track(rail), VisibleProfile::Seen::from_lesser_z);
 }
 
-WheelLocus ContactSearch::locus_of(const Pose& wheel) const {
-  return {wheel.place(shape_.centre), side_ * wheel.turn(shape_.axis), shape_.radius};
+template <class Use>
+auto ContactSearch::with_gap(const Pose& wheel, double along, Use use) const {
+  const WheelLocus locus(wheel.place(shape_.centre), side_ * wheel.turn(shape_.axis), shape_.radius);
+  if (!wheel_heights_ && !rail_heights_) return use(ProfileGap(wheel_, rail_, locus, nullptr));
+  const Vec3 down = wheel.turn({0, 0, 1});
+  const WheelAxes& axes = locus.axes();
+  const VaryingPair varying(wheel_heights_ ? &*wheel_heights_ : nullptr, rail_heights_ ? &*rail_heights_ : nullptr,
+                            rail_, along, std::atan2(dot(down, axes.ahead), dot(down, axes.down)));
+  return use(ProfileGap(wheel_, rail_, locus, &varying));
 }
 
-double ContactSearch::first_touch(const Pose& wheel) const {
-  const auto nearest = least_gap({wheel_, rail_, locus_of(wheel)});
+double ContactSearch::first_touch(const Pose& wheel, double along) const {
+  const auto nearest = with_gap(wheel, along, [](const ProfileGap& gap) { return least_gap(gap); });
   return nearest ? nearest->gap : std::numeric_limits<double>::infinity();
 }
 
-std::optional<TouchPoint> ContactSearch::touch(const Pose& wheel) const {
-  const auto nearest = least_gap({wheel_, rail_, locus_of(wheel)});
+std::optional<TouchPoint> ContactSearch::touch(const Pose& wheel, double along) const {
+  const auto nearest = with_gap(wheel, along, [](const ProfileGap& gap) { return least_gap(gap); });
   if (!nearest) return std::nullopt;
   const VisiblePoint p = wheel_.at(nearest->s);
   return TouchPoint{nearest->gap, nearest->wheel + Vec3{0, 0, nearest->gap}, std::atan(nearest->rail_slope),
                     side_ * p.y, shape_.radius + p.z};
 }
 
-void ContactSearch::find(const Pose& wheel, std::vector<OverlapPatch>& patch, bool planar) {
-  const ProfileGap gap(wheel_, rail_, locus_of(wheel));
-  find_overlaps(gap, overlap_);
-  for (Overlap& o : overlap_) measure(gap, o);
-  gather(gap, overlap_, planar, side_, shape_.radius, patch);
+void ContactSearch::find(const Pose& wheel, double along, std::vector<OverlapPatch>& patch, bool planar) {
+  with_gap(wheel, along, [&](const ProfileGap& gap) {
+    find_overlaps(gap, overlap_);
+    for (Overlap& o : overlap_) measure(gap, o);
+    gather(gap, overlap_, planar, side_, shape_.radius, patch);
+  });
 }
 
 double ContactSearch::rail_angle(double y) const {

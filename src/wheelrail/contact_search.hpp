@@ -1,5 +1,5 @@
 #pragma once
-/// Finds where a wheel meets a rail that is extruded along x: from profiles and the wheel's pose to patches in which
+/// Finds where a wheel meets a rail that runs along x: from profiles and the wheel's pose to patches in which
 /// the undeformed surfaces overlap. Lengths are in any unit; axes: x forward, y to the right, z down, the rail on the
 /// right. For one on the left the caller mirrors.
 
@@ -19,14 +19,16 @@ struct WheelShape {
   Vec3 centre{0, 0, 0};  ///< point of the axis at y = 0 of the profile
   Vec3 axis{0, 1, 0};    ///< direction of the profile's y; its z points away from the axis
   double radius = 0;     ///< radius of the profile's z = 0
+  std::shared_ptr<const ProfileSlices> slices = nullptr;  ///< null: the same all round
 };
 
 /// Holds a profile that is extruded along x (see ExtrudedProfile), in the axes of the track.
 struct RailShape {
   std::shared_ptr<const ProfileCurve> curve;
   Vec3 origin{0, 0, 0};
-  Vec3 along{1, 0, 0};  ///< (-1, 0, 0) mirrors the profile
-  Vec3 down{0, 0, 1};   ///< direction of the profile's z, at right angles to `along`
+  Vec3 along{1, 0, 0};                                    ///< (-1, 0, 0) mirrors the profile
+  Vec3 down{0, 0, 1};                                     ///< direction of the profile's z, at right angles to `along`
+  std::shared_ptr<const ProfileSlices> slices = nullptr;  ///< null: the same all along
 };
 
 /// Tells where a rigid wheel touches first.
@@ -44,21 +46,25 @@ class ContactSearch {
 
   /// Returns how far the wheel, its body axes in this pose, may sink along z until it touches the rail; negative where
   /// they overlap, infinite where it is not above the rail. Exact to rounding.
-  double first_touch(const Pose& wheel) const;
+  /// along: place of a rail that varies where x is 0.
+  double first_touch(const Pose& wheel, double along) const;
   /// Returns the point that touches, the first by y of several or of a line; nullopt where none is above the rail.
-  std::optional<TouchPoint> touch(const Pose& wheel) const;
+  std::optional<TouchPoint> touch(const Pose& wheel, double along) const;
   /// Finds patches in the order of y, overwriting `patch`; planar: each has one normal. Once it has seen as many
   /// patches it allocates nothing.
-  void find(const Pose& wheel, std::vector<OverlapPatch>& patch, bool planar = true);
+  void find(const Pose& wheel, double along, std::vector<OverlapPatch>& patch, bool planar = true);
   /// Returns the inclination of the rail at y (where it ends: there): atan dz/dy.
   double rail_angle(double y) const;
 
  private:
-  WheelLocus locus_of(const Pose& wheel) const;
+  /// Calls use(gap) with the gap of the wheel in this pose.
+  template <class Use>
+  auto with_gap(const Pose& wheel, double along, Use use) const;
 
   WheelShape shape_;
   double side_;  ///< -1: the profile's y points to the left
   VisibleProfile wheel_, rail_;
+  std::optional<SliceHeights> wheel_heights_, rail_heights_;
   std::vector<Overlap> overlap_;
 };
 

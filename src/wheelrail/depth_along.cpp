@@ -26,8 +26,9 @@ class DepthAlong {
     for (int i = 0; i < most; ++i) {
       const double step = -((y - py) * c_ + (z - pz) * s_) / (c_ + s_ * slope);
       if (!(std::abs(step) > enough * std::abs(p.gap))) break;
-      y = std::clamp(y + step, gap_.rail().low(), gap_.rail().high());
-      const VisiblePoint r = gap_.rail_at(y);
+      y += step;
+      if (!gap_.varying()) y = std::clamp(y, gap_.rail().low(), gap_.rail().high());
+      const VisiblePoint r = gap_.rail_at(y, p.wheel[0]);
       z = r.z;
       slope = r.slope;
     }

@@ -32,8 +32,9 @@ double joined(const ProfileGap& gap, const Overlap& a, const Overlap& b, bool pl
     return std::max(one_plane, 1 - smooth_step(1 - saddle, 0, divided));
   }
   if (one_plane == 0) return 0;
-  const VisiblePoint from = gap.rail_at(a.to.wheel[1]), to = gap.rail_at(b.from.wheel[1]);
-  const double distance = std::hypot(to.y - from.y, to.z - from.z);
+  const VisiblePoint from = gap.rail_at(a.to.wheel[1], a.to.wheel[0]),
+                     to = gap.rail_at(b.from.wheel[1], b.from.wheel[0]);
+  const double distance = length(Vec3{b.from.wheel[0] - a.to.wheel[0], to.y - from.y, to.z - from.z});
   const double near = one_plane * smooth_step(-distance, -apart * (a.size + b.size), -together * (a.size + b.size));
   if (near == 0) return 0;
   // A patch that only begins to overlap is nothing yet, unless it is about to grow together with its neighbour.
@@ -53,7 +54,7 @@ double s_at_y(const ProfileGap& gap, const GapPoint& first, const GapPoint& last
   if (b <= 0) return last.s;
   double off = a;
   const auto value = [&](double s) {
-    if (const auto found = gap.locus().at(gap.wheel().at(s))) off = found->x[1] - y;
+    if (const auto found = gap.locus_at(gap.wheel().at(s))) off = found->x[1] - y;
     return off;
   };
   const double rounding = gap.locus().rounding();
@@ -86,24 +87,27 @@ void describe_moments(const Overlap* first, const Overlap* last, OverlapPatch& p
 }
 
 void describe_reference(const ProfileGap& gap, double s, double side, double radius, OverlapPatch& patch) {
-  const VisiblePoint wheel = gap.wheel().at(s), rail = gap.rail_at(patch.reference[1]);
+  const VisiblePoint wheel = gap.wheel().at(s), rail = gap.rail_at(patch.reference[1], patch.reference[0]);
   patch.reference[2] = rail.z;
-  if (const auto there = gap.locus().at(wheel)) patch.wheel = there->x;
+  if (const auto there = gap.locus_at(wheel)) patch.wheel = there->x;
   patch.wheel_y = side * wheel.y;
   patch.rolling_radius = radius + wheel.z;
   patch.curvature = gap.locus().curvature(wheel);
   patch.curvature.across += rail.curvature();
+  if (gap.varying()) patch.curvature.along = gap.varying()->curvature_along(gap.locus(), wheel);
 }
 
 OverlapPatch patch_of(const ProfileGap& gap, const Overlap* first, const Overlap* last, double side, double radius) {
   OverlapPatch patch;
-  double weight = 0, y = 0, x = 0, angle = 0;
+  double weight = 0, y = 0, x = 0, angle = 0, ahead = 0;
   for (const Overlap* o = first; o <= last; ++o) {
     weight += o->weight;
     y += o->y;
     x += o->x;
     angle += o->angle;
+    ahead += o->ahead;
     patch.cut = patch.cut || o->cut;
+    patch.parted = patch.parted || o->parted;
   }
   // An overlap that is too shallow has a weight of 0.
   const GapPoint& deep = first->deepest;
@@ -115,6 +119,13 @@ OverlapPatch patch_of(const ProfileGap& gap, const Overlap* first, const Overlap
   const double c = std::cos(patch.angle), s = std::sin(patch.angle);
   patch.normal = {0, s, -c};
   patch.lateral = {0, c, s};
+  ahead = weight > 0 ? ahead / weight : deep.rail_ahead;
+  if (ahead != 0) {
+    // A normal with this slope along x stays in the plane of the angle across it.
+    const double turned = std::atan(ahead * c);
+    patch.along = {std::cos(turned), -s * std::sin(turned), c * std::sin(turned)};
+    patch.normal = cross(patch.lateral, patch.along);
+  }
   patch.back = patch.front = first->deepest.wheel[0] - patch.reference[0];
   patch.low = patch.high = dot(patch.lateral, first->deepest.wheel - patch.reference);
   double deepest = 0;
@@ -139,9 +150,10 @@ OverlapPatch patch_of(const ProfileGap& gap, const Overlap* first, const Overlap
 
 /// Returns how far along x the circle through a point overlaps, behind and ahead. Along it the gap is gap + b l + a
 /// l^2, with b by how much it runs sideways; a is measured, as curvatures jump where arcs meet.
-std::array<double, 2> reach(const ProfileGap& gap, const VisiblePoint& p, const GapPoint& g) {
+VaryingPair::Reach reach(const ProfileGap& gap, const VisiblePoint& p, const GapPoint& g) {
   const double depth = g.depth();
-  if (!(depth > 0)) return {0, 0};
+  if (!(depth > 0)) return {};
+  if (gap.varying()) return gap.varying()->reach(gap.locus(), p);
   const double step = std::sqrt(2 * depth / gap.locus().bend(p)), sideways = g.rise * gap.locus().sideways(p);
   const std::array<Vec3, 2> beside = gap.locus().beside(p, step);
   std::array<double, 2> found{};
@@ -157,7 +169,7 @@ std::array<double, 2> reach(const ProfileGap& gap, const VisiblePoint& p, const 
     const double length = b > 0 ? -2 * g.gap / (b + root) : (root - b) / (2 * a);
     found[i] = length / step * std::abs(x[0] - g.wheel[0]);
   }
-  return found;
+  return {found[0], found[1]};
 }
 
 struct LocusPlace {
@@ -173,7 +185,7 @@ LocusPlace place_at_y(const ProfileGap& gap, double y, double s, double from, do
   for (int i = 0; i <= most; ++i) {
     place.s = s;
     place.wheel = gap.wheel().at(s);
-    place.locus = gap.locus().at(place.wheel);
+    place.locus = gap.locus_at(place.wheel);
     if (!place.locus || std::abs(y - place.locus->x[1]) <= close_enough) break;
     s = std::clamp(s + (y - place.locus->x[1]) / place.locus->forward_y, from, to);
   }
@@ -203,6 +215,7 @@ void integrate(const ProfileGap& gap, const GapPoint& from, const GapPoint& to, 
     o.y += w * g->wheel[1];
     o.x += w * g->wheel[0];
     o.angle += w * std::atan(g->rail_slope);
+    o.ahead += w * g->rail_ahead;
     o.moments.add(w, g->wheel[1] - o.deepest.wheel[1], g->wheel[2] - o.deepest.wheel[2]);
   }
 }
@@ -232,7 +245,8 @@ void measure(const ProfileGap& gap, Overlap& o) {
   o.back = std::min({o.from.wheel[0], o.to.wheel[0], o.deepest.wheel[0]});
   o.front = std::max({o.from.wheel[0], o.to.wheel[0], o.deepest.wheel[0]});
   const auto take = [&](const VisiblePoint& p, const GapPoint& g) {
-    const auto [behind, ahead] = reach(gap, p, g);
+    const auto [behind, ahead, parted] = reach(gap, p, g);
+    o.parted = o.parted || parted;
     o.back = std::min(o.back, g.wheel[0] - behind);
     o.front = std::max(o.front, g.wheel[0] + ahead);
     return (ahead + behind) / 2;

@@ -24,6 +24,7 @@ struct DepthMoments {
 struct OverlapPatch {
   Vec3 reference{};            ///< centre of the overlap on the rail, weighted by depth^2.5
   Vec3 normal{}, lateral{};    ///< directions of the contact: upwards out of the rail, and across it to the right
+  Vec3 along{1, 0, 0};         ///< direction forwards, at right angles to both
   double angle = 0;            ///< mean of the rail's in that weight: atan dz/dy, negative on a gauge face to the right
   double overlap = 0;          ///< greatest overlap along the normal
   double low = 0, high = 0;    ///< ends of the overlap along the lateral axis from the reference
@@ -31,6 +32,7 @@ struct OverlapPatch {
   /// Weight with which this patch counts: patches apart and the same patches as one have weights that add up to 1.
   double share = 1;
   bool cut = false;            ///< the overlap ends where a profile does, or where it is too steep to be seen
+  bool parted = false;         ///< along x the overlap has two parts somewhere
   double wheel_y = 0;          ///< y of the wheel's profile at the reference, its own
   double rolling_radius = 0;   ///< rolling radius there
   LocusCurvature curvature{};  ///< of both surfaces together there
@@ -46,8 +48,10 @@ struct Overlap {
   GapPoint from, to;
   GapPoint deepest;
   bool cut = false, grown = false;  ///< grown: together with the one before
+  bool parted = false;              ///< a circle of the wheel overlaps in two parts
   // Integrals over the interval, filled in by measure():
   double weight = 0, y = 0, x = 0, angle = 0;  ///< integrals of depth^2.5, and of y, x and the angle with it
+  double ahead = 0;                            ///< integral of the rail's slope along x with it
   DepthMoments moments;                        ///< moments about the deepest point
   double back = 0, front = 0;                  ///< ends of the overlap along x
   double size = 0;                             ///< mean radius of contact

@@ -101,7 +101,8 @@ Loads PatchContact::found_loads() const {
 // the overlap of the undeformed bodies, beyond which nothing touches.
 void PatchContact::solve_contact(const Fineness& fineness) {
   shown_ = false;
-  now_.on_strips = fineness.strips.along > 0 && !fineness.lattice.conformal && solve_on_strips(fineness);
+  const bool may_fit = fineness.strips.along > 0 && !fineness.lattice.conformal && !now_.patch.parted;
+  now_.on_strips = may_fit && solve_on_strips(fineness);
   if (now_.on_strips) return;
   now_.place = place();
   put_frame(fineness.lattice, now_.place);
@@ -300,10 +301,10 @@ void PatchContact::lay_axes() {
 Axes PatchContact::axes_of(const OverlapPatch& patch) const {
   Axes axes;
   axes.n = -1.0 * patch.normal;
-  axes.t1 = {now_.motion.speed > 0 ? 1.0 : -1.0, 0, 0};
+  axes.t1 = (now_.motion.speed > 0 ? 1.0 : -1.0) * patch.along;
   axes.t2 = cross(axes.n, axes.t1);
   const double x = 0.5 * (patch.back + patch.front), y = 0.5 * (patch.low + patch.high);
-  axes.origin = patch.reference + Vec3{x, 0, 0} + y * patch.lateral;
+  axes.origin = patch.reference + x * patch.along + y * patch.lateral;
   return axes;
 }
 
@@ -312,7 +313,7 @@ void PatchContact::stand(const WheelMotion& motion) {
   lay_axes();
   Scene& scene = contact_->scene;
   set_pose(scene, 1, now_.axes, motion.pose);
-  set_pose(scene, 2, now_.axes, Pose{});
+  set_pose(scene, 2, now_.axes, {.translation = {-motion.along, 0, 0}});
   set_velocity(scene, 0, now_.axes, {{motion.speed, 0, 0}, {0, 0, 0}, {0, 0, 0}});
   set_velocity(scene, 1, now_.axes, motion.velocity);
   set_velocity(scene, 2, now_.axes, motion.rail);
@@ -358,7 +359,8 @@ void PatchContact::take_creepages() {
          "the pitch rate, entry 5 of velocity, is %g: with the forward speed, entry 0, of %g surfaces run backwards "
          "through the contact; a wheel that rolls has about %g",
          motion.velocity.angular[1], motion.speed, -motion.speed / now_.patch.rolling_radius);
-  now_.creepages = {slip[0] / speed, dot(slip, now_.patch.lateral) / speed, -dot(turning, now_.patch.normal) / speed};
+  now_.creepages = {dot(slip, now_.patch.along) / speed, dot(slip, now_.patch.lateral) / speed,
+                    -dot(turning, now_.patch.normal) / speed};
 }
 
 }  // namespace rollcon

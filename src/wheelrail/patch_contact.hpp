@@ -38,6 +38,7 @@ struct WheelMotion {
   Pose pose;
   Velocity velocity, rail;
   double speed = 0;  ///< forward speed of the wheelset; not 0
+  double along = 0;  ///< place of a rail that varies where x is 0
 };
 
 /// Holds the friction of a patch: a law with one greatest coefficient, or those at points across it, linear between.

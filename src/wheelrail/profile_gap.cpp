@@ -7,18 +7,24 @@
 namespace rollcon {
 
 std::optional<GapPoint> ProfileGap::at(const VisiblePoint& p, double s) const {
-  const auto point = locus_.at(p);
+  const auto point = locus_at(p);
   return point ? at(*point, s) : std::nullopt;
 }
 
 std::optional<GapPoint> ProfileGap::at(const LocusPoint& point, double s) const {
   const double y = point.x[1];
+  if (varying_) {
+    const auto r = varying_->rail(point.x[0], y);
+    if (!r) return std::nullopt;
+    return GapPoint{s, point.x, r->z - point.x[2], r->y - point.slope, r->y, point.forward_y, r->u};
+  }
   if (!(y >= rail_.low() && y <= rail_.high())) return std::nullopt;
-  const VisiblePoint r = rail_at(y);
+  const VisiblePoint r = rail_at(y, point.x[0]);
   return GapPoint{s, point.x, r.z - point.x[2], r.slope - point.slope, r.slope, point.forward_y};
 }
 
-VisiblePoint ProfileGap::rail_at(double y) const {
+VisiblePoint ProfileGap::rail_at(double y, double x) const {
+  if (varying_) return varying_->rail_section(x, y);
   near_ = rail_.cell_at_y(y, near_);
   return rail_.at_y(y, near_);
 }
@@ -31,6 +37,10 @@ double ProfileGap::rail_z(double y) const {
 RoughGap ProfileGap::rough(const VisibleSpan& span, std::size_t end) const {
   RoughGap g;
   g.s = span.s[end];
+  if (varying_) {
+    if (const auto p = at(span, g.s)) g = {true, g.s, p->wheel[1], p->gap, p->rise, 0};
+    return g;
+  }
   std::array<double, 3> outline{};
   if (!locus_.outline(span.y[end], span.z[end], span.slope[end], outline)) return g;
   g.y = outline[0];

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "wheelrail/wheel_locus.hpp"
+#include "wheelrail/varying_pair.hpp"
 
 namespace rollcon {
 
@@ -13,7 +13,8 @@ struct GapPoint {
   double gap;   ///< z of the rail less that of the wheel there
   double rise;  ///< slope of the gap by y
   double rail_slope;
-  double forward_y;  ///< dy of the locus by s
+  double forward_y;       ///< dy of the locus by s
+  double rail_ahead = 0;  ///< dz/dx of a rail that varies
 
   /// Returns the depth of the overlap along the normal of the rail.
   double depth() const { return -gap / std::sqrt(1 + rail_slope * rail_slope); }
@@ -28,20 +29,29 @@ struct RoughGap {
 
 class ProfileGap {
  public:
-  ProfileGap(const VisibleProfile& wheel, const VisibleProfile& rail, const WheelLocus& locus)
-      : wheel_(wheel), rail_(rail), locus_(locus) {}
+  /// Takes what varies in pairs where wheel or rail does, else null.
+  ProfileGap(const VisibleProfile& wheel, const VisibleProfile& rail, const WheelLocus& locus,
+             const VaryingPair* varying)
+      : wheel_(wheel), rail_(rail), locus_(locus), varying_(varying) {}
 
   const VisibleProfile& wheel() const { return wheel_; }
   const VisibleProfile& rail() const { return rail_; }
   const WheelLocus& locus() const { return locus_; }
+  const VaryingPair* varying() const { return varying_; }
+  /// Returns the point of the wheel's circle through p that is nearest to the rail along z; nullopt where none can
+  /// touch.
+  std::optional<LocusPoint> locus_at(const VisiblePoint& p) const {
+    return varying_ ? varying_->nearest(locus_, p) : locus_.at(p);
+  }
 
   /// Return nullopt beside the rail, or where the locus has no point.
   std::optional<GapPoint> at(const VisiblePoint& p, double s) const;
   std::optional<GapPoint> at(const LocusPoint& point, double s) const;
   std::optional<GapPoint> at(double s) const { return at(wheel_.at(s), s); }
   std::optional<GapPoint> at(const VisibleSpan& span, double s) const { return at(wheel_.at(span, s), s); }
-  /// Returns the point of the rail at this y, which is on it; the search begins where the last one ended.
-  VisiblePoint rail_at(double y) const;
+  /// Returns the point of the rail at this y, which is on it, of one that varies at this x; the search begins where the
+  /// last one ended.
+  VisiblePoint rail_at(double y, double x) const;
   /// Returns z of the rail at this y, by a cubic in its cell.
   double rail_z(double y) const;
   /// Returns the rough gap at an end of a span of the wheel.
@@ -58,6 +68,7 @@ class ProfileGap {
   const VisibleProfile& wheel_;
   const VisibleProfile& rail_;
   WheelLocus locus_;
+  const VaryingPair* varying_;
   mutable std::size_t near_ = 0;
 };
 

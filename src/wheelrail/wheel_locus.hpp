@@ -26,6 +26,13 @@ struct LocusCurvature {
   double along, twist, across;
 };
 
+/// Says where a wheel is: a point of its axis at y = 0 of the profile, its axis, down and ahead at right angles to it,
+/// the radius at z = 0.
+struct WheelAxes {
+  Vec3 centre, axis, down, ahead;
+  double radius;
+};
+
 class WheelLocus {
  public:
   /// Makes the locus; axis: unit vector of the wheel's axle in space, its y not negative; centre: point on it where the
@@ -36,11 +43,13 @@ class WheelLocus {
   std::optional<LocusPoint> at(const VisiblePoint& p) const;
   /// Finds y, z and slope alone, for scans of all of a profile. Returns false where at() returns nullopt.
   bool outline(double y, double z, double slope, std::array<double, 3>& at) const {
-    const double s = slope * tilt_, square = s * s, r = radius_ + z;
+    const double s = slope * tilt_, square = s * s, r = axes_.radius + z;
     if (!(square < most_turned)) return false;
-    const double c = std::sqrt(1 - square), e_y = c * down_[1] + s * ahead_[1], e_z = c * down_[2] + s * ahead_[2];
-    const double down_z = e_z - slope * axis_[2];
-    at = {centre_[1] + y * axis_[1] + r * e_y, centre_[2] + y * axis_[2] + r * e_z, -(e_y - slope * axis_[1]) / down_z};
+    const double c = std::sqrt(1 - square), e_y = c * axes_.down[1] + s * axes_.ahead[1],
+                 e_z = c * axes_.down[2] + s * axes_.ahead[2];
+    const double down_z = e_z - slope * axes_.axis[2];
+    at = {axes_.centre[1] + y * axes_.axis[1] + r * e_y, axes_.centre[2] + y * axes_.axis[2] + r * e_z,
+          -(e_y - slope * axes_.axis[1]) / down_z};
     return down_z > 0;
   }
   LocusCurvature curvature(const VisiblePoint& p) const;
@@ -49,15 +58,16 @@ class WheelLocus {
   /// Returns y of the unit vector along the circle.
   double sideways(const VisiblePoint& p) const;
   /// Returns what the circle bends away from its tangent, for small steps along the normal of the wheel's surface.
-  double bend(const VisiblePoint& p) const { return 1 / ((radius_ + p.z) * std::sqrt(1 + p.slope * p.slope)); }
+  double bend(const VisiblePoint& p) const { return 1 / ((axes_.radius + p.z) * std::sqrt(1 + p.slope * p.slope)); }
   /// Returns the rounding of the points.
-  double rounding() const { return 1e-16 * (radius_ + length(centre_)); }
+  double rounding() const { return 1e-16 * (axes_.radius + length(axes_.centre)); }
+  const WheelAxes& axes() const { return axes_; }
 
  private:
   static constexpr double most_turned = 0.9999;  ///< limit beyond which a point runs along the wheel's rim without end
 
-  Vec3 centre_, axis_, down_, ahead_;
-  double radius_, tilt_ = 0;  ///< a_x / f_x
+  WheelAxes axes_;
+  double tilt_ = 0;  ///< a_x / f_x
 };
 
 }  // namespace rollcon

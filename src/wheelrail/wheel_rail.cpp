@@ -60,6 +60,10 @@ void WheelRail::prepare() {
   if (missing) fail(Status::err_state, "something is missing: call %s first", missing);
   require_friction();
   prepare_search();
+  if ((wheel_varies_ | rail_varies_) != 0 && (in_.table || in_.options.conformal))
+    fail(Status::err_unsupported, "the profile of the %s varies, which %s does not: %s",
+         wheel_varies_ ? "wheel" : "rail", in_.table ? "a table" : "the option conformal",
+         in_.table ? "call rollcon_wheelrail_set_table with NULL" : "set the option to 0");
 }
 
 void WheelRail::require_ready_for_positions() {
@@ -75,7 +79,8 @@ void WheelRail::prepare_search() {
   rail_ = given_rail_->with_profile_alone();
   const Vec3 centre{0, 0, -radius_}, axis{0, 1, 0};
   place_profiles(*wheel_, *rail_);
-  search_.emplace(WheelShape{wheel_curve_, centre, axis, radius_}, rail_shape_);
+  rail_shape_.slices = rail_->slices();
+  search_.emplace(WheelShape{wheel_curve_, centre, axis, radius_, wheel_->slices()}, rail_shape_);
   active_.clear();
   slot_.clear();
   spare_.clear();
@@ -110,7 +115,7 @@ WheelRail::Slot& WheelRail::slot_for(const OverlapPatch& patch) {
 Status WheelRail::solve_at(double z) {
   z_ = z;
   const WheelMotion motion = motion_at(z);
-  search_->find(motion.pose, found_, !in_.options.conformal);
+  search_->find(motion.pose, motion.along, found_, !in_.options.conformal);
   for (const auto& slot : slot_) slot->taken = false;
   active_.clear();
   double deepest = 0;
@@ -122,7 +127,7 @@ Status WheelRail::solve_at(double z) {
          z, side_ * in_.position.y, deepest, radius_);
   Status worst = Status::ok;
   if (found_.empty())
-    worst = std::isfinite(search_->first_touch(motion.pose)) ? Status::no_contact : Status::derailed;
+    worst = std::isfinite(search_->first_touch(motion.pose, motion.along)) ? Status::no_contact : Status::derailed;
   else if (deepest > too_deep * radius_)
     worst = Status::too_deep;
   for (const OverlapPatch& patch : found_) active_.push_back(&slot_for(patch));
@@ -200,7 +205,8 @@ double WheelRail::vertical_force() const {
 // Returns Hertz's approach under the load, for the curvatures where the wheel touches first.
 double WheelRail::first_sink(double touch) {
   const double little = 1e-6 * radius_;
-  search_->find(motion_at(touch + little).pose, found_, !in_.options.conformal);
+  const WheelMotion motion = motion_at(touch + little);
+  search_->find(motion.pose, motion.along, found_, !in_.options.conformal);
   if (found_.empty()) return little;
   const OverlapPatch& patch = *std::max_element(found_.begin(), found_.end(),
                                                 [](const auto& a, const auto& b) { return depth_of(a) < depth_of(b); });
@@ -212,7 +218,8 @@ double WheelRail::first_sink(double touch) {
 
 // Takes secants of the force's power 2/3: it grows as the sink to the power 3/2, whatever the patches are.
 Status WheelRail::meet_force() {
-  const double touch = in_.position.z + search_->first_touch(motion_at(in_.position.z).pose);
+  const WheelMotion above = motion_at(in_.position.z);
+  const double touch = in_.position.z + search_->first_touch(above.pose, above.along);
   if (!std::isfinite(touch))
     fail(Status::err_load, "no height of the wheelset brings the wheel on the rail (y is %g): it has derailed",
          side_ * in_.position.y);

@@ -242,6 +242,7 @@ class WheelRail {
   std::shared_ptr<Context> context_;
   std::shared_ptr<Body> given_wheel_, given_rail_, wheel_, rail_;
   std::shared_ptr<const ProfileCurve> wheel_curve_;  ///< profile that was taken; the rail's is in rail_shape_
+  std::size_t wheel_varies_ = 0, rail_varies_ = 0;   ///< numbers of their variations that were taken
   double side_;                                      ///< -1: everything is solved in a mirror
   std::optional<TrackGauge> track_;
   double back_to_back_ = 0, flange_back_ = 0, nominal_radius_ = 0;

@@ -199,7 +199,12 @@ void WheelRail::set_int(const char* name, std::int64_t value) {
 void WheelRail::follow_bodies() {
   const bool same_bodies = !wheel_ || (given_wheel_->same_elastic(*wheel_) && given_rail_->same_elastic(*rail_));
   auto wheel = given_wheel_->profile(), rail = given_rail_->profile();
-  if (same_bodies && wheel == wheel_curve_ && rail == rail_shape_.curve) return;
+  const std::size_t wheel_varies = given_wheel_->variations(), rail_varies = given_rail_->variations();
+  if (same_bodies && wheel == wheel_curve_ && rail == rail_shape_.curve && wheel_varies == wheel_varies_ &&
+      rail_varies == rail_varies_)
+    return;
+  wheel_varies_ = wheel_varies;
+  rail_varies_ = rail_varies;
   take_wheel_profile(std::move(wheel), nominal_radius_, tape_);
   rail_shape_ = place_rail(std::move(rail), *track_);
   wheel_.reset();

@@ -114,6 +114,8 @@ std::unique_ptr<WheelRail> WheelRail::copy(const std::shared_ptr<Context>& conte
   other->track_ = track_;
   other->rail_shape_ = rail_shape_;
   other->wheel_curve_ = wheel_curve_;
+  other->wheel_varies_ = wheel_varies_;
+  other->rail_varies_ = rail_varies_;
   other->back_to_back_ = back_to_back_;
   other->flange_back_ = flange_back_;
   other->nominal_radius_ = nominal_radius_;

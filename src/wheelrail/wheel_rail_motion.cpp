@@ -14,6 +14,18 @@ Pose attitude(double roll, double yaw, bool roll_outside = false) {
   return {.rotation = {{{cy, -sy * cr, sy * sr}, {sy, cy * cr, -cy * sr}, {0, sr, cr}}}};
 }
 
+/// Returns the rotation of b followed by that of a.
+Pose product(const Pose& a, const Pose& b) {
+  Pose both;
+  for (std::size_t j = 0; j < 3; ++j) {
+    Vec3 unit{0, 0, 0};
+    unit[j] = 1;
+    const Vec3 column = a.turn(b.turn(unit));
+    for (std::size_t i = 0; i < 3; ++i) both.rotation[i][j] = column[i];
+  }
+  return both;
+}
+
 Velocity seen_from(const Pose& pose, const Velocity& v) {
   return {pose.turn_back(v.linear), pose.turn_back(v.angular), pose.to_body(v.point)};
 }
@@ -40,16 +52,13 @@ Pose WheelRail::wheel_pose(const WheelsetState& position, double z, const Wheels
   Pose wheel = attitude_of(position);
   wheel.translation =
       centre_at(position.y, z) + wheel.turn({bend.x, 0.5 * back_to_back_ - flange_back_ + bend.y, radius_ + bend.z});
-  if (bend.roll == 0 && bend.yaw == 0) return wheel;
-  Pose bent = attitude_of(bend);
-  for (std::size_t j = 0; j < 3; ++j) {
-    Vec3 unit{0, 0, 0};
-    unit[j] = 1;
-    const Vec3 column = wheel.turn(bent.turn(unit));
-    for (std::size_t i = 0; i < 3; ++i) bent.rotation[i][j] = column[i];
-  }
-  bent.translation = wheel.translation;
-  return bent;
+  if (bend.roll != 0 || bend.yaw != 0) wheel.rotation = product(wheel, attitude_of(bend)).rotation;
+  if (wheel_varies_ == 0) return wheel;
+  const double angle = position.pitch + bend.pitch, c = std::cos(angle), s = std::sin(angle);
+  const Vec3 middle{0, 0, -radius_}, stays = wheel.place(middle);
+  wheel.rotation = product(wheel, {.rotation = {{{c, 0, s}, {0, 1, 0}, {-s, 0, c}}}}).rotation;
+  wheel.translation = stays - wheel.turn(middle);
+  return wheel;
 }
 
 WheelMotion WheelRail::motion_at(double z, const Inputs& in) const {
@@ -78,6 +87,7 @@ WheelMotion WheelRail::motion_at(double z, const Inputs& in) const {
   motion.rail =
       seen_from(rail, {{0, in.rate.y, in.rate.z}, {in.rate.roll, 0, 0}, rail.place(rail_pivot(in.deviation))});
   motion.speed = in.velocity.x;
+  if (rail_varies_ != 0) motion.along = in.position.x;
   return motion;
 }
 

@@ -19,7 +19,7 @@ WheelRail::Touch WheelRail::touch(double shift, double roll) {
   constexpr int most = 50;
   const double enough = 1e-15 * radius_;
   for (int i = 0; i < most; ++i) {
-    const auto found = search_->touch(relative(rail, wheel_pose(position, touch.height, {})));
+    const auto found = search_->touch(relative(rail, wheel_pose(position, touch.height, {})), in_.position.x);
     if (!found) {
       touch.height = std::numeric_limits<double>::infinity();
       return touch;

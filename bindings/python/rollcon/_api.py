@@ -269,6 +269,11 @@ FUNCTIONS = {
     "rollcon_body_set_profile": (c_int32, [c_void_p, c_int64, POINTER(c_double), c_double]),
     "rollcon_body_set_profile_shape": (c_int32, [c_void_p, c_char_p, c_int64, POINTER(c_double)]),
     "rollcon_body_read_profile": (c_int32, [c_void_p, c_char_p, c_double, c_int32, c_double]),
+    "rollcon_body_add_slice": (c_int32, [c_void_p, c_double, c_int64, POINTER(c_double)]),
+    "rollcon_body_read_slices": (c_int32, [
+        c_void_p, c_char_p, c_double,
+        c_double, c_int32, c_double]),
+    "rollcon_body_add_wave": (c_int32, [c_void_p, c_double, c_double, c_double]),
     "rollcon_body_write_profile": (c_int32, [c_void_p, c_char_p, c_double]),
     "rollcon_body_extrude_profile": (c_int32, [
         c_void_p, POINTER(c_double),
@@ -662,6 +667,12 @@ ARGUMENTS = {
     "rollcon_body_read_profile": [
         ("body", ""), ("path", ""), ("unit", ""), ("mirror", ""), ("filter_length", "")
     ],
+    "rollcon_body_add_slice": [("body", ""), ("u", ""), ("n", ""), ("features", "")],
+    "rollcon_body_read_slices": [
+        ("body", ""), ("path", ""), ("mm", ""), ("unit", ""), ("mirror", ""), ("filter_length",
+        "")
+    ],
+    "rollcon_body_add_wave": [("body", ""), ("amplitude", ""), ("wavelength", ""), ("phase", "")],
     "rollcon_body_write_profile": [("body", ""), ("path", ""), ("unit", "")],
     "rollcon_body_extrude_profile": [("body", ""), ("origin", ""), ("along", ""), ("z_axis", "")],
     "rollcon_body_revolve_profile": [("body", ""), ("origin", ""), ("axis", ""), ("radius", "")],

@@ -325,6 +325,48 @@ class BodyPlain:
         """
         self._call("read_profile", c_path(path), unit, mirror, filter_length)
 
+    def add_slice(self, u: float, features: ArrayLike) -> None:
+        """Takes the profile as that of one place, a length along the body or an angle round it,
+        and waits for the profile of the next: a switch, a crossing or a wheel that is out of
+        round is given by several. Each slice is divided at its features, points that correspond
+        from slice to slice, and between two that neighbours have in common lines of equal
+        fractions of arc length are joined by cubic splines (option smooth_slices). Beyond the
+        first and last slice a rail stays as it is there; round a wheel they are periodic. Angles
+        count from the body's z about its axis, for a wheel about y from below to ahead. One slice
+        is an ordinary profile.
+
+        u: place of the slice, length or radian; none is there yet.
+        features: arc lengths from the end where y is less, ascending; < 0: this slice does not
+          have it; beyond the end: the end. What lies before the first and behind the last is left
+          out.
+        """
+        features, features_at = reals(features)
+        self._call("add_slice", u, len(features), features_at)
+
+    def read_slices(self, path: str | PathLike, mm: float, unit: float, mirror: int = 0,
+                    filter_length: float = 0) -> None:
+        """Reads all slices of a rail or wheel from a list, .slcs with lengths or .slcw with
+        angles, and the profiles that it names (docs/profiles.md). The former profile, slices and
+        waves are forgotten.
+
+        path: name of the list.
+        mm: length of a millimetre, in which the list counts places and features, > 0.
+        unit: factor on the profiles' numbers: that of rollcon_body_read_profile.
+        mirror: 0: no; 1: in y, 2: in z, 3: in both.
+        filter_length: that of rollcon_body_set_profile, length.
+        """
+        self._call("read_slices", c_path(path), mm, unit, mirror, filter_length)
+
+    def add_wave(self, amplitude: float, wavelength: float, phase: float) -> None:
+        """Adds amplitude sin(2 pi u / wavelength + phase) to z of the profile, at the length or
+        angle u: corrugation of a rail, a polygon of a wheel. Several add up.
+
+        amplitude: length.
+        wavelength: length along a rail; round a wheel an angle, 2 pi over a whole number.
+        phase: radian.
+        """
+        self._call("add_wave", amplitude, wavelength, phase)
+
     def write_profile(self, path: str | PathLike, unit: float) -> None:
         """Writes points of the profile to a file: of Simpack if the name ends in .prr or .prw,
         else two columns. A profile through points is the same when read again, one in closed form

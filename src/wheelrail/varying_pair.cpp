@@ -1,0 +1,169 @@
+#include "wheelrail/varying_pair.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rollcon {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+// Contact is looked for within this angle before and behind the lowest point; rails that rise by 1 : 4 are met there.
+constexpr double farthest = 0.25, closest_station = 0.005, farthest_station = 0.02;
+
+}  // namespace
+
+VaryingPair::VaryingPair(const SliceHeights* wheel, const SliceHeights* rail, const VisibleProfile& rail_profile,
+                         double along, double turned)
+    : wheel_(wheel),
+      rail_(rail),
+      rail_profile_(rail_profile),
+      along_(along),
+      turned_(turned),
+      station_(farthest_station) {
+  if (wheel_) station_ = closest_station;
+}
+
+std::optional<SliceHeight> VaryingPair::rail(double x, double y) const {
+  if (rail_) return rail_->at(along_ + x, y);
+  if (!(y >= rail_profile_.low() && y <= rail_profile_.high())) return std::nullopt;
+  near_ = rail_profile_.cell_at_y(y, near_);
+  const VisiblePoint p = rail_profile_.at_y(y, near_);
+  SliceHeight h;
+  h.z = p.z;
+  h.y = p.slope;
+  h.yy = p.dslope / p.dy;
+  return h;
+}
+
+VisiblePoint VaryingPair::rail_section(double x, double y) const {
+  const auto h = rail(x, y).value_or(SliceHeight{});
+  return {y, h.z, h.y, 1, h.y, h.yy};
+}
+
+std::optional<VaryingPair::At> VaryingPair::at(const WheelLocus& locus, const VisiblePoint& p, double angle) const {
+  SliceHeight w;
+  if (wheel_) {
+    const auto found = wheel_->at(angle - turned_, p.y);
+    if (!found) return std::nullopt;
+    w = *found;
+  } else {
+    w.z = p.z;
+    w.y = p.slope;
+    w.yy = p.dslope / p.dy;
+  }
+  const WheelAxes& a = locus.axes();
+  const double c = std::cos(angle), s = std::sin(angle), r = a.radius + w.z;
+  const Vec3 out = c * a.down + s * a.ahead, round = c * a.ahead - s * a.down;
+  At at;
+  at.x = a.centre + p.y * a.axis + r * out;
+  const auto h = rail(at.x[0], at.x[1]);
+  if (!h) return std::nullopt;
+  at.t = w.u * out + r * round;
+  at.y = a.axis + w.y * out;
+  at.tt = (w.uu - r) * out + 2 * w.u * round;
+  at.ty = w.uy * out + w.y * round;
+  at.yy = w.yy * out;
+  const auto slope = [&](const Vec3& v) { return h->u * v[0] + h->y * v[1] - v[2]; };
+  const auto bend = [&](const Vec3& v, const Vec3& q) {
+    return h->uu * v[0] * q[0] + h->uy * (v[0] * q[1] + v[1] * q[0]) + h->yy * v[1] * q[1];
+  };
+  at.gap = h->z - at.x[2];
+  at.gap_t = slope(at.t);
+  at.gap_y = slope(at.y);
+  at.gap_tt = slope(at.tt) + bend(at.t, at.t);
+  at.gap_ty = slope(at.ty) + bend(at.t, at.y);
+  at.gap_yy = slope(at.yy) + bend(at.y, at.y);
+  return at;
+}
+
+double VaryingPair::rough_gap(const WheelLocus& locus, const VisiblePoint& p, double angle) const {
+  const WheelAxes& a = locus.axes();
+  const double r = a.radius + (wheel_ ? wheel_->rough(angle - turned_, p.y) : p.z);
+  if (!std::isfinite(r)) return infinite;
+  const Vec3 x = a.centre + p.y * a.axis + r * std::cos(angle) * a.down + r * std::sin(angle) * a.ahead;
+  if (rail_) return rail_->rough(along_ + x[0], x[1]) - x[2];
+  if (!(x[1] >= rail_profile_.low() && x[1] <= rail_profile_.high())) return infinite;
+  near_ = rail_profile_.cell_at_y(x[1], near_);
+  return rail_profile_.cells()[near_].cubic_z(x[1]) - x[2];
+}
+
+// Tries stations, and finds the least gap between those beside the best one.
+std::optional<VaryingPair::At> VaryingPair::least(const WheelLocus& locus, const VisiblePoint& p) const {
+  const int count = static_cast<int>(farthest / station_);
+  int best = 0;
+  double lowest = infinite;
+  for (int i = -count; i <= count; ++i)
+    if (const double g = rough_gap(locus, p, i * station_); g < lowest) {
+      lowest = g;
+      best = i;
+    }
+  if (!std::isfinite(lowest)) return std::nullopt;
+  double low = (best - 1) * station_, high = (best + 1) * station_;
+  angle_ = best * station_;
+  constexpr int most = 40;
+  constexpr double rounding = 1e-15, square = 1e-8;
+  std::optional<At> found;
+  for (int i = 0; i < most; ++i) {
+    found = at(locus, p, angle_);
+    if (!found) return std::nullopt;
+    const double lean = found->lean() / found->y[1];
+    (lean > 0 ? high : low) = angle_;
+    double next = angle_ - found->lean() / found->lean_t();
+    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    const double step = std::abs(next - angle_);
+    if (step <= rounding) break;
+    angle_ = next;
+    if (step > square) continue;
+    found = at(locus, p, angle_);
+    break;
+  }
+  return found;
+}
+
+std::optional<LocusPoint> VaryingPair::nearest(const WheelLocus& locus, const VisiblePoint& p) const {
+  const auto f = least(locus, p);
+  if (!f) return std::nullopt;
+  const auto h = rail(f->x[0], f->x[1]);
+  if (!h || !(f->y[1] > 0)) return std::nullopt;
+  const double turn = -f->lean_y() / f->lean_t();
+  return LocusPoint{f->x, h->y - f->gap_y / f->y[1], p.dy * (f->y[1] + turn * f->t[1])};
+}
+
+double VaryingPair::curvature_along(const WheelLocus& locus, const VisiblePoint& p) const {
+  const auto f = least(locus, p);
+  if (!f) return locus.bend(p);
+  const double steep = std::sqrt(1 + p.slope * p.slope);
+  return std::max(f->gap_tt / (dot(f->t, f->t) * steep), 0.1 * locus.bend(p));
+}
+
+// Goes on from the least gap by steps until the circle leaves the rail, and over to other overlaps that stations show.
+VaryingPair::Reach VaryingPair::reach(const WheelLocus& locus, const VisiblePoint& p) const {
+  const auto f = least(locus, p);
+  Reach reach;
+  if (!f || !(f->gap < 0)) return reach;
+  const double middle = angle_, bend = std::max(f->gap_tt, 0.1 * length(f->t) * length(f->t) * locus.bend(p));
+  for (std::size_t side = 0; side < 2; ++side) {
+    const double sign = side == 0 ? -1 : 1;
+    double far = std::sqrt(-2 * f->gap / bend), x = f->x[0] + sign * far * length(f->t);
+    constexpr int most = 6;
+    for (int i = 0; i < most; ++i) {
+      const auto g = at(locus, p, middle + sign * far);
+      if (!g) break;
+      x = g->x[0];
+      const double slope = sign * g->gap_t, step = slope > 0 ? -g->gap / slope : far;
+      far += std::clamp(step, -0.5 * far, far);
+      if (std::abs(step) <= 1e-6 * far) break;
+    }
+    for (double angle = far + station_; angle <= farthest; angle += station_)
+      if (rough_gap(locus, p, middle + sign * angle) < 0)
+        if (const auto g = at(locus, p, middle + sign * angle); g && g->gap < 0) {
+          x = g->x[0];
+          reach.parted = true;
+        }
+    (side == 0 ? reach.behind : reach.ahead) = std::abs(x - f->x[0]);
+  }
+  return reach;
+}
+
+}  // namespace rollcon
