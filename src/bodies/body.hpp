@@ -114,8 +114,10 @@ class Body {
   std::shared_ptr<const ProfileSlices> slices() const;
   /// Returns a number that changes with each slice and wave.
   std::size_t variations() const;
-  /// Returns the profile, or that of the slice nearest to 0. err_state: there is none.
+  /// Returns the profile that was set last. err_state: there is none.
   std::shared_ptr<const ProfileCurve> profile() const;
+  /// Returns that of the slice nearest to 0, or the profile where there are no slices.
+  std::shared_ptr<const ProfileCurve> nominal_profile() const;
   /// Makes another body of this kind and material, not prepared, with this profile, which has no place yet. err_state:
   /// there is no profile.
   std::shared_ptr<Body> with_profile_alone() const;

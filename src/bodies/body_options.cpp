@@ -26,7 +26,8 @@ const SettingTable<BodyOptions>& body_option_table() {
        "Sections: nodes of the surface once round, or over a period, made even. 0: half as many again for a length "
        "as the section's contact edges have on the average."},
       {"smooth_slices", &BodyOptions::smooth_slices, 0, 1,
-       "Profiles that vary. 0: splines lead through all slices; 1: they come near to each, by two thirds of its distance "
+       "Profiles that vary. 0: splines lead through all slices; 1: they come near to each, by two thirds of its "
+       "distance "
        "from the chord of its neighbours, which smooths measured slices."},
       {"cache_bytes", &BodyOptions::cache_bytes, 0, 1e15,
        "Bytes of responses (to the frames of contacts) that the body keeps: beyond them those not "

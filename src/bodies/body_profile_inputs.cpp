@@ -215,6 +215,12 @@ void Body::require_profile() const {
 std::shared_ptr<const ProfileCurve> Body::profile() const {
   const std::lock_guard lock(mutex_);
   require_profile();
+  return model_->profile.curve;
+}
+
+std::shared_ptr<const ProfileCurve> Body::nominal_profile() const {
+  const std::lock_guard lock(mutex_);
+  require_profile();
   return model_->profile.nominal();
 }
 

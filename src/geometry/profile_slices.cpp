@@ -81,6 +81,33 @@ bool has(const ProfileSlice& slice, std::size_t i) {
   return slice.feature[i] >= 0;
 }
 
+/// Returns fractions of arc length at equal distances, the nearest of which is moved to each place where a curvature
+/// jumps: cubics cannot follow a jump between their ends.
+std::vector<double> columns_for(const std::vector<ProfileSlice>& rows, std::size_t a, std::size_t b,
+                                std::size_t parts) {
+  constexpr double least_turn = 1e-5;
+  std::vector<double> fraction(parts + 1);
+  std::vector<bool> moved(parts + 1, false);
+  const auto count = static_cast<double>(parts);
+  for (std::size_t j = 0; j <= parts; ++j) fraction[j] = static_cast<double>(j) / count;
+  const ProfileCurve* before = nullptr;
+  for (const ProfileSlice& s : rows) {
+    const double from = feature_of(s, a), length = feature_of(s, b) - from;
+    if (s.curve.get() == before || !(length > 0)) continue;
+    before = s.curve.get();
+    for (std::size_t i = 1; i < before->pieces().size(); ++i) {
+      const double place = (before->start(i) - from) / length;
+      const double bend = before->at(i, 0).curvature() - before->at(i - 1, before->pieces()[i - 1].length).curvature();
+      if (!(place > 0 && place < 1) || std::abs(bend) * length / count < least_turn) continue;
+      const auto j = static_cast<std::size_t>(std::lround(place * count));
+      if (j == 0 || j == parts || moved[j]) continue;
+      fraction[j] = place;
+      moved[j] = true;
+    }
+  }
+  return fraction;
+}
+
 }  // namespace
 
 ProfileSlices::ProfileSlices(std::vector<ProfileSlice> slice, std::vector<ProfileWave> wave, bool smooth, double period)
@@ -167,14 +194,15 @@ void ProfileSlices::add_sheet(const std::vector<ProfileSlice>& rows, std::size_t
   constexpr double least = 4;
   const double parts = std::max(least, std::ceil(longest / spacing_));
   sheet.columns = static_cast<std::size_t>(parts) + 1;
+  sheet.fraction = columns_for(rows, a, b, static_cast<std::size_t>(parts));
   sheet.node.resize(sheet.u.size() * sheet.columns);
   const auto node = [&](std::size_t k, std::size_t j) -> Node& { return sheet.node[k * sheet.columns + j]; };
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    const double from = feature_of(rows[k], a), step = (feature_of(rows[k], b) - from) / parts;
+    const double from = feature_of(rows[k], a), length = feature_of(rows[k], b) - from;
     for (std::size_t j = 0; j < sheet.columns; ++j) {
-      const ProfilePoint p = rows[k].curve->at(std::min(from + static_cast<double>(j) * step, rows[k].curve->length()));
+      const ProfilePoint p = rows[k].curve->at(std::min(from + sheet.fraction[j] * length, rows[k].curve->length()));
       node(k, j).x = p.x;
-      node(k, j).v = step * p.tangent();
+      node(k, j).f = length * p.tangent();
     }
   }
   if (smooth_) {
@@ -187,7 +215,7 @@ void ProfileSlices::add_sheet(const std::vector<ProfileSlice>& rows, std::size_t
           return (2.0 / 3) * own + (1.0 / 3) * ((1 - t) * left + t * right);
         };
         node(k, j).x = nearer(node(k, j).x, before.x, after.x);
-        node(k, j).v = nearer(node(k, j).v, before.v, after.v);
+        node(k, j).f = nearer(node(k, j).f, before.f, after.f);
       }
   }
   SplineSlopes slopes(sheet.u);
@@ -195,8 +223,8 @@ void ProfileSlices::add_sheet(const std::vector<ProfileSlice>& rows, std::size_t
     for (std::size_t c = 0; c < 2; ++c) {
       slopes.find([&](std::size_t k) { return node(k, j).x[c]; },
                   [&](std::size_t k, double slope) { node(k, j).u[c] = slope; });
-      slopes.find([&](std::size_t k) { return node(k, j).v[c]; },
-                  [&](std::size_t k, double slope) { node(k, j).uv[c] = slope; });
+      slopes.find([&](std::size_t k) { return node(k, j).f[c]; },
+                  [&](std::size_t k, double slope) { node(k, j).uf[c] = slope; });
     }
   sheet_.push_back(std::move(sheet));
 }
@@ -220,7 +248,8 @@ SlicePoint ProfileSlices::at(std::size_t sheet, double u, double v) const {
   const auto k = static_cast<std::size_t>(after - s.u.begin()) - 1;
   const double width = s.u[k + 1] - s.u[k];
   const auto j = static_cast<std::size_t>(std::clamp(std::floor(v), 0.0, s.last() - 1));
-  const Hermite hu((place - s.u[k]) / width, width), hv(v - static_cast<double>(j), 1);
+  const double column = s.fraction[j + 1] - s.fraction[j];
+  const Hermite hu((place - s.u[k]) / width, width), hv(v - static_cast<double>(j), column);
   SlicePoint p;
   for (std::size_t a = 0; a < 2; ++a)
     for (std::size_t b = 0; b < 2; ++b) {
@@ -228,7 +257,7 @@ SlicePoint ProfileSlices::at(std::size_t sheet, double u, double v) const {
       const std::size_t i = 2 * a, m = 2 * b;
       const auto add = [&](Vec2& to, const std::array<double, 4>& fu, const std::array<double, 4>& fv) {
         const double x = fu[i] * fv[m], du = fu[i + 1] * fv[m], dv = fu[i] * fv[m + 1], duv = fu[i + 1] * fv[m + 1];
-        for (std::size_t c = 0; c < 2; ++c) to[c] += x * n.x[c] + du * n.u[c] + dv * n.v[c] + duv * n.uv[c];
+        for (std::size_t c = 0; c < 2; ++c) to[c] += x * n.x[c] + du * n.u[c] + dv * n.f[c] + duv * n.uf[c];
       };
       add(p.x, hu.f, hv.f);
       add(p.u, hu.d, hv.f);
@@ -237,6 +266,11 @@ SlicePoint ProfileSlices::at(std::size_t sheet, double u, double v) const {
       add(p.uv, hu.d, hv.d);
       add(p.vv, hu.f, hv.dd);
     }
+  for (std::size_t c = 0; c < 2; ++c) {  // by the column instead of the fraction
+    p.v[c] *= column;
+    p.uv[c] *= column;
+    p.vv[c] *= column * column;
+  }
   if (place != u) p.u = p.uu = p.uv = {0, 0};
   for (const ProfileWave& w : wave_) {
     const double rate = 2 * std::numbers::pi / w.length, turn = rate * u + w.phase;

@@ -30,20 +30,22 @@ struct SlicePoint {
 };
 
 /// Between two features that some slices in a row have, the surface is a sheet: each slice's part is divided into
-/// columns at equal fractions of its arc length, and cubic splines in u lead through the slices. Beyond the outermost
-/// slices a profile stays as it is there, unless it is periodic.
+/// columns at common fractions of its arc length, which are equal but where a curvature jumps, and cubic splines in u
+/// lead through the slices. Beyond the outermost slices a profile stays as it is there, unless it is periodic.
 class ProfileSlices {
  public:
   /// Takes slices, and a period of u or 0. smooth: splines only come near to the slices, with a third of each slice's
   /// distance from the chord of its neighbours left out. Throws err_argument.
   ProfileSlices(std::vector<ProfileSlice> slice, std::vector<ProfileWave> wave, bool smooth, double period);
 
+  /// Holds a point and its derivatives by u and by the fraction of arc length.
   struct Node {
-    Vec2 x{}, u{}, v{}, uv{};
+    Vec2 x{}, u{}, f{}, uf{};
   };
   struct Sheet {
     std::vector<double> u;              ///< places of its rows, ascending
-    std::size_t columns = 0;            ///< v runs from 0 to columns - 1
+    std::size_t columns = 0;            ///< v runs from 0 to columns - 1, evenly from one to the next
+    std::vector<double> fraction;       ///< place of each column in the part of each slice, 0 to 1
     std::vector<Node> node;             ///< row by row
     bool begins = false, ends = false;  ///< the profile goes on beyond the first or last row as it is there
     double last() const { return static_cast<double>(columns - 1); }

@@ -62,7 +62,7 @@ std::optional<TouchPoint> ContactSearch::touch(const Pose& wheel, double along) 
                     side_ * p.y, shape_.radius + p.z};
 }
 
-void ContactSearch::find(const Pose& wheel, double along, std::vector<OverlapPatch>& patch, bool planar) {
+void ContactSearch::find(const Pose& wheel, std::vector<OverlapPatch>& patch, bool planar, double along) {
   with_gap(wheel, along, [&](const ProfileGap& gap) {
     find_overlaps(gap, overlap_);
     for (Overlap& o : overlap_) measure(gap, o);

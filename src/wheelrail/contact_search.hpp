@@ -47,12 +47,12 @@ class ContactSearch {
   /// Returns how far the wheel, its body axes in this pose, may sink along z until it touches the rail; negative where
   /// they overlap, infinite where it is not above the rail. Exact to rounding.
   /// along: place of a rail that varies where x is 0.
-  double first_touch(const Pose& wheel, double along) const;
+  double first_touch(const Pose& wheel, double along = 0) const;
   /// Returns the point that touches, the first by y of several or of a line; nullopt where none is above the rail.
-  std::optional<TouchPoint> touch(const Pose& wheel, double along) const;
+  std::optional<TouchPoint> touch(const Pose& wheel, double along = 0) const;
   /// Finds patches in the order of y, overwriting `patch`; planar: each has one normal. Once it has seen as many
   /// patches it allocates nothing.
-  void find(const Pose& wheel, double along, std::vector<OverlapPatch>& patch, bool planar = true);
+  void find(const Pose& wheel, std::vector<OverlapPatch>& patch, bool planar = true, double along = 0);
   /// Returns the inclination of the rail at y (where it ends: there): atan dz/dy.
   double rail_angle(double y) const;
 

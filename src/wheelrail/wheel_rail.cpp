@@ -115,7 +115,7 @@ WheelRail::Slot& WheelRail::slot_for(const OverlapPatch& patch) {
 Status WheelRail::solve_at(double z) {
   z_ = z;
   const WheelMotion motion = motion_at(z);
-  search_->find(motion.pose, motion.along, found_, !in_.options.conformal);
+  search_->find(motion.pose, found_, !in_.options.conformal, motion.along);
   for (const auto& slot : slot_) slot->taken = false;
   active_.clear();
   double deepest = 0;
@@ -206,7 +206,7 @@ double WheelRail::vertical_force() const {
 double WheelRail::first_sink(double touch) {
   const double little = 1e-6 * radius_;
   const WheelMotion motion = motion_at(touch + little);
-  search_->find(motion.pose, motion.along, found_, !in_.options.conformal);
+  search_->find(motion.pose, found_, !in_.options.conformal, motion.along);
   if (found_.empty()) return little;
   const OverlapPatch& patch = *std::max_element(found_.begin(), found_.end(),
                                                 [](const auto& a, const auto& b) { return depth_of(a) < depth_of(b); });

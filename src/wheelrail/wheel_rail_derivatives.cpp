@@ -56,7 +56,7 @@ void WheelRail::differentiate(const Inputs& in, std::size_t entry, double step, 
     side[s].centre = centre_at(side[s].in.position.y, z);
     side[s].along = attitude_of(side[s].in.position).turn({1, 0, 0});
     side[s].rail = rail_pose(side[s].in.deviation);
-    search_->find(side[s].motion.pose, side[s].motion.along, side[s].found);
+    search_->find(side[s].motion.pose, side[s].found, true, side[s].motion.along);
     if (side[s].found.size() != active_.size())
       fail(Status::err_singular, "a patch begins or ends here: the totals have no derivative by entry %d",
            static_cast<int>(entry));
@@ -207,7 +207,7 @@ WheelRail::Derivative WheelRail::derivative(std::int32_t i) {
   const bool springs = solved_->stiffness != std::array<double, 2>{};
   for (std::size_t k = 0; k < (springs ? entries + shifts : entries) && !active_.empty(); ++k) {
     const std::size_t of = k < entries ? k % 6 : 0;
-    if (k == 0 || k == 5) continue;  // rails are straight, wheels round
+    if ((k == 0 && rail_varies_ == 0) || (k == 5 && wheel_varies_ == 0)) continue;
     const double unit = of < 3 ? radius_ : 1;
     const double step = k < 6 || k >= entries ? small * unit : 1e-5 * speed * (of < 3 ? 1 : 1 / radius_);
     if (!by_solves) {

@@ -24,8 +24,8 @@ WheelRail::WheelRail(std::shared_ptr<Context> context, std::shared_ptr<Body> whe
                      std::int32_t side)
     : context_(std::move(context)), given_wheel_(std::move(wheel)), given_rail_(std::move(rail)), side_(side) {
   if (side != -1 && side != 1) fail(Status::err_argument, "side is %d; allowed: -1 (left), 1 (right)", side);
-  given_wheel_->profile();
-  given_rail_->profile();
+  given_wheel_->nominal_profile();
+  given_rail_->nominal_profile();
   for (const auto& [body, name] : {std::pair{&given_wheel_, "wheel"}, {&given_rail_, "rail"}})
     if (!(*body)->relaxation().empty())
       fail(
@@ -55,7 +55,7 @@ void WheelRail::place_by_origin(double y, double z, double cant) {
 }
 
 void WheelRail::set_place(const TrackGauge& track) {
-  rail_shape_ = place_rail(given_rail_->profile(), track);
+  rail_shape_ = place_rail(given_rail_->nominal_profile(), track);
   track_ = track;
   search_.reset();
   solved_.reset();
@@ -68,7 +68,7 @@ void WheelRail::set_wheelset(double back_to_back, double flange_back, double rad
   require_finite(radius, "radius");
   if (!(back_to_back > 0)) fail(Status::err_argument, "back_to_back is %g; allowed: > 0", back_to_back);
   if (!(radius > 0)) fail(Status::err_argument, "radius is %g; allowed: > 0", radius);
-  take_wheel_profile(given_wheel_->profile(), radius, std::nullopt);
+  take_wheel_profile(given_wheel_->nominal_profile(), radius, std::nullopt);
   back_to_back_ = back_to_back;
   flange_back_ = flange_back;
   wheelset_given_ = true;
@@ -99,7 +99,7 @@ void WheelRail::set_tape_circle(double y) {
   require_finite(y, "y");
   if (!wheelset_given_)
     fail(Status::err_state, "the wheelset has no radius yet: call rollcon_wheelrail_set_wheelset first");
-  take_wheel_profile(given_wheel_->profile(), nominal_radius_, y);
+  take_wheel_profile(given_wheel_->nominal_profile(), nominal_radius_, y);
 }
 
 void WheelRail::set_flexibility(const double* displacement, const double* rate) {
@@ -198,7 +198,7 @@ void WheelRail::set_int(const char* name, std::int64_t value) {
 
 void WheelRail::follow_bodies() {
   const bool same_bodies = !wheel_ || (given_wheel_->same_elastic(*wheel_) && given_rail_->same_elastic(*rail_));
-  auto wheel = given_wheel_->profile(), rail = given_rail_->profile();
+  auto wheel = given_wheel_->nominal_profile(), rail = given_rail_->nominal_profile();
   const std::size_t wheel_varies = given_wheel_->variations(), rail_varies = given_rail_->variations();
   if (same_bodies && wheel == wheel_curve_ && rail == rail_shape_.curve && wheel_varies == wheel_varies_ &&
       rail_varies == rail_varies_)

@@ -81,13 +81,13 @@ double WheelRail::along_profile(double y) const {
 std::optional<double> WheelRail::sink_for_map(double y, double wheel_y, double depth) {
   constexpr int most = 12;
   map_in_.position.y = y;
-  const double touch = search_->first_touch(motion_at(0, map_in_).pose, 0);
+  const double touch = search_->first_touch(motion_at(0, map_in_).pose);
   if (!std::isfinite(touch)) return std::nullopt;
   double z = touch + depth;
   const auto far = [&](const OverlapPatch& p) { return std::abs(p.wheel_y - wheel_y); };
   for (int i = 0; i < most; ++i) {
     map_motion_ = motion_at(z, map_in_);
-    search_->find(map_motion_.pose, 0, map_found_);
+    search_->find(map_motion_.pose, map_found_);
     if (map_found_.empty()) return std::nullopt;
     map_patch_ = *std::min_element(map_found_.begin(), map_found_.end(),
                                    [&](const auto& a, const auto& b) { return far(a) < far(b); });

@@ -154,7 +154,7 @@ std::array<double, 2> WheelRail::profile_point(std::int32_t body, double share) 
   require_solved();
   require_finite(share, "share");
   if (body != 1 && body != 2) fail(Status::err_argument, "which is %d; allowed: 1 (wheel), 2 (rail)", body);
-  const ProfileCurve& curve = *(body == 1 ? given_wheel_ : given_rail_)->profile();
+  const ProfileCurve& curve = *(body == 1 ? given_wheel_ : given_rail_)->nominal_profile();
   if (!(share >= 0 && share <= 1)) fail(Status::err_argument, "share is %g; allowed: 0 to 1", share);
   const Vec2 at = curve.at(share * curve.length()).x;
   const RailShape& r = rail_shape_;

@@ -1,0 +1,282 @@
+/// Tests rails and wheels whose profiles vary: beside those that do not, turned and shifted ones, Hertz's contacts,
+/// searches by brute force, and states.
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "framing/hertz.hpp"
+#include "geometry/profile_shapes.hpp"
+#include "geometry/sliced_surface.hpp"
+#include "support/first_seed.hpp"
+#include "wheel_rail_fixture.hpp"
+#include "wheelrail/rail_place.hpp"
+
+namespace rollcon {
+namespace {
+
+using Six = std::array<double, 6>;
+
+class varying : public wheels {
+ protected:
+  static constexpr double load = 50000;
+
+  /// Makes a half-space with a profile of S1002 or 60E1, its z shifted, at each place.
+  std::shared_ptr<Body> sliced(const char* shape, const std::vector<double>& place,
+                               const std::vector<double>& depth = {}) const {
+    auto body = std::make_shared<Body>(context, static_cast<std::int32_t>(BodyKind::halfspace));
+    body->set_elastic(0, 2 * 82000 * 1.28, 0.28);
+    const double unit = 1;
+    for (std::size_t i = 0; i < place.size(); ++i) {
+      body->set_profile_shape(shape, 1, &unit);
+      if (!depth.empty()) {
+        std::vector<double> point;
+        for (const Vec2& x : body->profile()->points()) point.insert(point.end(), {x[0], x[1] + depth[i]});
+        body->set_profile(static_cast<std::int64_t>(point.size() / 2), point.data(), 0);
+      }
+      body->add_slice(place[i], 0, nullptr);
+    }
+    return body;
+  }
+  std::unique_ptr<WheelRail> make(std::shared_ptr<Body> on_wheel, std::shared_ptr<Body> on_rail,
+                                  std::int32_t side = 1) const {
+    auto w = std::make_unique<WheelRail>(context, std::move(on_wheel), std::move(on_rail), side);
+    // The gauge would count at the slice nearest to 0, which is not the same everywhere.
+    const double cant = std::atan(1.0 / 40);
+    const RailShape place = place_rail(rail->profile(), {1435, 14, cant});
+    w->place_by_origin(place.origin[1], place.origin[2], cant);
+    w->set_wheelset(1360, -70, 460);
+    w->set_friction(mu);
+    w->set_real("accuracy", 0.02);
+    w->prescribe_vertical(2, load);
+    const double velocity[6] = {2000, 0, 0, 0, 0, -4.3459};
+    w->set_velocity(velocity);
+    return w;
+  }
+  static void place(WheelRail& w, double x, double y, double yaw, double pitch) {
+    const double position[6] = {x, y, 0, 0, yaw, pitch};
+    w.set_position(position);
+  }
+  static std::vector<double> results(WheelRail& w) {
+    const Status status = w.solve();
+    EXPECT_TRUE(status == Status::ok || status == Status::rim_contact) << static_cast<int>(status);
+    std::vector<double> r(6);
+    w.resultant(false, r.data(), r.data() + 3);
+    for (std::size_t i = 3; i < 6; ++i) r[i] /= 460;
+    r.push_back(load * w.stat("z"));
+    return r;
+  }
+  static double apart(const std::vector<double>& a, const std::vector<double>& b) {
+    double off = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) off = std::max(off, std::abs(a[i] - b[i]) / load);
+    return off;
+  }
+};
+
+const std::vector<double> along{-60, -25, 10, 40, 90}, round{-3, -1.5, 0, 0.4, 1.2, 2.5};
+
+TEST_F(varying, equal_slices_answer_as_one_profile) {
+  double off = 0;
+  const auto plain = make(wheel, rail), on_rail = make(wheel, sliced("60e1", along)),
+             on_wheel = make(sliced("s1002", round), rail), both = make(sliced("s1002", round), sliced("60e1", along));
+  for (const double y : {-2.0, 1.0, 4.5, 6.5})
+    for (const double yaw : {0.0, 0.01}) {
+      std::vector<double> expected;
+      for (WheelRail* w : {plain.get(), on_rail.get(), on_wheel.get(), both.get()}) {
+        place(*w, 13, y, yaw, 0.7);
+        const auto found = results(*w);
+        if (expected.empty()) expected = found;
+        off = std::max(off, apart(found, expected));
+      }
+    }
+  expect_error("equal slices beside one profile, of the load", off, 1e-6);
+}
+
+TEST_F(varying, shifted_rails_and_turned_wheels_are_the_same_scene) {
+  const double shift = 123.4, turn = 0.5;
+  std::vector<double> later = along, behind = round;
+  for (double& u : later) u += shift;
+  for (double& u : behind) u -= turn;
+  const std::vector<double> deep{0, 0.02, 0.3, 0.1, -0.1}, out{0, 0.05, -0.2, 0.1, 0, 0.1};
+  const auto a = make(sliced("s1002", round, out), sliced("60e1", along, deep)),
+             b = make(sliced("s1002", behind, out), sliced("60e1", later, deep));
+  double off = 0, moved = 0;
+  for (const double x : {-10.0, 5.0, 33.0}) {
+    place(*a, x, 1, 0.005, 0.2);
+    place(*b, x + shift, 1, 0.005, 0.2 + turn);
+    const auto here = results(*a);
+    off = std::max(off, apart(here, results(*b)));
+    place(*a, x + 5, 1, 0.005, 0.2);
+    moved = std::max(moved, apart(here, results(*a)));
+  }
+  expect_error("shifted and turned, of the load, met to 1e-6", off, 2e-6);
+  EXPECT_GT(moved, 1e-3) << "the slices do not show";
+}
+
+TEST_F(varying, a_left_wheel_is_the_mirror_of_a_right_one) {
+  const std::vector<double> deep{0, 0.02, 0.3, 0.1, -0.1};
+  const auto right = make(wheel, sliced("60e1", along, deep)), left = make(wheel, sliced("60e1", along, deep), -1);
+  place(*right, 20, 1.5, 0.004, 0);
+  place(*left, 20, -1.5, -0.004, 0);
+  const auto a = results(*right);
+  auto b = results(*left);
+  for (const std::size_t i : {1, 3, 5}) b[i] = -b[i];
+  expect_error("mirrored, of the load", apart(a, b), 1e-9);
+}
+
+// A round wheel on a wave's crest is a contact of crossed cylinders whose curvatures add up.
+TEST_F(varying, waves_have_hertzian_contacts_on_their_crests) {
+  const double radius = 460, across = 300, amplitude = 0.05, length = 60, k = 2 * std::numbers::pi / length;
+  const double half = 0.1, line[2] = {20, 0};
+  const double shape[5] = {-across * std::sin(half), across * (1 - std::cos(half)), -half, 2 * across * half,
+                           1 / across};
+  for (const bool of_wheel : {false, true}) {
+    auto round_wheel = std::make_shared<Body>(context, static_cast<std::int32_t>(BodyKind::halfspace)),
+         flat_rail = std::make_shared<Body>(context, static_cast<std::int32_t>(BodyKind::halfspace));
+    for (auto* body : {round_wheel.get(), flat_rail.get()}) body->set_elastic(0, 2.1e5, 0.3);
+    round_wheel->set_profile_shape("line", 2, line);
+    flat_rail->set_profile_shape("arcs", 5, shape);
+    double curvature = 1 / radius;
+    if (of_wheel) {
+      const double order = 40;
+      round_wheel->add_wave(amplitude / 10, 2 * std::numbers::pi / order, std::numbers::pi / 2);
+      const double r = radius + amplitude / 10;
+      curvature = 1 / r + amplitude / 10 * order * order / (r * r);
+    } else {
+      flat_rail->add_wave(-amplitude, length, std::numbers::pi / 2);
+      curvature += amplitude * k * k;
+    }
+    WheelRail w(context, round_wheel, flat_rail, 1);
+    w.place_by_origin(750, 0, 0);
+    w.set_wheelset(1360, -70, radius);
+    w.set_friction(0.3);
+    w.set_real("accuracy", 0.005);
+    w.prescribe_vertical(2, 10000);
+    const double velocity[6] = {2000, 0, 0, 0, 0, -2000 / radius}, position[6] = {0, 0, 0, 0, 0, 0};
+    w.set_velocity(velocity);
+    w.set_position(position);
+    ASSERT_EQ(w.solve(), Status::ok);
+    const HertzContact hertz = hertz_by_load({curvature / 2, 1 / (2 * across), 0}, 2.1e5 / (2 * (1 - 0.09)), 10000);
+    const std::string which = of_wheel ? "polygon: " : "corrugation: ";
+    expect_error(which + "largest pressure beside Hertz's", w.patch_stat(0, "max_pressure") / hertz.pressure - 1, 0.01);
+    const double top = of_wheel ? -amplitude / 10 : -amplitude;
+    expect_error(which + "approach beside Hertz's", (w.stat("z") - top) / hertz.approach - 1, 0.01);
+  }
+}
+
+/// Draws rails with humps and wheels with hollows, and compares first touch with the least gap of a fine grid.
+void search_beside_brute_force(int count, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  const auto between = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
+  double worst = 0, missed = 0;
+  for (int draw = 0; draw < count; ++draw) {
+    const double step = between(10, 40), tilt = between(-0.08, 0.08), crown = between(30, 400);
+    std::vector<ProfileSlice> slice;
+    for (int i = -6; i <= 6; ++i) {
+      const double u = i * step, r = crown * between(0.95, 1.05), y = between(-0.3, 0.3);
+      const double z = tilt * u + between(-1, 1) * step * step / 4000;
+      const std::vector<double> arc{y - r * std::sin(0.5), z + r * (1 - std::cos(0.5)), -0.5, r, 1 / r};
+      slice.push_back({u, std::make_shared<const ProfileCurve>(profile_of_shape("arcs", arc)), {}});
+    }
+    const auto slices = std::make_shared<const ProfileSlices>(slice, std::vector<ProfileWave>{}, false, 0);
+    const double half[2] = {25, between(-0.1, 0.1)};
+    const auto line = std::make_shared<const ProfileCurve>(profile_of_shape("line", half));
+    const ContactSearch search({line, {0, 0, -460}, {0, 1, 0}, 460},
+                               {slices->slices()[6].curve, {}, {1, 0, 0}, {0, 0, 1}, slices});
+    const double yaw = between(-0.02, 0.02), place = between(-2, 2) * step;
+    Pose pose;
+    pose.rotation = {{{std::cos(yaw), -std::sin(yaw), 0}, {std::sin(yaw), std::cos(yaw), 0}, {0, 0, 1}}};
+    pose.translation = {0, between(-4, 4), -20};
+    const double found = search.first_touch(pose, place);
+    const SlicedSurface surface(slices, {false, {-place, 0, 0}, {1, 0, 0}, {0, 0, 1}, 0});
+    SurfaceHint hint;
+    double least = INFINITY;
+    for (double y = -25; y <= 25; y += 0.5)
+      for (double angle = -0.2; angle <= 0.2; angle += 0.004) {
+        const double r = 460 + half[1] * y;
+        const Vec3 x = pose.place({r * std::sin(angle), y, r * std::cos(angle) - 460});
+        if (const auto gap = surface.distance_near(x, {0, 0, 1}, {0, 0, 0}, hint)) least = std::min(least, *gap);
+      }
+    // The grid is above the least gap by less than its spacing squared over the radii.
+    worst = std::max(worst, std::abs(found - least));
+    missed = std::max(missed, found - least);
+  }
+  std::printf("%d draws, greatest difference %.2g\n", count, worst);
+  expect_error("gap that the search missed", missed, 1e-3);
+  expect_error("gap beside the grid", worst, 0.02);
+}
+
+TEST_F(varying, first_touch_is_the_least_gap) {
+  search_beside_brute_force(60, 2 + extremes::first_seed());
+}
+TEST(varying_nightly, first_touch_is_the_least_gap) {
+  search_beside_brute_force(10000, 3 + extremes::first_seed());
+}
+
+TEST_F(varying, states_come_back_in_mid_passage) {
+  const std::vector<double> deep{0, 0.02, 0.3, 0.1, -0.1};
+  const auto w = make(wheel, sliced("60e1", along, deep));
+  place(*w, 0, 1, 0.002, 0);
+  results(*w);
+  w->snapshot(0);
+  const auto copy = w->copy();
+  std::vector<double> first, again, other;
+  const auto pass = [](WheelRail& on, std::vector<double>& all) {
+    for (double x = 5; x < 40; x += 7) {
+      place(on, x, 1, 0.002, 0);
+      const auto r = results(on);
+      all.insert(all.end(), r.begin(), r.end());
+    }
+  };
+  pass(*w, first);
+  w->rollback(0);
+  pass(*w, again);
+  pass(*copy, other);
+  EXPECT_EQ(first, again);
+  EXPECT_EQ(first, other);
+}
+
+TEST_F(varying, derivatives_by_place_and_turn_are_those_of_the_solves) {
+  const std::vector<double> deep{0, 0.02, 0.3, 0.1, -0.1}, out{0, 0.05, -0.2, 0.1, 0, 0.1};
+  const auto w = make(sliced("s1002", round, out), sliced("60e1", along, deep));
+  w->prescribe_vertical(1, 0);
+  w->set_real("accuracy", 0.01);
+  const auto solve = [&](double x, double pitch, double z) {
+    const double position[6] = {x, 1, z, 0, 0.002, pitch};
+    w->set_position(position);
+    EXPECT_EQ(w->solve(), Status::ok);
+    std::vector<double> f(3);
+    w->resultant(false, f.data(), nullptr);
+    return f;
+  };
+  place(*w, 20, 1, 0.002, 0.1);
+  const auto by_force = make(sliced("s1002", round, out), sliced("60e1", along, deep));
+  place(*by_force, 20, 1, 0.002, 0.1);
+  results(*by_force);
+  const double z = by_force->stat("z");
+  for (const int entry : {0, 5}) {
+    const double step = entry == 0 ? 0.05 : 1e-4, dx = entry == 0 ? step : 0, dp = entry == 5 ? step : 0;
+    const auto before = solve(20 - dx, 0.1 - dp, z), behind = solve(20 + dx, 0.1 + dp, z);
+    solve(20, 0.1, z);
+    const Vec3 rate = w->derivative(entry).force;
+    double off = 0, size = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double by_solves = (behind[i] - before[i]) / (2 * step);
+      off = std::max(off, std::abs(rate[i] - by_solves));
+      size = std::max(size, std::abs(by_solves));
+    }
+    expect_error(entry == 0 ? "derivative by x" : "derivative by pitch", off / size, 1e-3);
+  }
+}
+
+TEST_F(varying, tables_and_conformal_patches_refuse) {
+  const auto w = make(wheel, sliced("60e1", along));
+  place(*w, 0, 1, 0, 0);
+  w->set_int("conformal", 1);
+  refused([&] { w->solve(); }, Status::err_unsupported, {"rail", "varies", "conformal"});
+  w->set_int("conformal", 0);
+  EXPECT_EQ(w->solve(), Status::ok);
+}
+
+}  // namespace
+}  // namespace rollcon
