@@ -20,6 +20,17 @@ std::vector<double> near(World& w, std::vector<double> values, double by) {
   return values;
 }
 
+/// Makes the profile vary, seldom.
+void vary(World& w, rollcon_body* body, double spacing) {
+  if (!w.in.one_in(4)) return;
+  for (int i = w.in.below(5); i > 0; --i) {
+    const std::vector<double> v = near(w, {(i - 2) * spacing, 0, 60, 999}, 0.2);
+    FUZZ_CALL(w, rollcon_body_add_slice, body, v[0], w.in.one_in(3) ? 3 : 0, maybe_null(w.in, {v[1], v[2], v[3]}));
+  }
+  const std::vector<double> wave = near(w, {0.02, 6.283185307179586 / 20, 0}, 1e-3);
+  if (w.in.one_in(3)) FUZZ_CALL(w, rollcon_body_add_wave, body, wave[0], wave[1], wave[2]);
+}
+
 void create(World& w) {
   if (w.wheelrails.size() >= 3) return;
   rollcon_context* c = w.context();
@@ -33,6 +44,7 @@ void create(World& w) {
       w.add(*both[i], c);
       rollcon_body_set_elastic(*both[i], 0, 2.1e5, 0.28);
       rollcon_body_set_profile_shape(*both[i], i ? "60e1" : "s1002", 1, &unit);
+      vary(w, *both[i], i ? 30 : 1);
     }
   }
   rollcon_wheelrail* made = nullptr;
