@@ -25,7 +25,8 @@ void vary(World& w, rollcon_body* body, double spacing) {
   if (!w.in.one_in(4)) return;
   for (int i = w.in.below(5); i > 0; --i) {
     const std::vector<double> v = near(w, {(i - 2) * spacing, 0, 60, 999}, 0.2);
-    FUZZ_CALL(w, rollcon_body_add_slice, body, v[0], w.in.one_in(3) ? 3 : 0, maybe_null(w.in, {v[1], v[2], v[3]}));
+    const std::vector<double> feature(v.begin() + 1, v.end());
+    FUZZ_CALL(w, rollcon_body_add_slice, body, v[0], w.in.one_in(3) ? 3 : 0, maybe_null(w.in, feature));
   }
   const std::vector<double> wave = near(w, {0.02, 6.283185307179586 / 20, 0}, 1e-3);
   if (w.in.one_in(3)) FUZZ_CALL(w, rollcon_body_add_wave, body, wave[0], wave[1], wave[2]);
