@@ -151,6 +151,14 @@ void Body::read_slices(const char* path, double millimetre, double unit, std::in
   for (const auto& [amplitude, length, phase] : file.wave)
     fresh.wave.push_back({millimetre * amplitude, along * length, phase});
   fresh.curve = fresh.nominal();
+  for (std::size_t i = 1; i < fresh.slice.size(); ++i) {
+    const ProfileSlice &before = fresh.slice[i - 1], &slice = fresh.slice[i];
+    constexpr double most = 1.2;
+    const double ratio = slice.curve->length() / before.curve->length();
+    if (slice.feature.empty() && (ratio > most || ratio < 1 / most))
+      told += path + (": the slices at " + std::to_string(before.u) + " and " + std::to_string(slice.u)) +
+              " differ in length by more than a fifth and have no features: points at equal fractions are joined; ";
+  }
   // What no surface can be made of is refused here.
   ProfileSlices(fresh.slice, fresh.wave, file.smooth, file.round ? 2 * std::numbers::pi : 0);
   {

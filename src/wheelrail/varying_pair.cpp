@@ -126,8 +126,11 @@ std::optional<LocusPoint> VaryingPair::nearest(const WheelLocus& locus, const Vi
   if (!f) return std::nullopt;
   const auto h = rail(f->x[0], f->x[1]);
   if (!h || !(f->y[1] > 0)) return std::nullopt;
-  const double turn = -f->lean_y() / f->lean_t();
-  return LocusPoint{f->x, h->y - f->gap_y / f->y[1], p.dy * (f->y[1] + turn * f->t[1])};
+  // Where the least gap jumps from one place along x to another, y goes on as if it did not.
+  const double forward = f->y[1] - f->lean_y() / f->lean_t() * f->t[1];
+  constexpr double least_forward = 1e-3;
+  const bool goes = std::isfinite(forward) && std::abs(forward) > least_forward;
+  return LocusPoint{f->x, h->y - f->gap_y / f->y[1], p.dy * (goes ? forward : 1)};
 }
 
 double VaryingPair::curvature_along(const WheelLocus& locus, const VisiblePoint& p) const {
