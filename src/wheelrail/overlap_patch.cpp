@@ -144,6 +144,8 @@ OverlapPatch patch_of(const ProfileGap& gap, const Overlap* first, const Overlap
   for (const Overlap* o = first; o <= last; ++o)
     if (o->deepest.depth() >= share * deepest)
       patch.overlap = std::max(patch.overlap, greatest_depth_along(gap, *o, patch.angle));
+  // Where the rail ends beside the overlap there is none along the normal.
+  if (!(patch.overlap > 0)) patch.overlap = deepest;
   describe_moments(first, last, patch);
   return patch;
 }
