@@ -2217,18 +2217,19 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_write(const rollcon_cont
  * lesser y, and z down (like "s1002"); that of the rail is upright, with its gauge side at lesser
  * y and z down. Both are the same on both sides of the track: what is on the left is the mirror
  * image. Where the profiles lie in their bodies (rollcon_body_extrude_profile,
- * rollcon_body_revolve_profile) does not matter, and the bodies stay free for other uses. A
- * profile or elastic constants that the bodies are given later count from the next solve. At
- * least one body must be elastic. The standard is rails without deviation, height prescribed by
- * motion, accuracy 0.01; everything else must be set before a solve.
- *   wheel      a half-space or rigid, with a profile (else ROLLCON_ERR_STATE)
- *   rail       a half-space or rigid, with a profile (else ROLLCON_ERR_STATE); may be of another
- *              context
+ * rollcon_body_revolve_profile) does not matter, and the bodies stay free for other uses.
+ * Sections are prepared, and their contact edges are the profile (docs/wheelrail.md). A profile
+ * or elastic constants that the bodies are given later count from the next solve. At least one
+ * body must be elastic. The standard is rails without deviation, height prescribed by motion,
+ * accuracy 0.01; everything else must be set before a solve.
+ *   wheel      a half-space or rigid, with a profile (else ROLLCON_ERR_STATE), or a section
+ *   rail       a half-space or rigid, with a profile (else ROLLCON_ERR_STATE), or a section; may
+ *              be of another context
  *   side       ROLLCON_LEFT or ROLLCON_RIGHT
  *   wheelrail  new handle
  * Ownership: The caller owns the new handle: release it. It keeps bodies and context alive.
  *   *wheelrail is NULL after a failure.
- * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY, ROLLCON_ERR_MESH, ROLLCON_ERR_SINGULAR.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_create(rollcon_context *context,
     rollcon_body *wheel, rollcon_body *rail, int32_t side, rollcon_wheelrail **wheelrail);

@@ -14,6 +14,7 @@
 
 #include "bodies/body_model.hpp"
 #include "bodies/model/body_group.hpp"
+#include "bodies/model/section_profile.hpp"
 #include "geometry/profile_fit.hpp"
 #include "support/context.hpp"
 
@@ -114,12 +115,15 @@ class Body {
   std::shared_ptr<const ProfileSlices> slices() const;
   /// Returns a number that changes with each slice and wave.
   std::size_t variations() const;
-  /// Returns the profile that was set last. err_state: there is none.
+  /// Returns the profile that was set last; that of a section is the line of its contact edges (section_profile).
+  /// err_state: there is none.
   std::shared_ptr<const ProfileCurve> profile() const;
   /// Returns that of the slice nearest to 0, or the profile where there are no slices.
   std::shared_ptr<const ProfileCurve> nominal_profile() const;
-  /// Makes another body of this kind and material, not prepared, with this profile, which has no place yet. err_state:
-  /// there is no profile.
+  /// Returns that of a prepared section. Errors are those of profile_of().
+  std::shared_ptr<const SectionProfile> section_profile() const;
+  /// Makes another body of this kind and material (a half-space for a section), not prepared, with this profile, which
+  /// has no place yet. err_state: there is no profile.
   std::shared_ptr<Body> with_profile_alone() const;
   /// Makes a half-space of these constants with this profile instead.
   std::shared_ptr<Body> with_profile_alone(double young, double poisson) const;
@@ -224,6 +228,7 @@ class Body {
   BodyOptions options_;
   std::vector<BodyGroup> group_;      ///< groups of the file that the mesh came from
   std::vector<std::int64_t> number_;  ///< numbers of the nodes in that file; empty: they count from 1
+  mutable std::shared_ptr<const SectionProfile> boundary_;  ///< null until it is asked for
 };
 
 }  // namespace rollcon

@@ -221,12 +221,17 @@ void Body::require_profile() const {
 }
 
 std::shared_ptr<const ProfileCurve> Body::profile() const {
+  if (traits_.section && prepared()) {
+    const auto boundary = section_profile();
+    return {boundary, &boundary->curve};
+  }
   const std::lock_guard lock(mutex_);
   require_profile();
   return model_->profile.curve;
 }
 
 std::shared_ptr<const ProfileCurve> Body::nominal_profile() const {
+  if (traits_.section) return profile();
   const std::lock_guard lock(mutex_);
   require_profile();
   return model_->profile.nominal();
@@ -286,7 +291,14 @@ std::size_t Body::variations() const {
   return 2 * (p.slice.size() + p.wave.size()) + (options_.smooth_slices != 0 ? 1 : 0);
 }
 
+std::shared_ptr<const SectionProfile> Body::section_profile() const {
+  const std::lock_guard lock(mutex_);
+  if (!boundary_) boundary_ = std::make_shared<const SectionProfile>(profile_of(given().section));
+  return boundary_;
+}
+
 std::shared_ptr<Body> Body::with_profile_alone() const {
+  if (traits_.section) return with_profile_alone(young(), poisson());
   auto body = std::make_shared<Body>(context_, static_cast<std::int32_t>(traits_.kind));
   const std::lock_guard lock(mutex_);
   require_profile();

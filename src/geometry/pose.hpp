@@ -30,4 +30,12 @@ inline Pose relative(const Pose& a, const Pose& b) {
   return pose;
 }
 
+/// Returns the pose of what has pose b in a body of pose a.
+inline Pose composed(const Pose& a, const Pose& b) {
+  Pose pose;
+  for (std::size_t i = 0; i < 3; ++i) pose.rotation[i] = b.turn_back(a.rotation[i]);
+  pose.translation = a.place(b.translation);
+  return pose;
+}
+
 }  // namespace rollcon

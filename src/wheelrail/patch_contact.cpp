@@ -8,6 +8,7 @@
 
 #include "bodies/pair.hpp"
 #include "contact/solver.hpp"
+#include "framing/automatic_frames.hpp"
 #include "framing/makers.hpp"
 #include "framing/strips/strip_results.hpp"
 #include "support/index.hpp"
@@ -45,11 +46,16 @@ void set_velocity(Scene& scene, std::int32_t which, const Axes& axes, const Velo
 
 }  // namespace
 
-PatchContact::PatchContact(std::shared_ptr<Context> context, std::shared_ptr<Body> wheel, std::shared_ptr<Body> rail)
+PatchContact::PatchContact(std::shared_ptr<Context> context, std::shared_ptr<Body> wheel, std::shared_ptr<Body> rail,
+                           const WholeBodies* whole)
     : wheel_(std::move(wheel)),
       rail_(std::move(rail)),
-      contact_(std::make_shared<Contact>(std::move(context), wheel_, rail_)),
-      strips_(std::make_unique<StripFrames>()) {}
+      contact_(std::make_shared<Contact>(context, wheel_, rail_)),
+      strips_(std::make_unique<StripFrames>()) {
+  if (!whole) return;
+  whole_ = std::make_shared<Contact>(std::move(context), whole->body[0], whole->body[1], nullptr, make_frame_maker);
+  whole_place_ = whole->place;
+}
 
 PatchContact::PatchContact(PatchContact&& other) noexcept = default;
 PatchContact::~PatchContact() = default;
@@ -62,7 +68,7 @@ Status PatchContact::solve(const OverlapPatch& patch, const WheelMotion& motion,
   now_.motion = motion;
   lay_axes();
   take_creepages();
-  now_.by_table = now_.hertzian = false;
+  now_.by_table = now_.hertzian = now_.whole = false;
   now_.give_way = give_way;
   bool known = false;
   if (friction.trust > 0 && friction.hertzian) {
@@ -87,6 +93,25 @@ Status PatchContact::solve(const OverlapPatch& patch, const WheelMotion& motion,
   now_.force = friction.trust * force + (1 - friction.trust) * now_.force;
   now_.moment = friction.trust * moment + (1 - friction.trust) * now_.moment;
   now_.by_table = true;
+  return now_.status;
+}
+
+Status PatchContact::solve_whole(double normal) {
+  now_.solves = ++solves_;
+  now_.normal = normal;
+  now_.on_strips = shown_ = false;
+  now_.whole = true;
+  whole_->reset();
+  place_bodies(whole_->scene, whole_place_);
+  give_friction(whole_->scene);
+  whole_->scene.prescribe(static_cast<std::int32_t>(Direction::normal), static_cast<std::int32_t>(How::by_force),
+                          normal);
+  now_.status = whole_->solve();
+  if (now_.status == Status::cancelled) return now_.status;
+  Vec3 force, moment;
+  whole_->resultant(InAxes::local, force.data(), moment.data());
+  whole_->motion(&now_.farther, nullptr);
+  take_results(force, moment);
   return now_.status;
 }
 
@@ -150,7 +175,7 @@ Status PatchContact::show() const {
 
 const std::shared_ptr<Contact>& PatchContact::contact() const {
   show();
-  return contact_;
+  return now_.whole ? whole_ : contact_;
 }
 
 // Takes results from the table for pressures that were solved for; returns false where it does not have this patch.
@@ -199,13 +224,13 @@ double PatchContact::modulus() const {
 
 double PatchContact::max_pressure() const {
   if (now_.hertzian) return now_.hertzian_pressure;
-  if (!now_.on_strips) return contact_->stat("max_pressure");
+  if (!now_.on_strips) return solved().stat("max_pressure");
   return now_.status == Status::no_contact ? 0 : strips::largest_pressure(strips_->solution().strips).pressure;
 }
 
 double PatchContact::area() const {
   if (now_.hertzian) return now_.hertzian_area;
-  if (!now_.on_strips) return contact_->stat("contact_area");
+  if (!now_.on_strips) return solved().stat("contact_area");
   return now_.status == Status::no_contact ? 0 : strips::area(strips_->solution().strips);
 }
 
@@ -220,16 +245,17 @@ double PatchContact::friction_power() const {
 // Resets the patch so that nothing of it depends on what was solved before.
 void PatchContact::reset() {
   now_.solves = ++solves_;
-  now_.on_strips = shown_ = false;
+  now_.on_strips = shown_ = now_.whole = false;
   strips_->forget();
   contact_->reset();
+  if (whole_) whole_->reset();
 }
 
 void PatchContact::keep(Kept& kept) const {
   kept.state = now_;
   kept.state.owner = this;
   if (now_.on_strips) kept.strips = strips_->solution();
-  if (!now_.on_strips || by_law()) kept.solution = contact_->solver->solution();
+  if (!now_.whole && (!now_.on_strips || by_law())) kept.solution = contact_->solver->solution();
 }
 
 void PatchContact::return_to(const Kept& kept) {
@@ -237,6 +263,10 @@ void PatchContact::return_to(const Kept& kept) {
   now_ = kept.state;
   now_.solves = ++solves_;
   shown_ = false;
+  if (now_.whole) {
+    solve_whole(now_.normal);
+    return;
+  }
   if (now_.on_strips) {
     stand(now_.motion);
     prescribe(now_.give_way, now_.friction);
@@ -280,7 +310,12 @@ void PatchContact::prescribe(double give_way, const PatchFriction& friction) {
   now_.friction.table = nullptr;  // the contact alone is solved here
   contact_->scene.prescribe(static_cast<std::int32_t>(Direction::normal), static_cast<std::int32_t>(How::by_motion),
                             -give_way);
-  contact_->scene.take_friction(friction.law ? *friction.law : without_friction(), friction.mu);
+  give_friction(contact_->scene);
+}
+
+void PatchContact::give_friction(Scene& scene) const {
+  const PatchFriction& friction = now_.friction;
+  scene.take_friction(friction.law ? *friction.law : without_friction(), friction.mu);
   const std::size_t n = friction.points;
   std::array<double, 2 * PatchFriction::most> point{};
   const bool along = dot(now_.axes.t2, now_.patch.lateral) > 0;
@@ -290,7 +325,7 @@ void PatchContact::prescribe(double give_way, const PatchFriction& friction) {
     point[2 * i] = (along ? 1 : -1) * (friction.lateral[from] - middle);
     point[2 * i + 1] = friction.at[from];
   }
-  contact_->scene.set_friction_across(static_cast<std::int64_t>(n), point.data());
+  scene.set_friction_across(static_cast<std::int64_t>(n), point.data());
 }
 
 // Lays the axes, which are the contact's space: they never change there, and what belongs to the frame stays.
@@ -311,9 +346,13 @@ Axes PatchContact::axes_of(const OverlapPatch& patch) const {
 void PatchContact::stand(const WheelMotion& motion) {
   now_.motion = motion;
   lay_axes();
-  Scene& scene = contact_->scene;
-  set_pose(scene, 1, now_.axes, motion.pose);
-  set_pose(scene, 2, now_.axes, {.translation = {-motion.along, 0, 0}});
+  place_bodies(contact_->scene, {});
+}
+
+void PatchContact::place_bodies(Scene& scene, const std::array<Pose, 2>& place) const {
+  const WheelMotion& motion = now_.motion;
+  set_pose(scene, 1, now_.axes, composed(motion.pose, place[0]));
+  set_pose(scene, 2, now_.axes, composed({.translation = {-motion.along, 0, 0}}, place[1]));
   set_velocity(scene, 0, now_.axes, {{motion.speed, 0, 0}, {0, 0, 0}, {0, 0, 0}});
   set_velocity(scene, 1, now_.axes, motion.velocity);
   set_velocity(scene, 2, now_.axes, motion.rail);

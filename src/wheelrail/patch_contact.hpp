@@ -57,10 +57,17 @@ struct PatchFriction {
   bool hertzian = false;
 };
 
+/// Holds the bodies that take the place of a wheel and a rail as half-spaces, and their poses in the axes of these.
+struct WholeBodies {
+  std::array<std::shared_ptr<Body>, 2> body;
+  std::array<Pose, 2> place{};
+};
+
 class PatchContact {
  public:
-  /// Takes the wheel and the rail as bodies with their profiles in place.
-  PatchContact(std::shared_ptr<Context> context, std::shared_ptr<Body> wheel, std::shared_ptr<Body> rail);
+  /// Takes the wheel and the rail as bodies with their profiles in place. whole: see solve_whole(); null: they are all.
+  PatchContact(std::shared_ptr<Context> context, std::shared_ptr<Body> wheel, std::shared_ptr<Body> rail,
+               const WholeBodies* whole = nullptr);
   PatchContact(PatchContact&& other) noexcept;
   ~PatchContact();
 
@@ -68,6 +75,11 @@ class PatchContact {
   /// patch was solved before, which does not show in the results. What a table does not have is solved in full.
   Status solve(const OverlapPatch& patch, const WheelMotion& motion, const PatchFriction& friction,
                const Fineness& fineness, double give_way);
+  /// Solves the contact of the whole bodies under a normal force, about where solve() found the half-spaces, on a frame
+  /// that fits it. The results are this contact's then. Starts from nothing.
+  Status solve_whole(double normal);
+  /// Returns how much farther than the overlap the whole bodies have come together along the normal.
+  double farther() const { return now_.farther; }
   void reset();  ///< forgets everything solved before
 
   /// Holds everything that a later solve or result depends on.
@@ -121,6 +133,8 @@ class PatchContact {
   const std::shared_ptr<Contact>& contact() const;
   /// Says whether others hold the contact, who are to see its solution.
   bool held() const { return contact_.use_count() > 1; }
+  /// Says whether results are those of the whole bodies.
+  bool whole() const { return now_.whole; }
   /// Gives the contact its solution; returns what Solver::solve() does.
   Status show() const;
   /// Forgets requests to cancel.
@@ -143,6 +157,8 @@ class PatchContact {
     Vec3 arm{};  ///< from the reference to the centre of the table's ellipse
     Status status = Status::ok;
     bool by_table = false, hertzian = false;
+    bool whole = false;              ///< solve_whole() has solved last
+    double normal = 0, farther = 0;  ///< force that it was given, and what it found
     double hertzian_pressure = 0, hertzian_area = 0;
     double table_power = 0;       ///< power of friction by the table
     const void* owner = nullptr;  ///< tells, with the number of the owner's solve, whether there was one in between
@@ -151,6 +167,9 @@ class PatchContact {
   void prescribe(double give_way, const PatchFriction& friction);
   Axes axes_of(const OverlapPatch& patch) const;
   void lay_axes();
+  void place_bodies(Scene& scene, const std::array<Pose, 2>& place) const;
+  void give_friction(Scene& scene) const;
+  Contact& solved() const { return now_.whole ? *whole_ : *contact_; }
   void stand(const WheelMotion& motion);
   bool take_hertzian_results(const PatchFriction& friction, double give_way);
   void put_frame(const LatticeSize& size, const FramePlace& place) const;
@@ -170,6 +189,8 @@ class PatchContact {
 
   std::shared_ptr<Body> wheel_, rail_;
   std::shared_ptr<Contact> contact_;
+  std::shared_ptr<Contact> whole_;  ///< null: there are half-spaces alone
+  std::array<Pose, 2> whole_place_{};
   State now_;
   std::unique_ptr<StripFrames> strips_;
   mutable bool shown_ = false;                          ///< the contact has the solution on strips at its nodes

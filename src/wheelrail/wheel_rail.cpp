@@ -74,6 +74,7 @@ void WheelRail::require_ready_for_positions() {
 
 void WheelRail::prepare_search() {
   follow_bodies();
+  if (has_sections()) refuse_for_sections();
   if (search_) return;
   wheel_ = given_wheel_->with_profile_alone();
   rail_ = given_rail_->with_profile_alone();
@@ -98,7 +99,9 @@ WheelRail::Slot& WheelRail::add_slot() {
     slot.taken = false;
     return slot;
   }
-  return *slot_.emplace_back(std::make_unique<Slot>(Slot{PatchContact(context_, wheel_, rail_)}));
+  const WholeBodies whole = whole_bodies();
+  return *slot_.emplace_back(
+      std::make_unique<Slot>(Slot{PatchContact(context_, wheel_, rail_, has_sections() ? &whole : nullptr)}));
 }
 
 WheelRail::Slot& WheelRail::slot_for(const OverlapPatch& patch) {
@@ -263,6 +266,11 @@ Status WheelRail::meet_force() {
 }
 
 Status WheelRail::find_height() {
+  if (!has_sections()) return find_height_of_half_spaces();
+  return in_.by_force ? solve_sections(find_height_of_half_spaces()) : meet_height_of_sections();
+}
+
+Status WheelRail::find_height_of_half_spaces() {
   on_lattices_ = false;
   Status status = in_.by_force ? meet_force() : solve_at(in_.position.z);
   // Forces may jump where strips begin to fit a patch, and no height have the one that is wanted.
@@ -324,7 +332,7 @@ void WheelRail::tell(Status status) const {
         "units",
         deepest, radius_, in_.by_force ? "the vertical force" : "z");
   for (const Slot* slot : active_)
-    if (slot->contact.status() == status) slot->contact.contact()->solver->tell(status);
+    if (slot->contact.status() == status && !slot->contact.whole()) slot->contact.contact()->solver->tell(status);
   for (std::size_t i = 0; i < active_.size(); ++i)
     if (const OverlapPatch& patch = active_[i]->contact.overlap(); patch.cut && status == Status::rim_contact)
       context_->caveat(Status::rim_contact,

@@ -32,7 +32,8 @@ struct RailDeviation {
 
 class WheelRail {
  public:
-  /// Takes bodies with profiles, half-spaces or rigid; where those profiles lie is no matter. err_argument.
+  /// Takes bodies with profiles, half-spaces or rigid, or by a section, which is prepared; where those profiles lie is
+  /// no matter. err_argument.
   WheelRail(std::shared_ptr<Context> context, std::shared_ptr<Body> wheel, std::shared_ptr<Body> rail,
             std::int32_t side);
 
@@ -207,6 +208,12 @@ class WheelRail {
   std::shared_ptr<const FrictionGiven> law_at(double angle) const;
   Status meet_force();
   Status find_height();
+  Status find_height_of_half_spaces();
+  bool has_sections() const { return given_wheel_->traits().section || given_rail_->traits().section; }
+  WholeBodies whole_bodies() const;
+  void refuse_for_sections() const;
+  Status meet_height_of_sections();
+  Status solve_sections(Status half_spaces);
   Status find_pitch_rate();
   Status find_deflection();
   void tell(Status status) const;

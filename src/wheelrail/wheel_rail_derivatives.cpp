@@ -194,6 +194,8 @@ WheelRail::Derivative WheelRail::derivative(std::int32_t i) {
     fail(Status::err_argument, "entry is %d; allowed: 0 to 5 of the position, 6 to 11 of the velocity", i);
   if (solved_->status == Status::not_converged || solved_->status == Status::cancelled)
     fail(Status::err_state, "the last solve did not converge: only a converged solution has derivatives");
+  if (has_sections())
+    fail(Status::err_unsupported, "the wheel or the rail is a section: solutions have no derivatives then");
   if (derived_) return derivative_[static_cast<std::size_t>(i)];
   const Inputs in = solved_inputs();
   const bool by_solves =

@@ -24,8 +24,10 @@ WheelRail::WheelRail(std::shared_ptr<Context> context, std::shared_ptr<Body> whe
                      std::int32_t side)
     : context_(std::move(context)), given_wheel_(std::move(wheel)), given_rail_(std::move(rail)), side_(side) {
   if (side != -1 && side != 1) fail(Status::err_argument, "side is %d; allowed: -1 (left), 1 (right)", side);
-  given_wheel_->nominal_profile();
-  given_rail_->nominal_profile();
+  for (Body* body : {given_wheel_.get(), given_rail_.get()}) {
+    if (body->traits().section) body->prepare();
+    body->profile();
+  }
   for (const auto& [body, name] : {std::pair{&given_wheel_, "wheel"}, {&given_rail_, "rail"}})
     if (!(*body)->relaxation().empty())
       fail(

@@ -14,18 +14,6 @@ Pose attitude(double roll, double yaw, bool roll_outside = false) {
   return {.rotation = {{{cy, -sy * cr, sy * sr}, {sy, cy * cr, -cy * sr}, {0, sr, cr}}}};
 }
 
-/// Returns the rotation of b followed by that of a.
-Pose product(const Pose& a, const Pose& b) {
-  Pose both;
-  for (std::size_t j = 0; j < 3; ++j) {
-    Vec3 unit{0, 0, 0};
-    unit[j] = 1;
-    const Vec3 column = a.turn(b.turn(unit));
-    for (std::size_t i = 0; i < 3; ++i) both.rotation[i][j] = column[i];
-  }
-  return both;
-}
-
 Velocity seen_from(const Pose& pose, const Velocity& v) {
   return {pose.turn_back(v.linear), pose.turn_back(v.angular), pose.to_body(v.point)};
 }
@@ -52,11 +40,11 @@ Pose WheelRail::wheel_pose(const WheelsetState& position, double z, const Wheels
   Pose wheel = attitude_of(position);
   wheel.translation =
       centre_at(position.y, z) + wheel.turn({bend.x, 0.5 * back_to_back_ - flange_back_ + bend.y, radius_ + bend.z});
-  if (bend.roll != 0 || bend.yaw != 0) wheel.rotation = product(wheel, attitude_of(bend)).rotation;
+  if (bend.roll != 0 || bend.yaw != 0) wheel = composed(wheel, attitude_of(bend));
   if (wheel_varies_ == 0) return wheel;
   const double angle = position.pitch + bend.pitch, c = std::cos(angle), s = std::sin(angle);
   const Vec3 middle{0, 0, -radius_}, stays = wheel.place(middle);
-  wheel.rotation = product(wheel, {.rotation = {{{c, 0, s}, {0, 1, 0}, {-s, 0, c}}}}).rotation;
+  wheel = composed(wheel, {.rotation = {{{c, 0, s}, {0, 1, 0}, {-s, 0, c}}}});
   wheel.translation = stays - wheel.turn(middle);
   return wheel;
 }
