@@ -160,7 +160,7 @@ void Body::read_slices(const char* path, double millimetre, double unit, std::in
               " differ in length by more than a fifth and have no features: points at equal fractions are joined; ";
   }
   // What no surface can be made of is refused here.
-  ProfileSlices(fresh.slice, fresh.wave, file.smooth, file.round ? 2 * std::numbers::pi : 0);
+  const ProfileSlices tried(fresh.slice, fresh.wave, file.smooth, file.round ? 2 * std::numbers::pi : 0);
   {
     const std::lock_guard lock(mutex_);
     require_takes_profile();
