@@ -38,7 +38,8 @@ RoughGap ProfileGap::rough(const VisibleSpan& span, std::size_t end) const {
   RoughGap g;
   g.s = span.s[end];
   if (varying_) {
-    if (const auto p = at(span, g.s)) g = {true, g.s, p->wheel[1], p->gap, p->rise, 0};
+    const VaryingPair::Rough rough = varying_->rough(locus_, span.y[end], span.z[end]);
+    if (std::isfinite(rough.gap)) g = {true, g.s, rough.y, rough.gap, 0, rough.slack};
     return g;
   }
   std::array<double, 3> outline{};

@@ -35,6 +35,15 @@ SliceHeights::SliceHeights(std::shared_ptr<const ProfileSlices> slices, const Pr
   for (std::size_t k = 0; k < row_.size(); ++k)
     for (std::size_t i = 0; i < slices_->sheets().size(); ++i)
       if (slices_->sheets()[i].has(row_[k])) see(k, i, row_[k]);
+  // Heights between rows are lines of the table: how far they are off is tried in the middle.
+  constexpr std::size_t every = 20;
+  for (std::size_t k = 0; k + 1 < row_.size(); ++k)
+    for (std::size_t j = every / 2; j < across; j += every) {
+      const double u = 0.5 * (row_[k] + row_[k + 1]), y = low_ + (static_cast<double>(j) + 0.5) * step_;
+      const double z = rough(u, y);
+      if (const auto h = at(u, y)) slack_ = std::max(slack_, std::isfinite(z) ? std::abs(h->z - z) : 0);
+    }
+  slack_ *= 2;
 }
 
 // Draws the section between columns into the row, over what is behind it.
@@ -77,17 +86,18 @@ std::optional<SliceHeights::Cell> SliceHeights::cell(double u, double y) const {
 double SliceHeights::rough(double u, double y) const {
   const double here = slices_->within(u);
   const auto c = cell(here, y);
-  double sum = 0, weight = 0;
-  for (std::size_t i = 0; c && i < 4; ++i) {
-    const Entry& e = *c->entry[i];
-    if (e.sheet < 0) continue;
-    const double t_y = std::clamp(c->t_y, 0.0, 1.0);
-    const double w = (i < 2 ? 1 - c->t_u : c->t_u) * (i % 2 == 0 ? 1 - t_y : t_y);
-    sum += w * static_cast<double>(e.z);
-    weight += w;
+  if (!c) return infinite;
+  const auto& e = c->entry;
+  const int sheet = e[0]->sheet;
+  if (sheet < 0 || e[1]->sheet != sheet || e[2]->sheet != sheet || e[3]->sheet != sheet) {
+    const auto h = at(u, y);
+    return h ? h->z : infinite;
   }
-  if (!(weight > 0)) return infinite;
-  double z = sum / weight;
+  const auto between = [&](const Entry* low, const Entry* high) {
+    return static_cast<double>(low->z) + c->t_y * static_cast<double>(high->z - low->z);
+  };
+  const double low = between(e[0], e[1]), high = between(e[2], e[3]);
+  double z = low + c->t_u * (high - low);
   if (row_.size() < 2 && !slices_->waves().empty()) {
     const double at_row = slices_->at(0, row_[0], 0).x[1];
     z += slices_->at(0, u, 0).x[1] - at_row;

@@ -23,8 +23,9 @@ class SliceHeights {
 
   /// Returns nullopt where there is no profile, or it is steeper than can be seen.
   std::optional<SliceHeight> at(double u, double y) const;
-  /// Returns z nearly; infinite where there is no profile.
+  /// Returns z nearly, within slack(); infinite where there is no profile.
   double rough(double u, double y) const;
+  double slack() const { return slack_; }
   const ProfileSlices& slices() const { return *slices_; }
 
  private:
@@ -45,7 +46,7 @@ class SliceHeights {
   std::shared_ptr<const ProfileSlices> slices_;
   ProfilePlane map_;
   double outward_;  ///< -1: lesser z is seen
-  double low_ = 0, step_ = 0;
+  double low_ = 0, step_ = 0, slack_ = 0;
   std::vector<double> row_;  ///< places of rows
   std::vector<Entry> entry_;
 };

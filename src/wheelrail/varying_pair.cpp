@@ -22,6 +22,9 @@ VaryingPair::VaryingPair(const SliceHeights* wheel, const SliceHeights* rail, co
       turned_(turned),
       station_(farthest_station) {
   if (wheel_) station_ = closest_station;
+  stations_ = std::min(static_cast<int>(farthest / station_), most_stations);
+  for (int i = -stations_; i <= stations_; ++i)
+    turn_[static_cast<std::size_t>(i + stations_)] = {std::cos(i * station_), std::sin(i * station_)};
 }
 
 std::optional<SliceHeight> VaryingPair::rail(double x, double y) const {
@@ -77,52 +80,77 @@ std::optional<VaryingPair::At> VaryingPair::at(const WheelLocus& locus, const Vi
   return at;
 }
 
-double VaryingPair::rough_gap(const WheelLocus& locus, const VisiblePoint& p, double angle) const {
+double VaryingPair::rough_gap(const WheelLocus& locus, double y, double z, double c, double s, double angle,
+                              double& at_y) const {
   const WheelAxes& a = locus.axes();
-  const double r = a.radius + (wheel_ ? wheel_->rough(angle - turned_, p.y) : p.z);
+  const double r = a.radius + (wheel_ ? wheel_->rough(angle - turned_, y) : z);
   if (!std::isfinite(r)) return infinite;
-  const Vec3 x = a.centre + p.y * a.axis + r * std::cos(angle) * a.down + r * std::sin(angle) * a.ahead;
+  const Vec3 x = a.centre + y * a.axis + r * c * a.down + r * s * a.ahead;
+  at_y = x[1];
   if (rail_) return rail_->rough(along_ + x[0], x[1]) - x[2];
   if (!(x[1] >= rail_profile_.low() && x[1] <= rail_profile_.high())) return infinite;
   near_ = rail_profile_.cell_at_y(x[1], near_);
   return rail_profile_.cells()[near_].cubic_z(x[1]) - x[2];
 }
 
-// Tries stations, and finds the least gap between those beside the best one.
-std::optional<VaryingPair::At> VaryingPair::least(const WheelLocus& locus, const VisiblePoint& p) const {
-  const int count = static_cast<int>(farthest / station_);
-  int best = 0;
-  double lowest = infinite;
-  for (int i = -count; i <= count; ++i)
-    if (const double g = rough_gap(locus, p, i * station_); g < lowest) {
+int VaryingPair::best_station(const WheelLocus& locus, double y, double z, double& lowest, double& at_y) const {
+  int best = -1;
+  lowest = infinite;
+  for (int i = 0; i <= 2 * stations_; ++i) {
+    const auto& [c, s] = turn_[static_cast<std::size_t>(i)];
+    double there = 0;
+    if (const double g = rough_gap(locus, y, z, c, s, (i - stations_) * station_, there); g < lowest) {
       lowest = g;
+      at_y = there;
       best = i;
     }
-  if (!std::isfinite(lowest)) return std::nullopt;
+  }
+  return best;
+}
+
+VaryingPair::Rough VaryingPair::rough(const WheelLocus& locus, double y, double z) const {
+  // Between stations a circle sinks by an eighth of their distance squared over the radius.
+  const double slack = 0.2 * farthest_station * farthest_station * locus.axes().radius +
+                       (wheel_ ? wheel_->slack() : 0) + (rail_ ? rail_->slack() : 0);
+  Rough found{infinite, 0, slack};
+  best_station(locus, y, z, found.gap, found.y);
+  return found;
+}
+
+// Tries stations, and finds the least gap between those beside the best one.
+const std::optional<VaryingPair::At>& VaryingPair::least(const WheelLocus& locus, const VisiblePoint& p) const {
+  if (tried_ && found_y_ == p.y && found_slope_ == p.slope) return found_;
+  tried_ = true;
+  found_y_ = p.y;
+  found_slope_ = p.slope;
+  found_.reset();
+  double lowest = 0, there = 0;
+  const int station = best_station(locus, p.y, p.z, lowest, there);
+  if (station < 0) return found_;
+  const int best = station - stations_;
   double low = (best - 1) * station_, high = (best + 1) * station_;
   angle_ = best * station_;
   constexpr int most = 40;
   constexpr double rounding = 1e-15, square = 1e-8;
-  std::optional<At> found;
   for (int i = 0; i < most; ++i) {
-    found = at(locus, p, angle_);
-    if (!found) return std::nullopt;
-    const double lean = found->lean() / found->y[1];
+    found_ = at(locus, p, angle_);
+    if (!found_) return found_;
+    const double lean = found_->lean() / found_->y[1];
     (lean > 0 ? high : low) = angle_;
-    double next = angle_ - found->lean() / found->lean_t();
+    double next = angle_ - found_->lean() / found_->lean_t();
     if (!(next > low && next < high)) next = 0.5 * (low + high);
     const double step = std::abs(next - angle_);
     if (step <= rounding) break;
     angle_ = next;
     if (step > square) continue;
-    found = at(locus, p, angle_);
+    found_ = at(locus, p, angle_);
     break;
   }
-  return found;
+  return found_;
 }
 
 std::optional<LocusPoint> VaryingPair::nearest(const WheelLocus& locus, const VisiblePoint& p) const {
-  const auto f = least(locus, p);
+  const auto& f = least(locus, p);
   if (!f) return std::nullopt;
   const auto h = rail(f->x[0], f->x[1]);
   if (!h || !(f->y[1] > 0)) return std::nullopt;
@@ -158,8 +186,10 @@ VaryingPair::Reach VaryingPair::reach(const WheelLocus& locus, const VisiblePoin
       far += std::clamp(step, -0.5 * far, far);
       if (std::abs(step) <= 1e-6 * far) break;
     }
+    double there = 0;
     for (double angle = far + station_; angle <= farthest; angle += station_)
-      if (rough_gap(locus, p, middle + sign * angle) < 0)
+      if (const double turn = middle + sign * angle;
+          rough_gap(locus, p.y, p.z, std::cos(turn), std::sin(turn), turn, there) < 0)
         if (const auto g = at(locus, p, middle + sign * angle); g && g->gap < 0) {
           x = g->x[0];
           reach.parted = true;

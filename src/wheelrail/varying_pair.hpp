@@ -16,6 +16,11 @@ class VaryingPair {
   VaryingPair(const SliceHeights* wheel, const SliceHeights* rail, const VisibleProfile& rail_profile, double along,
               double turned);
 
+  struct Rough {
+    double gap, y, slack;  ///< gap: infinite beside the rail; slack: its greatest error
+  };
+  /// Returns nearly the least gap of the circle at y and z of the wheel's profile.
+  Rough rough(const WheelLocus& locus, double y, double z) const;
   std::optional<SliceHeight> rail(double x, double y) const;
   /// Returns the rail's section, at its nearest place to x and y; its slope is that by y.
   VisiblePoint rail_section(double x, double y) const;
@@ -41,15 +46,24 @@ class VaryingPair {
     double lean_y() const { return gap_ty * y[1] + gap_t * yy[1] - ty[1] * gap_y - t[1] * gap_yy; }
   };
   std::optional<At> at(const WheelLocus& locus, const VisiblePoint& p, double angle) const;
-  double rough_gap(const WheelLocus& locus, const VisiblePoint& p, double angle) const;
-  std::optional<At> least(const WheelLocus& locus, const VisiblePoint& p) const;
+  /// Finds the station, counted from the foremost, where the gap is nearly least; -1: beside the rail.
+  int best_station(const WheelLocus& locus, double y, double z, double& lowest, double& at_y) const;
+  double rough_gap(const WheelLocus& locus, double y, double z, double turn_c, double turn_s, double angle,
+                   double& at_y) const;
+  const std::optional<At>& least(const WheelLocus& locus, const VisiblePoint& p) const;
 
   const SliceHeights *wheel_, *rail_;
   const VisibleProfile& rail_profile_;
   double along_, turned_;
-  double station_;  ///< angle between places that are tried
+  double station_;                          ///< angle between places that are tried
+  static constexpr int most_stations = 50;  ///< on either side
+  int stations_;
+  std::array<std::array<double, 2>, 2 * most_stations + 1> turn_;  ///< cosine and sine at each
   mutable std::size_t near_ = 0;
-  mutable double angle_ = 0;  ///< angle that least() found
+  // Members that least() found last follow.
+  mutable double angle_ = 0, found_y_ = 0, found_slope_ = 0;
+  mutable bool tried_ = false;
+  mutable std::optional<At> found_;
 };
 
 }  // namespace rollcon
