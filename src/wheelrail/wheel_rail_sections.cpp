@@ -1,6 +1,7 @@
 /// Solves wheels and rails by a section. Half-spaces say where the wheel touches once the bodies have given way and how
 /// hard it presses there; the bodies then carry that force and say how far they gave way (docs/wheelrail.md).
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/error.hpp"
@@ -11,6 +12,13 @@ namespace rollcon {
 namespace {
 
 constexpr int most = 20;  // solves for a force or a height
+
+/// Returns the x with x + given (x / sink)^1.5 = depth: forces of half-spaces grow about so.
+double next_sink(double sink, double given, double depth) {
+  const auto beyond = [&](double x) { return x + given * std::pow(x / sink, 1.5) - depth; };
+  return false_position(0.0, -depth, 2 * depth, beyond(2 * depth), beyond,
+                        [&](double v) { return std::abs(v) <= 1e-9 * depth; });
+}
 
 }  // namespace
 
@@ -51,10 +59,12 @@ Status WheelRail::solve_sections(Status half_spaces) {
   int patches = 0;
   for (Slot* slot : active_)
     if (slot->contact.status() != Status::no_contact) pressed = slot, ++patches;
-  if (patches == 0 || half_spaces == Status::cancelled || half_spaces == Status::not_converged) return half_spaces;
+  if (patches == 0 || half_spaces == Status::cancelled || half_spaces == Status::not_converged ||
+      half_spaces == Status::too_deep)
+    return half_spaces;
   if (patches > 1)
     fail(Status::err_unsupported,
-         "the wheel touches its rail in %d patches (z of the half-spaces is %g), and the wheel or the rail is a "
+         "the wheel touches its rail in %d patches (z of the half-spaces is %g), but the wheel or the rail is a "
          "section; "
          "allowed: one patch",
          patches, z_);
@@ -76,27 +86,27 @@ Status WheelRail::solve_sections(Status half_spaces) {
 // Takes the bodies' own compliance from the last force, and finds the half-spaces' height that belongs to it. Frames
 // that fit a little otherwise move heights by 1e-6 of the depth.
 Status WheelRail::meet_height_of_sections() {
-  constexpr double tolerance = 2e-5;
+  constexpr double tolerance = 2e-5, little = 1e-4;
   const double z = in_.position.z, touch = z + search_->first_touch(motion_at(z).pose), depth = z - touch;
   on_lattices_ = false;
   if (!(depth > 0)) return solve_at(z);
-  double sink = 0.25 * depth;
+  double sink = std::min(0.25 * depth, little * radius_);
+  Status status = solve_at(touch + sink);
   for (int i = 0; i < most; ++i) {
-    Status status = solve_at(touch + sink);
     const double force = vertical_force();
     status = solve_sections(status);
-    const double off = z_ - z;
-    if (!(force > 0) || status == Status::cancelled || std::abs(off) <= tolerance * depth) {
+    if (!(force > 0) || status == Status::too_deep) return solve_at(z);
+    if (status == Status::cancelled || std::abs(z_ - z) <= tolerance * depth) {
       z_ = z;
       return status;
     }
     const double compliance = (z_ - touch - sink) / force;
-    const auto beyond = [&](double s) {
-      solve_at(touch + s);
-      return s + compliance * vertical_force() - depth;
-    };
-    sink = false_position(0.0, -depth, depth, beyond(depth), beyond,
-                          [&](double v) { return std::abs(v) <= 0.1 * tolerance * depth; });
+    double given = compliance * force;
+    for (int k = 0; k < most && std::abs(sink + given - depth) > 0.1 * tolerance * depth; ++k) {
+      sink = next_sink(sink, given, depth);
+      status = solve_at(touch + sink);
+      given = compliance * vertical_force();
+    }
   }
   context_->caveat(Status::not_converged, "z is %.10g for %.10g: no height of the half-spaces was nearer", z_, z);
   return Status::not_converged;
