@@ -150,7 +150,7 @@ TEST_F(wheel_sections_long, carry_the_load_at_the_height_that_their_own_contact_
   EXPECT_NEAR(left->patch_stat(0, "lateral_force"), -wheel->patch_stat(0, "lateral_force"), 1e-3 * mu * load);
 }
 
-TEST_F(wheel_sections, are_half_spaces_where_they_are_large) {
+TEST_F(wheel_sections_long, are_half_spaces_where_they_are_large) {
   const auto large = on_rail(disc(), arc, 0), half = on_rail(plane, arc, 0);
   ASSERT_EQ(large->solve(), Status::ok);
   ASSERT_EQ(half->solve(), Status::ok);
