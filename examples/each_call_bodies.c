@@ -143,11 +143,17 @@ static void pressed(rollcon_context* context) {
 }
 
 static void section(rollcon_context* context) {
-  /* A roller of steel, whose section is one quadrilateral, and a strip that is drawn along x. */
+  /* A roller, whose section is one quadrilateral, and a strip that is drawn along x. */
   const double corner[4][3] = {{0, 0, 1}, {0, 4, 1}, {0, 4, 9}, {0, 0, 9}}, origin[3] = {0, 0, 0}, axis[3] = {0, 1, 0},
                along[3] = {1, 0, 0}, rubber[3] = {10, 10, 100};
   const int32_t quad[4] = {0, 1, 2, 3}, bore[2] = {0, 1}, tread[2] = {2, 3}, tag = 1, seat = 2;
-  rollcon_body *roller, *strip;
+  /* Moduli of rubber at two frequencies; the roller then rolls on a plane. */
+  const double frequencies[2] = {1, 1000}, storage[2] = {4, 8}, loss[2] = {0.5, 1}, top[3] = {0, 2, 9},
+               up[3] = {0, 0, 1};
+  double* power;
+  int64_t n;
+  rollcon_body *roller, *strip, *plane;
+  rollcon_contact* contact;
   must(rollcon_body_create(context, ROLLCON_BODY_SECTION, &roller));
   must(rollcon_body_set_nodes(roller, 4, &corner[0][0], 3, 1));
   must(rollcon_body_add_elements(roller, ROLLCON_QUAD4, 1, quad, 0, 0));
@@ -158,7 +164,25 @@ static void section(rollcon_context* context) {
   must(rollcon_body_set_contact_faces(roller, 1, &tag));
   must(rollcon_body_copy(roller, &strip));
   must(rollcon_body_revolve(roller, origin, axis));
+  must(rollcon_body_set_moduli(roller, 0, 2, frequencies, storage, loss));
   must(rollcon_body_prepare(roller));
+  must(rollcon_body_create(context, ROLLCON_BODY_RIGID, &plane));
+  must(rollcon_contact_create(context, roller, plane, &contact));
+  must(rollcon_contact_set_axes(contact, top, along, up));
+  must(rollcon_contact_frame_rectangle(contact, ROLLCON_QUAD4, 16, 8, -2, 2, -2, 2));
+  must(rollcon_contact_set_gap_quadratic(contact, 0.5 / 9, 0.1, 0));
+  must(rollcon_contact_set_friction(contact, "coulomb", 1, &frictionless));
+  must(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, 1));
+  must(rollcon_contact_set_rolling(contact, 100));
+  must(rollcon_contact_solve(contact));
+  must(rollcon_contact_get_body_power(contact, ROLLCON_BODY1, 0, NULL, &n));
+  power = malloc((size_t)n * sizeof *power);
+  if (!power) exit(1);
+  must(rollcon_contact_get_body_power(contact, ROLLCON_BODY1, n, power, NULL));
+  printf("a roller of rubber loses power %.2f in the first wave around it\n", power[1]);
+  free(power);
+  rollcon_contact_release(contact);
+  rollcon_body_release(plane);
   must(rollcon_body_extrude(strip, origin, along, 100));
   must(rollcon_body_prepare(strip));
   printf("a roller and a strip by their sections\n");

@@ -22,6 +22,7 @@ module rollcon_body_plain
     procedure :: load
     procedure :: set_elastic => body_set_elastic
     procedure :: set_viscoelastic => body_set_viscoelastic
+    procedure :: set_moduli => body_set_moduli
     procedure :: prepare => body_prepare
     procedure :: get_kind => body_get_kind
     procedure :: save => body_save
@@ -238,11 +239,11 @@ contains
       'rc_body%set_elastic', stat, errmsg)
   end subroutine
 
-  !> Lets the material of a half-space relax: at a time t after a strain Young's modulus is E (1 - sum of ratio (1 -
-  !> exp(-t / time))), where E is that of rollcon_body_set_elastic. Poisson's ratio does not change. Such bodies are
-  !> solved in steady rolling only, at the speed of rollcon_contact_set_rolling: time steps, conformal contacts, wear,
-  !> tables and wheels on rails end with ROLLCON_ERR_UNSUPPORTED. The statistic rolling_resistance is the force that
-  !> rolling costs.
+  !> Lets a material of a half-space or a section relax: at a time t after a strain Young's modulus is E (1 - sum of
+  !> ratio (1 - exp(-t / time))), where E is that of rollcon_body_set_elastic. Poisson's ratio does not change. Such
+  !> bodies are solved in steady rolling only, at the speed of rollcon_contact_set_rolling: time steps, conformal
+  !> contacts, wear, tables and wheels on rails end with ROLLCON_ERR_UNSUPPORTED. The statistic rolling_resistance is
+  !> the force that rolling costs.
   subroutine body_set_viscoelastic(self, ratios, times, tag, stat, errmsg)
     class(rc_body_plain), intent(inout) :: self
     real(rc_real), intent(in), contiguous :: ratios(:)
@@ -256,6 +257,27 @@ contains
     call finish( &
       rollcon_body_set_viscoelastic(self%p, int(tag_or_standard, rc_int), size(ratios, 1, rc_long), ratios, times), &
       self%p, 'rc_body%set_viscoelastic', stat, errmsg)
+  end subroutine
+
+  !> Lets a material relax as rollcon_body_set_viscoelastic does, by moduli over frequency instead of terms. They take
+  !> the place of Young's modulus; rollcon_body_set_elastic gives Poisson's ratio before. Sections take the moduli as
+  !> they are: linear in the logarithm of the frequency between points; beyond them the storage modulus stays, and the
+  !> loss modulus falls with the frequency or its inverse. Half-spaces take the Prony series, eight terms a decade, that
+  !> is nearest to them. ROLLCON_ERR_ARGUMENT: it is off a modulus by more than 10 %; beyond 2 % the log warns.
+  subroutine body_set_moduli(self, frequencies, storage, loss, tag, stat, errmsg)
+    class(rc_body_plain), intent(inout) :: self
+    real(rc_real), intent(in), contiguous :: frequencies(:)
+    real(rc_real), intent(in), contiguous :: storage(:)
+    real(rc_real), intent(in), contiguous :: loss(:)
+    integer, intent(in), optional :: tag
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer :: tag_or_standard
+    tag_or_standard = 0
+    if (present(tag)) tag_or_standard = tag
+    call finish( &
+      rollcon_body_set_moduli(self%p, int(tag_or_standard, rc_int), size(frequencies, 1, rc_long), frequencies, storage, loss), &
+      self%p, 'rc_body%set_moduli', stat, errmsg)
   end subroutine
 
   !> Checks that the body is complete and its mesh and supports sound, assembles and factorises its equations, and

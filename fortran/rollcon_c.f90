@@ -332,6 +332,19 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_body_set_viscoelastic
 
+    function rollcon_body_set_moduli(body, tag, n, frequencies, storage, loss) &
+        result(rc) bind(C, name="rollcon_body_set_moduli")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int32_t), value :: tag
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: frequencies(*)
+      real(c_double), intent(in) :: storage(*)
+      real(c_double), intent(in) :: loss(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_body_set_moduli
+
     function rollcon_body_prepare(body) result(rc) bind(C, name="rollcon_body_prepare")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
@@ -1451,6 +1464,18 @@ module rollcon_c
       integer(c_int64_t), intent(inout) :: n_values
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_body_displacements
+
+    function rollcon_contact_get_body_power(contact, which, capacity, power, n_values) &
+        result(rc) bind(C, name="rollcon_contact_get_body_power")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t), value :: which
+      integer(c_int64_t), value :: capacity
+      real(c_double), intent(out) :: power(*)
+      integer(c_int64_t), intent(inout) :: n_values
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_get_body_power
 
     function rollcon_contact_write_body(contact, which, path) &
         result(rc) bind(C, name="rollcon_contact_write_body")

@@ -28,6 +28,7 @@ module rollcon_contact
     procedure :: get_node_states
     procedure :: get_displacements_at
     procedure :: get_body_displacements
+    procedure :: get_body_power
     procedure :: get_fields_at
     procedure :: write_body_vtu
     procedure :: get_wear
@@ -364,6 +365,25 @@ contains
     if (status == ROLLCON_OK) &
       status = rollcon_contact_get_body_displacements(self%handle(), which, n, u, n)
     call finish(status, self%handle(), 'rc_contact%get_body_displacements', stat, errmsg)
+  end subroutine
+
+  !> Returns the power that body 1 or 2, a viscoelastic section, loses in each harmonic of its way, from 0 on.
+  subroutine get_body_power(self, which, power, stat, errmsg)
+    class(rc_contact), intent(in) :: self
+    integer(rc_int), intent(in) :: which
+    real(rc_real), allocatable, intent(out) :: power(:)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    real(rc_real) :: none(1)
+    integer(rc_long) :: n
+    integer(rc_int) :: status
+    n = 0
+    status = rollcon_contact_get_body_power(self%handle(), which, 0_rc_long, none, n)
+    allocate (power(n))
+    power = 0
+    if (status == ROLLCON_OK) &
+      status = rollcon_contact_get_body_power(self%handle(), which, n, power, n)
+    call finish(status, self%handle(), 'rc_contact%get_body_power', stat, errmsg)
   end subroutine
 
   !> Returns displacements u(3,n) and stresses stress(6,n) (s11, s22, s33, s12, s13, s23) at points xyz(3,n) inside body

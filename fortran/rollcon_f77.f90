@@ -153,13 +153,22 @@ subroutine rcelas(ibody, itag, young, poisson, ierr)
   ierr = rollcon_body_set_elastic(body_of(ibody), narrow(itag), young, poisson)
 end subroutine
 
-!> Lets the material of a half-space relax.
+!> Lets a material of a half-space or a section relax.
 subroutine rcvisc(ibody, itag, n, ratios, times, ierr)
   use rollcon_f77_support
   implicit none
   integer :: ibody, itag, n, ierr
   double precision :: ratios(*), times(*)
   ierr = rollcon_body_set_viscoelastic(body_of(ibody), narrow(itag), int(n, c_int64_t), ratios, times)
+end subroutine
+
+!> Lets a material relax as rollcon_body_set_viscoelastic does, by moduli over frequency instead of terms.
+subroutine rcmodu(ibody, itag, n, frequencies, storage, xloss, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, itag, n, ierr
+  double precision :: frequencies(*), storage(*), xloss(*)
+  ierr = rollcon_body_set_moduli(body_of(ibody), narrow(itag), int(n, c_int64_t), frequencies, storage, xloss)
 end subroutine
 
 !> Checks that the body is complete and its mesh and supports sound, assembles and factorises its equations, and .
@@ -1275,6 +1284,18 @@ subroutine rcbodu(icon, iwhich, maxn, u, nv, ierr)
   n_values_c = 0
   ierr = rollcon_contact_get_body_displacements(contact_of(icon), narrow(iwhich), int(maxn, c_int64_t), u, &
     n_values_c)
+  nv = int(n_values_c)
+end subroutine
+
+!> Returns the power that a viscoelastic section loses in each harmonic of its way under the tractions of the las.
+subroutine rcbpow(icon, iwhich, maxn, power, nv, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, iwhich, maxn, nv, ierr
+  double precision :: power(*)
+  integer(c_int64_t) :: n_values_c
+  n_values_c = 0
+  ierr = rollcon_contact_get_body_power(contact_of(icon), narrow(iwhich), int(maxn, c_int64_t), power, n_values_c)
   nv = int(n_values_c)
 end subroutine
 

@@ -475,14 +475,14 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_elastic(rollcon_body *b
     double young, double poisson);
 
 /*
- * Lets the material of a half-space relax: at a time t after a strain Young's modulus is E (1 -
- * sum of ratio (1 - exp(-t / time))), where E is that of rollcon_body_set_elastic. Poisson's
- * ratio does not change. Such bodies are solved in steady rolling only, at the speed of
+ * Lets a material of a half-space or a section relax: at a time t after a strain Young's modulus
+ * is E (1 - sum of ratio (1 - exp(-t / time))), where E is that of rollcon_body_set_elastic.
+ * Poisson's ratio does not change. Such bodies are solved in steady rolling only, at the speed of
  * rollcon_contact_set_rolling: time steps, conformal contacts, wear, tables and wheels on rails
  * end with ROLLCON_ERR_UNSUPPORTED. The statistic rolling_resistance is the force that rolling
  * costs.
- *   body    a half-space, not prepared (ROLLCON_ERR_STATE)
- *   tag     half-spaces, of one material, ignore it
+ *   body    a half-space or a section, not prepared (ROLLCON_ERR_STATE)
+ *   tag     sections: tag of the elements; half-spaces, of one material, ignore it
  *   n       terms, 0 to 100; 0: the material is elastic
  *   ratios  [n]; part of E that each term loses, 0 <= ratio < 1; their sum is less than 1 - 1e-6
  *   times   [n]; relaxation time of each term, > 0
@@ -491,6 +491,26 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_elastic(rollcon_body *b
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_viscoelastic(rollcon_body *body,
     int32_t tag, int64_t n, const double *ratios, const double *times);
+
+/*
+ * Lets a material relax as rollcon_body_set_viscoelastic does, by moduli over frequency instead
+ * of terms. They take the place of Young's modulus; rollcon_body_set_elastic gives Poisson's
+ * ratio before. Sections take the moduli as they are: linear in the logarithm of the frequency
+ * between points; beyond them the storage modulus stays, and the loss modulus falls with the
+ * frequency or its inverse. Half-spaces take the Prony series, eight terms a decade, that is
+ * nearest to them. ROLLCON_ERR_ARGUMENT: it is off a modulus by more than 10 %; beyond 2 % the
+ * log warns.
+ *   body         a half-space or a section, not prepared (ROLLCON_ERR_STATE)
+ *   tag          sections: tag of the elements; half-spaces, of one material, ignore it
+ *   n            points, 0 to 10,000; 0: the material is elastic
+ *   frequencies  [n]; angular frequencies, > 0 and ascending, radians per time
+ *   storage      [n]; storage modulus at each, > 0, force/length^2
+ *   loss         [n]; loss modulus at each, >= 0, force/length^2
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ * Source: docs/theory.md, section 3.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_moduli(rollcon_body *body, int32_t tag,
+    int64_t n, const double *frequencies, const double *storage, const double *loss);
 
 /*
  * Checks that the body is complete and its mesh and supports sound, assembles and factorises its
@@ -2001,6 +2021,22 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_fields_at(
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_body_displacements(
     const rollcon_contact *contact, int32_t which, int64_t capacity, double *u,
+    int64_t *n_values);
+
+/*
+ * Returns the power that a viscoelastic section loses in each harmonic of its way under the
+ * tractions of the last solve: it heats the body. The sum over all bodies is the statistic
+ * body_power. ROLLCON_ERR_UNSUPPORTED: another body.
+ *   which     ROLLCON_BODY1 or ROLLCON_BODY2
+ *   capacity  doubles that fit into power; 0 asks for their number
+ *   power     [capacity], out, may be NULL; power of harmonics 0, 1, 2, ..., force length/time
+ *   n_values  out, may be NULL; harmonics; set after ROLLCON_ERR_CAPACITY too
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_CAPACITY,
+ *   ROLLCON_ERR_MEMORY.
+ * Source: docs/theory.md, section 3.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_body_power(
+    const rollcon_contact *contact, int32_t which, int64_t capacity, double *power,
     int64_t *n_values);
 
 /*

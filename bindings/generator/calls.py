@@ -12,7 +12,7 @@ TASKS = [
         ("end", ["contact_release", "body_release", "context_release"])]),
     ("Bodies", [
         ("half-space, rigid, finite or boundary elements", ["body_create"]),
-        ("material; rubber", ["body_set_elastic", "body_set_viscoelastic"]),
+        ("material; rubber", ["body_set_elastic", "body_set_viscoelastic", "body_set_moduli"]),
         ("profile: a closed form, points, a file", ["body_set_profile_shape", "body_set_profile", "body_read_profile"]),
         ("profile as a roller or wheel, as a rail", ["body_revolve_profile", "body_extrude_profile"]),
         ("mesh: a file, arrays", ["body_read_mesh", "body_set_nodes", "body_add_elements"]),

@@ -59,15 +59,47 @@ void Body::set_elastic(std::int32_t tag, double young, double poisson) {
   model_->material[traits_.filled() ? tag : 0] = model_->contact_material = {young, poisson};
 }
 
-void Body::set_viscoelastic(std::int32_t /*tag*/, std::int64_t n, const double* ratios, const double* times) {
-  if (!traits_.half_space) fail(Status::err_state, "a %s body takes no relaxation; only half-spaces do", traits_.name);
-  set_relaxation(checked_relaxation(n, ratios, times));
+void Body::set_viscoelastic(std::int32_t tag, std::int64_t n, const double* ratios, const double* times) {
+  set_relaxation(tag, {checked_relaxation(n, ratios, times), {}});
 }
 
-void Body::set_relaxation(std::vector<PronyTerm> checked) {
+void Body::set_moduli(std::int32_t tag, std::int64_t n, const double* frequencies, const double* storage,
+                      const double* loss) {
+  constexpr double most = 0.1, told = 0.02;
+  double young = 0;
+  Relaxation checked = checked_moduli(n, frequencies, storage, loss, young);
+  const double misfit = checked.misfit;
+  if (traits_.half_space && misfit > most)
+    fail(Status::err_argument,
+         "the nearest Prony series is off the moduli by up to %.2g %%; allowed for half-spaces: up to %g %%",
+         100 * misfit, 100 * most);
+  set_relaxation(tag, std::move(checked));
+  if (n == 0) return;
+  {
+    const std::lock_guard lock(mutex_);
+    model_->material[traits_.filled() ? tag : 0].young = model_->contact_material.young = young;
+  }
+  if (traits_.half_space)
+    context_->log(misfit > told ? LogLevel::warning : LogLevel::info,
+                  "half-space body: its Prony series is off the moduli given by up to %.2g %%", 100 * misfit);
+}
+
+void Body::set_relaxation(std::int32_t tag, Relaxation checked) {
+  if (!traits_.half_space && !traits_.section)
+    fail(Status::err_state, "a %s body takes no relaxation; half-spaces and sections do", traits_.name);
   const std::lock_guard lock(mutex_);
   require_unprepared("material is");
-  model_->relaxation = std::move(checked);
+  const std::int32_t own = traits_.filled() ? tag : 0;
+  if (!checked.point.empty() && !model_->material.contains(own))
+    fail(Status::err_state, "tag %d has no Poisson's ratio: call rollcon_body_set_elastic before its moduli", tag);
+  model_->relaxation.erase(own);
+  if (!checked.term.empty()) model_->relaxation[own] = std::move(checked);
+}
+
+const Relaxation& Body::relaxation() const {
+  static const Relaxation none;
+  const auto found = model_->relaxation.find(model_->contact_tag);
+  return found == model_->relaxation.end() ? none : found->second;
 }
 
 bool Body::meshed() const {

@@ -31,10 +31,15 @@ class Body {
   /// Sets finite E > 0 and -1 < nu <= 0.5: of the finite elements with this tag, or of the whole body where it is of
   /// another kind. err_state: the body is rigid.
   void set_elastic(std::int32_t tag, double young, double poisson);
-  /// Sets how the material relaxes from the elastic constants, which are those at once: checked_relaxation().
-  /// err_state: the body is no half-space.
+  // Half-spaces relax, and sections (err_state: the body is another one).
+
+  /// Sets how a material relaxes from its elastic constants, which are those at once: checked_relaxation().
   void set_viscoelastic(std::int32_t tag, std::int64_t n, const double* ratios, const double* times);
-  void set_relaxation(std::vector<PronyTerm> checked);
+  /// Sets it by storage and loss moduli, which take the place of Young's modulus: checked_moduli(). err_state: the
+  /// material has no Poisson's ratio yet; err_argument: no Prony series is near the moduli, and half-spaces need one.
+  void set_moduli(std::int32_t tag, std::int64_t n, const double* frequencies, const double* storage,
+                  const double* loss);
+  void set_relaxation(std::int32_t tag, Relaxation checked);
   /// Forgets elements, supports, loads and contact faces.
   void set_nodes(std::int64_t n, const double* x, std::int64_t node_stride, std::int64_t component_stride);
   /// Reads all of a mesh from a file, see mesh_file.hpp, in place of what there was; part: see part_of. Gmsh's
@@ -165,8 +170,10 @@ class Body {
   // Elastic constants at the contact: a prepared body of several materials has those of most of its contact faces.
   double young() const { return model_->contact_material.young; }
   double poisson() const { return model_->contact_material.poisson; }
-  /// Says how the material relaxes; empty: it does not.
-  const std::vector<PronyTerm>& relaxation() const { return model_->relaxation; }
+  /// Tells whether a material of the body relaxes.
+  bool creeps() const { return !model_->relaxation.empty(); }
+  /// Says how the material at the contact relaxes; no terms: it does not.
+  const Relaxation& relaxation() const;
   const BodyMesh& mesh() const { return model_->mesh; }
   /// Copies the surface as it is now, also while another thread gives more of it or prepares the body. err_mesh: faces
   /// of finite elements were tagged that are not on the boundary.

@@ -33,6 +33,18 @@ void materials(Archive& ar, Model& model) {
   if constexpr (Archive::reads) model.material = {all.begin(), all.end()};
 }
 
+template <class Archive, class Model>
+void relaxations(Archive& ar, Model& model) {
+  std::vector<std::pair<std::int32_t, Relaxation>> all(model.relaxation.begin(), model.relaxation.end());
+  ar.list(all, least_material, [](auto& a, auto& entry) {
+    a(entry.first);
+    a.list(entry.second.term, sizeof(PronyTerm), [](auto& b, auto& t) { b(t.ratio), b(t.time); });
+    a.list(entry.second.point, sizeof(ModulusPoint), [](auto& b, auto& p) { b(p.frequency), b(p.storage), b(p.loss); });
+    a(entry.second.misfit);
+  });
+  if constexpr (Archive::reads) model.relaxation = {all.begin(), all.end()};
+}
+
 struct NamedValue {
   std::string name;
   SettingType type = SettingType::integer;
@@ -153,6 +165,8 @@ void check_profile(const BodyProfile& profile) {
   require(std::abs(length(profile.axis) - 1) < unit && std::abs(length(profile.z) - 1) < unit,
           "a direction of a profile is no unit vector");
   require(std::isfinite(profile.radius), "a number is not finite");
+  for (const ProfileSlice& slice : profile.slice)
+    require(slice.feature.size() == profile.slice[0].feature.size(), "slices have unlike numbers of features");
 }
 
 template <class Archive, class Curve>
@@ -174,20 +188,6 @@ void curve_content(Archive& ar, Curve& curve) {
 }
 
 template <class Archive, class Profile>
-void profile_content(Archive& ar, Profile& profile) {
-  std::uint8_t given = profile.curve ? 1 : 0;
-  ar(given);
-  if (given == 0) return;
-  curve_content(ar, profile.curve);
-  ar(profile.place);
-  ar(profile.origin);
-  ar(profile.axis);
-  ar(profile.z);
-  ar(profile.radius);
-  if constexpr (Archive::reads) check_profile(profile);
-}
-
-template <class Archive, class Profile>
 void slices_content(Archive& ar, Profile& profile) {
   constexpr std::size_t least = 2 * sizeof(double);
   ar.list(profile.slice, least, [](auto& a, auto& slice) {
@@ -206,10 +206,26 @@ void slices_content(Archive& ar, Profile& profile) {
   });
 }
 
+template <class Archive, class Profile>
+void profile_content(Archive& ar, Profile& profile) {
+  std::uint8_t given = profile.curve ? 1 : 0;
+  ar(given);
+  if (given == 0) return;
+  curve_content(ar, profile.curve);
+  ar(profile.place);
+  ar(profile.origin);
+  ar(profile.axis);
+  ar(profile.z);
+  ar(profile.radius);
+  slices_content(ar, profile);
+  if constexpr (Archive::reads) check_profile(profile);
+}
+
 template <class Archive, class Model>
 void content(Archive& ar, Model& model) {
   ar(model.kind);
   materials(ar, model);
+  relaxations(ar, model);
   options(ar, model);
   if constexpr (Archive::reads) require(find_traits(model.kind) != nullptr, "the kind of body is unknown");
   mesh_content(ar, model.mesh, model.traits());
@@ -264,6 +280,21 @@ void check_materials(BodyModel& model) {
     require(model.traits().filled() || tag == 0, "a body of one material has several");
     model.contact_material = elastic;
   }
+  for (const auto& [tag, relaxation] : model.relaxation) {
+    require(model.traits().half_space || model.traits().section, "a body relaxes that is no half-space nor a section");
+    double left = 1, before = 0;
+    for (const PronyTerm& t : relaxation.term) {
+      require(t.ratio > 0 && t.time > before && std::isfinite(t.time), "a term of a relaxation is out of range");
+      left -= t.ratio, before = t.time;
+    }
+    require(left > 0 && left < 1, "the terms of a relaxation are out of range");
+    before = 0;
+    for (const ModulusPoint& p : relaxation.point) {
+      require(p.frequency > before && p.storage > 0 && p.loss >= 0 && std::isfinite(p.frequency * p.storage * p.loss),
+              "a modulus over frequency is out of range");
+      before = p.frequency;
+    }
+  }
 }
 
 // Checks of a mesh what setters check when a caller gives it.
@@ -310,30 +341,6 @@ void check_mesh(BodyModel& model) {
   }
 }
 
-void read_relaxation(SectionReader& file, BodyModel& model) {
-  if (!file.has("relax")) return;
-  require(model.traits().half_space, "a body that is no half-space relaxes");
-  file.begin("relax");
-  InArchive ar(file);
-  std::vector<double> ratio, time;
-  ar(ratio);
-  ar(time);
-  file.end();
-  require(ratio.size() == time.size(), "counts of relaxation ratios and times do not match");
-  model.relaxation = checked_relaxation(static_cast<std::int64_t>(ratio.size()), ratio.data(), time.data());
-}
-
-void read_slices(SectionReader& file, BodyModel& model) {
-  if (!file.has("slices")) return;
-  require(model.profile.curve != nullptr, "slices have no profile");
-  file.begin("slices");
-  InArchive ar(file);
-  slices_content(ar, model.profile);
-  file.end();
-  for (const ProfileSlice& s : model.profile.slice)
-    require(s.feature.size() == model.profile.slice[0].feature.size(), "slices have unlike numbers of features");
-}
-
 }  // namespace
 
 void require_elastic_constants(double young, double poisson) {
@@ -358,6 +365,7 @@ ContentDigest digest_without_loads(const BodyModel& model) {
   BodyModel bare;
   bare.kind = model.kind;
   bare.material = model.material;
+  bare.relaxation = model.relaxation;
   bare.mesh = model.mesh;
   bare.profile = model.profile;
   bare.options = model.options;
@@ -371,17 +379,6 @@ void write_content(const BodyModel& model, SectionWriter& file) {
   file.begin("body");
   OutArchive ar(file);
   content(ar, model);
-  if (model.profile.varies()) {
-    file.begin("slices");
-    OutArchive slices(file);
-    slices_content(slices, model.profile);
-  }
-  if (model.relaxation.empty()) return;
-  std::vector<double> ratio, time;
-  for (const PronyTerm& term : model.relaxation) ratio.push_back(term.ratio), time.push_back(term.time);
-  file.begin("relax");
-  ar(ratio);
-  ar(time);
 }
 
 void read_content(SectionReader& file, BodyModel& model) {
@@ -392,8 +389,6 @@ void read_content(SectionReader& file, BodyModel& model) {
     file.end();
     check_materials(model);
     check_mesh(model);
-    read_relaxation(file, model);
-    read_slices(file, model);
   } catch (const Error& e) {
     if (e.status() == Status::err_io) throw;
     file.fail_here(e.what());

@@ -1,8 +1,6 @@
-/// Prepared bodies to and from files. Sections: "body", what was given; "relax", how a material relaxes; "slices", how
-/// a profile varies; "numbers", those of the nodes in the mesh's file; of bodies with equations "response", numbers
-/// about them and the displacements under the body's own loads; "factors", the factorised matrix (boundary elements:
-/// all of it; finite elements: what is condensed); "kept", the responses to frames. Whatever else a body has is found
-/// again from the mesh.
+/// Prepared bodies to and from files. Sections: "body", what was given; "numbers", those of the nodes in the mesh's file; of bodies with equations "response", numbers about them and the displacements
+/// under the body's own loads; "factors", the factorised matrix (boundary elements: all of it; finite elements: what is
+/// condensed); "kept", the responses to frames. Whatever else a body has is found again from the mesh.
 
 #include <utility>
 
@@ -17,7 +15,7 @@ namespace rollcon {
 namespace {
 
 /// Version, raised whenever a section or the order of unknowns and equations changes.
-constexpr std::uint32_t body_format = 3;
+constexpr std::uint32_t body_format = 4;
 
 constexpr FileKind body_file{{0x89, 'R', 'C', 'B', '\r', '\n', 0x1a, '\n'},
                              "a saved body of rollcon",

@@ -29,7 +29,8 @@ std::unique_ptr<Condensed> by_finite_elements(BodyModel& model, int threads, Sec
 }
 
 std::unique_ptr<Condensed> by_section(BodyModel& model, int threads, SectionReader* saved) {
-  return section::make_response(model.mesh, model.smooth_fans, model.material, model.options, threads, saved);
+  return section::make_response(model.mesh, model.smooth_fans, {model.material, model.relaxation}, model.options,
+                                threads, saved);
 }
 
 std::unique_ptr<Condensed> by_matrix(BodyModel& model, int threads, SectionReader* saved) {

@@ -24,14 +24,15 @@ class SectionWriter;
 struct BodyModel {
   BodyKind kind = BodyKind::rigid;
   const BodyTraits& traits() const { return traits_of(kind); }
-  std::map<std::int32_t, Elastic> material;  ///< materials by tag; one for the whole body has tag 0
-  std::vector<PronyTerm> relaxation;         ///< how the material relaxes; empty: it does not
+  std::map<std::int32_t, Elastic> material;       ///< materials by tag; one for the whole body has tag 0
+  std::map<std::int32_t, Relaxation> relaxation;  ///< how these relax; one that is not here does not
   BodyMesh mesh;
   BodyProfile profile;
   BodyOptions options;  ///< options that it was prepared with
 
   // Preparing the body makes what follows, frozen from then on.
   Elastic contact_material;  ///< material of most contact faces; until prepared: the one given last
+  std::int32_t contact_tag = 0;
   TractionNodes traction_nodes, smooth_fans;
   std::unique_ptr<SurfaceSearch> search;
   std::unique_ptr<Surface> surface;

@@ -75,6 +75,7 @@ void choose_contact_material(BodyModel& model) {
     if (a <= most) continue;
     most = a;
     model.contact_material = model.material.at(tag);
+    model.contact_tag = tag;
   }
 }
 

@@ -10,7 +10,7 @@ bool PairOfBodies::meshed() const {
 }
 
 bool PairOfBodies::creeps() const {
-  return std::any_of(body.begin(), body.end(), [](const Body* b) { return !b->relaxation().empty(); });
+  return std::any_of(body.begin(), body.end(), [](const Body* b) { return b->creeps(); });
 }
 
 bool PairOfBodies::half_spaces() const {

@@ -36,8 +36,8 @@ void require_support() {
 }
 
 std::unique_ptr<Condensed> make_response(const BodyMesh& /*mesh*/, const TractionNodes& /*fans*/,
-                                         const std::map<std::int32_t, Elastic>& /*material*/,
-                                         const BodyOptions& /*options*/, int /*threads*/, SectionReader* /*saved*/) {
+                                         const Materials& /*material*/, const BodyOptions& /*options*/, int /*threads*/,
+                                         SectionReader* /*saved*/) {
   require_support();
   return nullptr;
 }

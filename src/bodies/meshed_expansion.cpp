@@ -70,6 +70,7 @@ bool ByShapeFunctions::everywhere(const double* traction, SurfaceState& state) c
   for (std::size_t k = 0; k < 3 * on_body.size(); ++k)
     for (std::int64_t i = load.start[k]; i < load.start[k + 1]; ++i)
       b[at(load.row[at(i)])] += on_body[k / 3][k % 3] * load.value[at(i)];
+  state.rate = zone_.on_body.rate;
   zone_.body.response()->as_equations()->solve_everywhere(b, state, threads_);
   if (!state.traction.empty()) add_tractions(on_body, state);
   return true;

@@ -6,16 +6,48 @@
 #include "bodies/thinness.hpp"
 #include "mesh/quadratic_fit.hpp"
 #include "mesh/shape.hpp"
+#include "support/error.hpp"
 #include "support/index.hpp"
 
 namespace rollcon {
+namespace {
+
+/// Returns the angle per time at which a section that creeps turns, as its material passes the frame's origin against
+/// the rolling direction; else 0.
+double rate_of(const Frame& frame, const PairOfBodies& pair, int which) {
+  constexpr double least = 0.9;
+  const Body& body = *pair.body[at(which)];
+  if (!body.creeps()) return 0;
+  const SweptSection& section = body.mesh().section;
+  const Pose& pose = pair.pose[at(which)];
+  const auto& [e1, along, e2] = section.axes_at_start();
+  const Vec3 d = pose.to_body(frame.axes.origin) - section.path().origin;
+  const double p = dot(d, e1), q = dot(d, along);
+  const Vec3 way = section.axes(section.revolved() ? std::atan2(q, p) : 0).along;
+  const double cosine = dot(pose.turn_back(frame.axes.t1), way);
+  if (std::abs(cosine) < least)
+    fail(Status::err_unsupported,
+         "body %d is viscoelastic (rollcon_body_set_viscoelastic) and rolls at %.3g degrees to the way of its section; "
+         "allowed: up to %.3g",
+         which + 1, std::acos(std::abs(cosine)) * 180 / SweptSection::pi, std::acos(least) * 180 / SweptSection::pi);
+  return -pair.speed * cosine / section.way(std::hypot(p, q));
+}
+
+/// Returns the frame on the body, with that rate.
+FrameOnBody laid_in_rolling(const Frame& frame, const PairOfBodies& pair, int which) {
+  FrameOnBody on = lay_on_body(frame, *pair.body[at(which)], pair.pose[at(which)], which);
+  on.rate = rate_of(frame, pair, which);
+  return on;
+}
+
+}  // namespace
 
 MeshedZone::MeshedZone(const Frame& on, const PairOfBodies& of, int body_of)
     : frame(on),
       pair(of),
       which(body_of),
       body(*of.body[at(body_of)]),
-      on_body(lay_on_body(on, body, of.pose[at(body_of)], body_of)),
+      on_body(laid_in_rolling(on, of, body_of)),
       pose_(of.pose[at(body_of)]),
       normals_(on.axes, of) {
   const SurfaceMesh& surface = body.mesh().surface;

@@ -34,9 +34,10 @@ std::vector<LaggingBody> lags_of(const PairOfBodies& pair, int which) {
   std::vector<LaggingBody> bodies;
   for (int b = 0; b < 2; ++b) {
     const Body& body = *pair.body[at(b)];
-    if (body.relaxation().empty() || (which >= 0 && which != b)) continue;
+    if (!body.traits().half_space || !body.creeps() || (which >= 0 && which != b)) continue;
     LaggingBody own{constants_of(body, b), {}};
-    for (const PronyTerm& term : creep_of(body.relaxation())) own.lag.push_back({term.ratio, pair.speed * term.time});
+    for (const PronyTerm& term : creep_of(body.relaxation().term))
+      own.lag.push_back({term.ratio, pair.speed * term.time});
     if (!bodies.empty() && pair.body[0]->relaxation() == body.relaxation())
       bodies[0].c = together(bodies[0].c, own.c);
     else

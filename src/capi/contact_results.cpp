@@ -156,6 +156,16 @@ rollcon_status rollcon_contact_get_body_displacements(const rollcon_contact* con
   });
 }
 
+rollcon_status rollcon_contact_get_body_power(const rollcon_contact* contact, int32_t which, int64_t capacity,
+                                              double* power, int64_t* n_values) {
+  return with_contact(__func__, contact, [&](const Contact& c) {
+    require_body_number(which);
+    const std::vector<double> found = c.body_power(which);
+    if (wants_copy(std::ssize(found), capacity, power, "power", n_values, "doubles"))
+      std::copy(found.begin(), found.end(), power);
+  });
+}
+
 rollcon_status rollcon_contact_write_body(const rollcon_contact* contact, int32_t which, const char* path) {
   return with_contact(__func__, contact, [&](const Contact& c) {
     require_body_number(which);

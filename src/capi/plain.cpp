@@ -42,6 +42,13 @@ rollcon_status rollcon_body_set_viscoelastic(rollcon_body *body, int32_t tag, in
   });
 }
 
+rollcon_status rollcon_body_set_moduli(rollcon_body *body, int32_t tag, int64_t n,
+    const double *frequencies, const double *storage, const double *loss) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.set_moduli(tag, n, frequencies, storage, loss);
+  });
+}
+
 rollcon_status rollcon_body_set_nodes(rollcon_body *body, int64_t n, const double *x,
     int64_t node_stride, int64_t component_stride) {
   return with_body(__func__, body, [&](Body& self) {

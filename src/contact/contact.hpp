@@ -101,6 +101,9 @@ class Contact {
 
   /// Copies the displacements of all nodes and returns how many numbers they are; null: copies nothing.
   std::int64_t body_displacements(std::int32_t body, double* u) const;
+  /// Returns the power that a viscoelastic section loses in each harmonic, from 0 on. err_unsupported: it is another
+  /// body.
+  std::vector<double> body_power(std::int32_t body) const;
   /// Writes the body's elements and fields as a VTU file. err_io.
   void write_body(std::int32_t body, const char* path) const;
   /// Writes the forces of the last solution on the body's nodes, see nodal_loads and write_loads.

@@ -96,6 +96,17 @@ std::int64_t Contact::body_displacements(std::int32_t body, double* u) const {
   return std::ssize(moved);
 }
 
+std::vector<double> Contact::body_power(std::int32_t body) const {
+  solver->require_solution();
+  const Body& which = this->body(body);
+  if (!which.traits().section || !which.creeps())
+    fail(Status::err_unsupported,
+         "body %d is %s %s body: power by harmonics is that of viscoelastic sections; statistic body_power has that of "
+         "all bodies",
+         body, which.creeps() ? "a viscoelastic" : "an elastic or rigid", which.traits().name);
+  return solver->power_lost(body);
+}
+
 void Contact::write_body(std::int32_t body, const char* path) const {
   rollcon::write_body(this->body(body), surface_state(body), path);
 }

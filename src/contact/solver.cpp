@@ -42,7 +42,7 @@ std::unique_ptr<Solver> Solver::make_half_space(double modulus) const {
     const Body& own = *bodies().body[b];
     pair[b] = make(own.rigid() ? BodyKind::rigid : BodyKind::halfspace);
     if (!own.rigid()) pair[b]->set_elastic(0, own.young(), own.poisson());
-    if (!own.relaxation().empty()) pair[b]->set_relaxation(own.relaxation());
+    if (own.creeps()) pair[b]->set_relaxation(0, own.relaxation());
   }
   if (!creeps) pair[0]->set_elastic(0, modulus, 0);
   auto pressed = std::make_unique<Solver>(host, pair[0], pair[1]);

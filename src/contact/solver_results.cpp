@@ -107,6 +107,26 @@ const Compliance& Solver::compliance_of(std::int32_t body) {
   return *compliance;
 }
 
+std::vector<double> Solver::power_lost(std::int32_t body) {
+  SurfaceState state;
+  state.power_alone = true;
+  const Compliance& compliance = compliance_of(body);
+  const auto& lambda = solution_.iterate.lambda;
+  std::vector<double> traction(3 * lambda[0].size());
+  for (std::size_t k = 0; k < traction.size(); ++k) traction[k] = lambda[k % 3][k / 3];
+  if (const Body& own = *bodies().body[at(body - 1)]; own.creeps() && own.traits().section)
+    compliance.everywhere(traction.data(), state);
+  return std::move(state.power);
+}
+
+double Solver::rolling_resistance() {
+  double force = rollcon::rolling_resistance(solution_);
+  for (const std::int32_t body : {1, 2})
+    if (!bodies().body[at(body - 1)]->rigid())
+      for (const double power : power_lost(body)) force += power / solution_.prepared->speed;
+  return force;
+}
+
 void Solver::tell(Status status) const {
   const Solution& s = solution_;
   if (!s.solved || status == Status::ok || with_doubts(s, status_of(s)) != status) return;

@@ -183,7 +183,7 @@ class AutomaticFrames final : public FrameMaker {
     return Status::rim_contact;
   }
 
-  std::size_t level_count() const { return found_.speed != 0 ? levels.size() : usual_levels; }
+  std::size_t level_count() const { return found_.speed != 0 && shape_.lattice ? levels.size() : usual_levels; }
   std::size_t first_level(double accuracy) const {
     std::size_t level = 0;
     while (level + 1 < level_count() && levels[level].usual > 1.1 * accuracy) ++level;
@@ -269,9 +269,9 @@ class AutomaticFrames final : public FrameMaker {
     shape_.outline = patches.outline;
     shape_.box = box_of(shape_);
     constexpr double too_hollow = 0.1;
-    // A conformal contact ends elsewhere than its outline in the plane of the axes; bodies that creep are fast on
+    // A conformal contact ends elsewhere than its outline in the plane of the axes; half-spaces that creep are fast on
     // lattices.
-    shape_.lattice = now.conformal || now.speed != 0 ||
+    shape_.lattice = now.conformal || (now.speed != 0 && pair.half_spaces()) ||
                      std::any_of(shape_.outline.begin(), shape_.outline.end(),
                                  [](const Outline& outline) { return outline.hollow() > too_hollow; });
     shape_.stretch = usual_stretch;

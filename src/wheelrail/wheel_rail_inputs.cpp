@@ -29,7 +29,7 @@ WheelRail::WheelRail(std::shared_ptr<Context> context, std::shared_ptr<Body> whe
     body->profile();
   }
   for (const auto& [body, name] : {std::pair{&given_wheel_, "wheel"}, {&given_rail_, "rail"}})
-    if (!(*body)->relaxation().empty())
+    if ((*body)->creeps())
       fail(
           Status::err_unsupported,
           "the %s is viscoelastic (rollcon_body_set_viscoelastic); allowed: wheels and rails that are elastic or rigid",

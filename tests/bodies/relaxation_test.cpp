@@ -77,7 +77,71 @@ TEST(relaxation, terms_are_sorted_merged_and_checked) {
   EXPECT_NE(refusal(101, {0.5}, {1.0}).find("n is 101"), std::string::npos);
 }
 
-TEST(relaxation, only_half_spaces_relax_and_files_keep_it) {
+/// Samples moduli of a Prony series, so many a decade.
+struct Moduli {
+  std::vector<double> frequency, storage, loss;
+  Moduli(const Terms& terms, double young, double from, double to, int per_decade) {
+    for (double d = std::log10(from); d < std::log10(to) + 1e-9; d += 1.0 / per_decade) {
+      frequency.push_back(std::pow(10, d));
+      const std::complex<double> value = young * Relaxation{terms, {}}.modulus(frequency.back());
+      storage.push_back(value.real()), loss.push_back(value.imag());
+    }
+  }
+  std::int64_t size() const { return std::ssize(frequency); }
+};
+
+TEST(relaxation, series_fit_moduli) {
+  for (const Terms& terms : {Terms{{0.5, 0.03}}, Terms{{0.25, 1e-3}, {0.25, 1e-2}, {0.2, 1e-1}}}) {
+    const Moduli given(terms, 12, 1e-1, 1e5, 8);
+    double young = 0;
+    const Relaxation found =
+        checked_moduli(given.size(), given.frequency.data(), given.storage.data(), given.loss.data(), young);
+    double between = 0;
+    for (double w = 0.2; w < 5e4; w *= 1.37) {
+      const std::complex<double> exact = Relaxation{terms, {}}.modulus(w);
+      between = std::max(between, std::abs(young / 12 * Relaxation{found.term, {}}.modulus(w) / exact - 1.0));
+    }
+    std::printf("%zu terms fitted by %zu: misfit %.1e, between points %.1e (bound 2e-3), E %+.1e (1e-2)\n",
+                terms.size(), found.term.size(), found.misfit, between, young / 12 - 1);
+    EXPECT_LT(found.misfit, 2e-3);
+    EXPECT_LT(between, 2e-3);
+    EXPECT_NEAR(young, 12, 0.12);
+    // The table itself is interpolated.
+    EXPECT_NEAR(found.modulus(given.frequency[5]).imag() * young, given.loss[5], 1e-12);
+    EXPECT_NEAR(found.modulus(0).real() * young, given.storage[0], 1e-12);
+    EXPECT_EQ(found.modulus(0).imag(), 0);
+    EXPECT_NEAR(found.modulus(1e9).real() * young, given.storage.back(), 1e-12);
+  }
+}
+
+TEST(relaxation, moduli_that_no_material_has_are_refused) {
+  const auto context = std::make_shared<Context>();
+  Body body(context, static_cast<std::int32_t>(BodyKind::halfspace));
+  const auto refusal = [&](std::vector<double> w, std::vector<double> storage,
+                           std::vector<double> loss) -> std::string {
+    try {
+      body.set_moduli(0, std::ssize(w), w.data(), storage.data(), loss.data());
+    } catch (const Error& e) {
+      return e.what();
+    }
+    return {};
+  };
+  EXPECT_NE(refusal({1, 10}, {1, 2}, {0.3, 0.3}).find("Poisson's ratio"), std::string::npos);
+  body.set_elastic(0, 100, 0.4);
+  EXPECT_NE(refusal({1, 1}, {1, 2}, {0, 0}).find("entry 1 of frequencies"), std::string::npos);
+  EXPECT_NE(refusal({1, 2}, {1, 0}, {0, 0}).find("entry 1 of storage"), std::string::npos);
+  EXPECT_NE(refusal({1, 2}, {1, 2}, {0, -1}).find("entry 1 of loss"), std::string::npos);
+  // The storage modulus of a material cannot fall with the frequency.
+  EXPECT_NE(refusal({1, 10, 100}, {2, 1, 0.5}, {0.1, 0.1, 0.1}).find("nearest Prony series"), std::string::npos);
+  EXPECT_FALSE(body.creeps()) << "the body is as it was";
+  EXPECT_EQ(body.young(), 100);
+  const Moduli given({{0.5, 0.03}}, 12, 1e-1, 1e4, 6);
+  EXPECT_EQ(refusal(given.frequency, given.storage, given.loss), "");
+  EXPECT_NEAR(body.young(), 12, 0.1);
+  EXPECT_TRUE(body.creeps());
+}
+
+TEST(relaxation, half_spaces_relax_and_files_keep_it) {
   const auto context = std::make_shared<Context>();
   const double ratios[] = {0.5}, times[] = {2};
   Body rigid(context, static_cast<std::int32_t>(BodyKind::rigid));

@@ -407,10 +407,13 @@ contains
 
   !> Tests fields inside bodies: without displacements given a body's own are read first, 3 nodes.
   subroutine inside_bodies()
-    real(rc_real), allocatable :: s(:, :), u(:, :), xyz(:, :)
+    real(rc_real), allocatable :: s(:, :), u(:, :), v(:), xyz(:, :)
     call contact%get_body_displacements(ROLLCON_BODY2, u, stat)
     call told('contact_get_body_displacements', 'contact1 2 6 room room', stat)
     call gave_reals('displacements of a body', reshape(u, [6]), 300.5_rc_real)
+    call contact%get_body_power(ROLLCON_BODY2, v, stat)
+    call told('contact_get_body_power', 'contact1 2 6 room room', stat)
+    call gave_reals('power of a body', v, 300.5_rc_real)
     call body%get_node_stresses(s, x, stat)
     call told('body_get_node_stresses', 'body1 2 [1.5 2.5 3.5 4.5 5.5 6.5] room', stat)
     call gave_reals('stresses at nodes', reshape(s, [12]), 300.5_rc_real)

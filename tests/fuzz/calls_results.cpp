@@ -125,6 +125,17 @@ void body_displacements(World& w) {
   require(good ? all_finite(u.values()) : u.untouched(), "displacements of a body under a contact");
 }
 
+void body_power(World& w) {
+  const rollcon_contact* c = w.contact();
+  const std::int32_t body = w.in.below(4);
+  std::int64_t n = 0;
+  FUZZ_CALL(w, rollcon_contact_get_body_power, c, body, 0, nullptr, &n);
+  Output<double> power(n);
+  const bool good =
+      n > 0 && FUZZ_CALL(w, rollcon_contact_get_body_power, c, body, n, power.data(), nullptr) == ROLLCON_OK;
+  require(good ? all_finite(power.values()) : power.untouched(), "power that a body loses");
+}
+
 void body_fields_under_contact(World& w) {
   const rollcon_contact* c = w.contact();
   const std::int32_t body = w.in.below(4);
@@ -227,6 +238,7 @@ std::span<const Call> result_calls() {
                                displacements_at,
                                stresses_at,
                                body_displacements,
+                               body_power,
                                body_fields_under_contact,
                                wear,
                                worn_profile,

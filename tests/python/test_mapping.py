@@ -220,6 +220,7 @@ class Mapping(MappingCase):
         self.told("contact_get_fields_at", f"contact1 2 2 {WRITTEN} 0 room room")
         self.refuses("shape", contact.fields_at, 2, X[:, :2])
         check(contact.body_displacements(2), (2, 3), 300.5, "contact_get_body_displacements", "contact1 2 6 room room")
+        check(contact.body_power(2), (6,), 300.5, "contact_get_body_power", "contact1 2 6 room room")
         check(self.body.node_stresses(X), (2, 6), 300.5, "body_get_node_stresses", f"body1 2 {WRITTEN} room")
         check(self.body.node_stresses(), (3, 6), 300.5, "body_get_node_stresses", "body1 3 null room")
         stress, xyz = self.body.point_stresses(X)

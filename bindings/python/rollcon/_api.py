@@ -219,6 +219,9 @@ FUNCTIONS = {
     "rollcon_body_set_viscoelastic": (c_int32, [
         c_void_p, c_int32, c_int64,
         POINTER(c_double), POINTER(c_double)]),
+    "rollcon_body_set_moduli": (c_int32, [
+        c_void_p, c_int32, c_int64,
+        POINTER(c_double), POINTER(c_double), POINTER(c_double)]),
     "rollcon_body_prepare": (c_int32, [c_void_p]),
     "rollcon_body_get_kind": (c_int32, [c_void_p, POINTER(c_int32)]),
     "rollcon_body_save": (c_int32, [c_void_p, c_char_p]),
@@ -382,6 +385,9 @@ FUNCTIONS = {
         c_void_p, c_int32, c_int64, POINTER(c_double),
         c_int32, POINTER(c_double), POINTER(c_double)]),
     "rollcon_contact_get_body_displacements": (c_int32, [
+        c_void_p, c_int32, c_int64,
+        POINTER(c_double), POINTER(c_int64)]),
+    "rollcon_contact_get_body_power": (c_int32, [
         c_void_p, c_int32, c_int64,
         POINTER(c_double), POINTER(c_int64)]),
     "rollcon_contact_write_body": (c_int32, [c_void_p, c_int32, c_char_p]),
@@ -607,6 +613,9 @@ ARGUMENTS = {
     "rollcon_body_set_viscoelastic": [
         ("body", ""), ("tag", ""), ("n", ""), ("ratios", ""), ("times", "")
     ],
+    "rollcon_body_set_moduli": [
+        ("body", ""), ("tag", ""), ("n", ""), ("frequencies", ""), ("storage", ""), ("loss", "")
+    ],
     "rollcon_body_prepare": [("body", "")],
     "rollcon_body_get_kind": [("body", ""), ("kind", "")],
     "rollcon_body_save": [("body", ""), ("path", "")],
@@ -800,6 +809,10 @@ ARGUMENTS = {
     "rollcon_contact_get_body_displacements": [
         ("contact", ""), ("which", "body of a contact"), ("capacity", ""), ("u", ""), ("n_values",
         "")
+    ],
+    "rollcon_contact_get_body_power": [
+        ("contact", ""), ("which", "body of a contact"), ("capacity", ""), ("power", ""),
+        ("n_values", "")
     ],
     "rollcon_contact_write_body": [("contact", ""), ("which", "body of a contact"), ("path", "")],
     "rollcon_contact_write_loads": [("contact", ""), ("which", "body of a contact"), ("path", "")],

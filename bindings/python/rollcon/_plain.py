@@ -64,19 +64,40 @@ class BodyPlain:
         self._call("set_elastic", tag, young, poisson)
 
     def set_viscoelastic(self, ratios: ArrayLike, times: ArrayLike, tag: int = 0) -> None:
-        """Lets the material of a half-space relax: at a time t after a strain Young's modulus is
-        E (1 - sum of ratio (1 - exp(-t / time))), where E is that of set_elastic(). Poisson's
-        ratio does not change. Such bodies are solved in steady rolling only, at the speed of
-        set_rolling(): time steps, conformal contacts, wear, tables and wheels on rails end with
-        ERR_UNSUPPORTED. The statistic rolling_resistance is the force that rolling costs.
+        """Lets a material of a half-space or a section relax: at a time t after a strain Young's
+        modulus is E (1 - sum of ratio (1 - exp(-t / time))), where E is that of set_elastic().
+        Poisson's ratio does not change. Such bodies are solved in steady rolling only, at the
+        speed of set_rolling(): time steps, conformal contacts, wear, tables and wheels on rails
+        end with ERR_UNSUPPORTED. The statistic rolling_resistance is the force that rolling
+        costs.
 
-        tag: half-spaces, of one material, ignore it.
+        tag: sections: tag of the elements; half-spaces, of one material, ignore it.
         ratios: part of E that each term loses, 0 <= ratio < 1; their sum is less than 1 - 1e-6.
         times: relaxation time of each term, > 0.
         """
         ratios, ratios_at = reals(ratios)
         times, times_at = reals(times)
         self._call("set_viscoelastic", tag, len(ratios), ratios_at, times_at)
+
+    def set_moduli(self, frequencies: ArrayLike, storage: ArrayLike, loss: ArrayLike,
+                   tag: int = 0) -> None:
+        """Lets a material relax as set_viscoelastic() does, by moduli over frequency instead of
+        terms. They take the place of Young's modulus; set_elastic() gives Poisson's ratio before.
+        Sections take the moduli as they are: linear in the logarithm of the frequency between
+        points; beyond them the storage modulus stays, and the loss modulus falls with the
+        frequency or its inverse. Half-spaces take the Prony series, eight terms a decade, that is
+        nearest to them. ERR_ARGUMENT: it is off a modulus by more than 10 %; beyond 2 % the log
+        warns.
+
+        tag: sections: tag of the elements; half-spaces, of one material, ignore it.
+        frequencies: angular frequencies, > 0 and ascending, radians per time.
+        storage: storage modulus at each, > 0, force/length^2.
+        loss: loss modulus at each, >= 0, force/length^2.
+        """
+        frequencies, frequencies_at = reals(frequencies)
+        storage, storage_at = reals(storage)
+        loss, loss_at = reals(loss)
+        self._call("set_moduli", tag, len(frequencies), frequencies_at, storage_at, loss_at)
 
     def prepare(self) -> None:
         """Checks that the body is complete and its mesh and supports sound, assembles and

@@ -269,6 +269,14 @@ class Contact(Settings, ContactPlain, Handle):
         self._call("get_body_displacements", which, u.size, address, byref(need))
         return u
 
+    def body_power(self, which: int | str) -> np.ndarray:
+        """Returns the power that body 1 or 2, a viscoelastic section, loses in each harmonic of its way, from 0 on."""
+        need = c_int64()
+        self._call("get_body_power", which, 0, None, byref(need))
+        power, address = room(need.value)
+        self._call("get_body_power", which, power.size, address, byref(need))
+        return power
+
     def write_body(self, which: int | str, path: str | os.PathLike) -> None:
         """Writes elements of body 1 or 2 with displacements, smoothed stresses and von Mises's stress, as a VTU
         file."""

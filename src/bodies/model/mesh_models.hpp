@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "bodies/model/body_mesh.hpp"
+#include "bodies/model/relaxation.hpp"
 #include "bodies/model/surface_response.hpp"
 #include "mesh/traction_nodes.hpp"
 
@@ -37,10 +38,14 @@ std::unique_ptr<Condensed> make_response(const BodyMesh& mesh, const TractionNod
 namespace section {
 /// Throws err_unsupported, naming component and option, in a build without them.
 void require_support();
+/// Refers to materials by tag, and to how those relax that do.
+struct Materials {
+  const std::map<std::int32_t, Elastic>& elastic;
+  const std::map<std::int32_t, Relaxation>& relaxation;
+};
 /// Makes the response of a body that a section gives, see section::System.
-std::unique_ptr<Condensed> make_response(const BodyMesh& mesh, const TractionNodes& fans,
-                                         const std::map<std::int32_t, Elastic>& material, const BodyOptions& options,
-                                         int threads, SectionReader* saved);
+std::unique_ptr<Condensed> make_response(const BodyMesh& mesh, const TractionNodes& fans, const Materials& material,
+                                         const BodyOptions& options, int threads, SectionReader* saved);
 }  // namespace section
 
 namespace condensed {

@@ -11,8 +11,8 @@
 namespace rollcon {
 
 bool LoadedSurface::operator==(const LoadedSurface& other) const {
-  return face == other.face && row == other.row && layer.node == other.layer.node && layer.type == other.layer.type &&
-         layer.connectivity == other.layer.connectivity;
+  return rate == other.rate && face == other.face && row == other.row && layer.node == other.layer.node &&
+         layer.type == other.layer.type && layer.connectivity == other.layer.connectivity;
 }
 
 void ResponseCache::set_outline(const LoadedSurface& surface, SurfaceOutline& outline) const {

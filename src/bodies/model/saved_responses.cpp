@@ -28,6 +28,7 @@ void own_content(Archive& ar, auto& statistics, auto& own) {
 template <class Archive>
 void kept_content(Archive& ar, auto& surface, auto& rows) {
   ar(surface.face);
+  ar(surface.rate);
   ar(surface.layer.node);
   ar(surface.layer.type);
   ar(surface.layer.connectivity);

@@ -22,6 +22,7 @@ struct LoadedSurface {
   /// Nodes of the body whose displacements are wanted under a layer. Under faces they are the nodes of these and of all
   /// elements that touch them.
   std::vector<std::int32_t> row;
+  double rate = 0;  ///< angle per time at which a section that creeps passes by; else 0
   bool of_faces() const { return !face.empty(); }
   bool operator==(const LoadedSurface& other) const;
 };

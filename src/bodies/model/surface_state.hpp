@@ -16,6 +16,10 @@ struct SurfaceState {
   std::vector<double> traction;
   SurfaceMesh layer;
   std::vector<double> layer_traction;  ///< sections: forces on the stretches of their surface
+  // Sections that creep:
+  double rate = 0;            ///< angle per time at which they pass by
+  bool power_alone = false;   ///< true: nothing else is wanted
+  std::vector<double> power;  ///< power lost in each harmonic, from 0 on
 };
 
 /// Gives fields inside of a body; stresses are 11, 22, 33, 12, 13, 23 in its axes. err_argument: a point is outside.

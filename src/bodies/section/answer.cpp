@@ -23,14 +23,14 @@ std::vector<T> distinct(std::vector<T> all) {
 /// Holds responses between profile nodes for all offsets that occur: under each function along the way, row by offset.
 class Table {
  public:
-  Table(const Harmonics& harmonics, const RowMatrix<double>& response, std::int64_t width, bool quadratic, double step,
+  Table(const Harmonics& harmonics, const Response& response, std::int64_t width, bool quadratic, double step,
         std::span<const std::int64_t> offset, std::span<const std::int32_t> to, std::span<const std::int32_t> from)
       : from_(std::ssize(from)) {
     const double half = quadratic ? step : 0.5 * step;
     std::vector<double> angle;
     for (const std::int64_t k : offset) angle.push_back(static_cast<double>(k) * step - half);
     const StationWeights weights = station_weights(harmonics, half, angle, false);
-    const auto samples = response.rows(), pairs = 9 * std::ssize(to) * from_;
+    const auto samples = response.part.rows(), pairs = 9 * std::ssize(to) * from_;
     RowMatrix<double> wanted[2], power;  // by kernel; power: rows by monomial and offset
     for (auto& w : wanted) w.resize(samples, pairs);
     for (std::int64_t s = 0; s < samples; ++s) {
@@ -38,10 +38,16 @@ class Table {
       for (const std::int32_t j : to)
         for (std::int64_t a = 0; a < 3; ++a)
           for (const std::int32_t i : from)
-            for (std::int64_t b = 0; b < 3; ++b, ++k)
-              // Forces along the way and displacements across it go with sines of opposite sign.
-              wanted[(a == 1) != (b == 1) ? 1 : 0].row(s)[k] =
-                  (b == 1 && a != 1 ? -1 : 1) * response.row(s)[((3 * j + a) * width + i) * 3 + b];
+            for (std::int64_t b = 0; b < 3; ++b, ++k) {
+              // Forces along the way and displacements across it go with sines of opposite sign; what lags goes with
+              // the other kernel.
+              const bool odd = (a == 1) != (b == 1);
+              const double sign = odd && b == 1 ? -1 : 1;
+              const std::int64_t place = ((3 * j + a) * width + i) * 3 + b;
+              wanted[odd ? 1 : 0].row(s)[k] = sign * response.part.row(s)[place];
+              if (!response.lags.empty())
+                wanted[odd ? 0 : 1].row(s)[k] = (odd ? sign : -sign) * response.lags.row(s)[place];
+            }
     }
     const RowMatrix<double>* weight[2] = {&weights.cosine, &weights.sine};
     power.resize(weights.cosine.rows(), pairs);
@@ -132,13 +138,13 @@ void System::find_sources(std::span<const std::int64_t> face, std::span<const st
     }
 }
 
-void System::answer(std::span<const std::int64_t> face, std::span<const std::int32_t> node,
+void System::answer(const Response& response, std::span<const std::int64_t> face, std::span<const std::int32_t> node,
                     const RowMatrix<double>& traction, SurfaceRows& rows) const {
   std::vector<Source> source;
   RowMatrix<double> acting;
   find_sources(face, node, traction, source, acting);
   const Places place = find_places(section_, rows.row, source);
-  const Table table(harmonics_, response_, std::ssize(section_.profile()), section_.quadratic(), section_.step(),
+  const Table table(harmonics_, response, std::ssize(section_.profile()), section_.quadratic(), section_.step(),
                     place.offset, place.to, place.from);
   const std::int64_t sources = std::ssize(source), wanted = 3 * std::ssize(rows.row), columns = traction.columns();
 

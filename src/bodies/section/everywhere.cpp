@@ -1,12 +1,16 @@
 /// Writes what acts on a section's surface as forces of its stretches, and finds what they do everywhere.
 
 #include <algorithm>
+#include <cmath>
+#include <complex>
 #include <utility>
 
 #include "bodies/section/fields.hpp"
 #include "bodies/section/system.hpp"
 #include "linalg/blas_threads.hpp"
 #include "linalg/sparse_order.hpp"
+#include "mesh/quadrature.hpp"
+#include "support/error.hpp"
 #include "support/index.hpp"
 #include "support/parallel.hpp"
 
@@ -99,8 +103,71 @@ std::vector<double> System::sample_everywhere(std::size_t s, int /*threads*/) co
   return out;
 }
 
+// The power is that of forces on the velocity of the material under them, which is the rate times the derivative of
+// displacements by the angle. In each harmonic it belongs to what lags.
+void System::find_power(SurfaceState& state, const Response& response) const {
+  const std::vector<double>& force = state.layer_traction;
+  const std::size_t columns = 3 * section_.profile().size(), functions = section_.quadratic() ? 3 : 2;
+  const std::int64_t per_face = section_.quadratic() ? 2 : 1, more[3] = {0, per_face, 1};
+  const double half = 0.5 * static_cast<double>(per_face) * section_.step();
+  struct Acting {
+    double angle;
+    std::vector<double> of[3];  ///< forces of each shape function along e1, the way and e2 of each profile node
+  };
+  std::vector<Acting> acting;
+  for (std::int64_t k = 0; 3 * at(k + 1) * columns <= force.size(); ++k) {
+    const double* given = force.data() + 3 * at(k) * columns;
+    if (std::all_of(given, given + 3 * columns, [](double v) { return v == 0; })) continue;
+    const std::int64_t first = section_.station(k * per_face);
+    Acting& own = acting.emplace_back();
+    own.angle = static_cast<double>(first) * section_.step() + half;
+    for (std::size_t f = 0; f < functions; ++f) {
+      const auto axes = section_.axes(static_cast<double>(first + more[f]) * section_.step()).all();
+      for (std::size_t i = 0; i < columns / 3; ++i)
+        for (const Vec3& axis : axes) {
+          const double* there = given + 3 * (3 * i + f);
+          own.of[f].push_back(there[0] * axis[0] + there[1] * axis[1] + there[2] * axis[2]);
+        }
+    }
+  }
+  const LineRule rule = gauss_legendre(20);
+  state.power.assign(at(harmonics_.most()) + 1, 0.0);
+  for (std::int64_t n = 1; n <= harmonics_.most(); ++n) {
+    const auto number = static_cast<double>(n);
+    std::complex<double> power[3];  // parts of 1, x, x^2
+    for (std::size_t g = 0; g < rule.x.size(); ++g) {
+      const std::complex<double> own = rule.w[g] * half * std::polar(1.0, -number * half * rule.x[g]);
+      power[0] += own, power[1] += rule.x[g] * own, power[2] += rule.x[g] * rule.x[g] * own;
+    }
+    std::vector<std::complex<double>> q(columns);
+    for (const Acting& own : acting) {
+      const std::complex<double> turn = std::polar(1.0, -number * own.angle);
+      for (std::size_t f = 0; f < functions; ++f) {
+        const auto [c0, c1, c2] = along_the_way(section_.quadratic(), f);
+        const std::complex<double> part = turn * (c0 * power[0] + c1 * power[1] + c2 * power[2]);
+        for (std::size_t b = 0; b < columns; ++b) q[b] += part * own.of[f][b];
+      }
+    }
+    // Forces along the way are a quarter of a wave behind those across it that they go with.
+    for (std::size_t b = 1; b < columns; b += 3) q[b] *= std::complex<double>(0, 1);
+    const Harmonics::Mix mix = harmonics_.mix(n);
+    for (std::size_t i = 0; i < mix.weight.size(); ++i) {
+      const double* lags = response.lags.row(static_cast<std::int64_t>(mix.first + i));
+      double sum = 0;
+      for (std::size_t a = 0; a < columns; ++a)
+        for (std::size_t b = 0; b < columns; ++b) sum += lags[a * columns + b] * (std::conj(q[a]) * q[b]).real();
+      state.power[at(n)] -= mix.weight[i] * number * state.rate * sum / SweptSection::pi;
+    }
+  }
+}
+
 void System::solve_everywhere(std::span<double> load, SurfaceState& state, int threads) {
+  std::unique_lock lock(mutex_);
+  const Response& response = this->response(state.rate, threads);
+  if (creeping_.empty()) lock.unlock();
   state.layer_traction.assign(load.begin(), load.end());
+  if (!creeping_.empty()) find_power(state, response);
+  if (state.power_alone) return;
   state.u.assign(3 * at(surface_.nodes()), 0.0);
   const std::size_t width = section_.profile().size();
   const StationWeights known = at_stations(false);
@@ -111,11 +178,15 @@ void System::solve_everywhere(std::span<double> load, SurfaceState& state, int t
     std::vector<double> local(3 * width, 0.0);
     for (std::size_t s = 0; s < harmonics_.samples().size(); ++s)
       for (std::size_t a = 0; a < 3 * width; ++a) {
-        const double* row = response_.row(static_cast<std::int64_t>(s)) + a * 3 * width;
+        const double* row = response.part.row(static_cast<std::int64_t>(s)) + a * 3 * width;
+        const double* lags =
+            response.lags.empty() ? nullptr : response.lags.row(static_cast<std::int64_t>(s)) + a * 3 * width;
         double sum = 0;
         for (std::size_t b = 0; b < 3 * width; ++b) {
           const bool odd = (a % 3 == 1) != (b % 3 == 1);
-          const double u = row[b] * q[4 * (3 * width * s + b) + (odd ? 1 : 0)];
+          const double* kernel = &q[4 * (3 * width * s + b)];
+          double u = row[b] * kernel[odd ? 1 : 0];
+          if (lags) u += odd ? lags[b] * kernel[0] : -lags[b] * kernel[1];
           sum += odd && b % 3 == 1 ? -u : u;
         }
         local[a] += sum;
@@ -127,6 +198,10 @@ void System::solve_everywhere(std::span<double> load, SurfaceState& state, int t
 }
 
 std::unique_ptr<const BodyFields> System::fields(SurfaceState&& state, const OwnLoads& own) {
+  if (state.rate != 0)
+    fail(Status::err_unsupported,
+         "the body is viscoelastic (rollcon_body_set_viscoelastic): fields inside it are not computed; allowed: "
+         "displacements of its surface (rollcon_contact_get_body_displacements)");
   return std::make_unique<SectionFields>(*this, std::move(state.layer_traction), own.traction);
 }
 

@@ -7,6 +7,7 @@
 #include "bodies/model/archive.hpp"
 #include "bodies/model/mesh_models.hpp"
 #include "linalg/blas_threads.hpp"
+#include "linalg/complex_condensation.hpp"
 #include "linalg/sparse_factor.hpp"
 #include "linalg/sparse_order.hpp"
 #include "support/clock.hpp"
@@ -23,33 +24,48 @@ double largest_modulus(const std::map<std::int32_t, Elastic>& material) {
   return most;
 }
 
-std::vector<Elastic> by_element(const BodyMesh& mesh, const std::map<std::int32_t, Elastic>& material,
-                                double reference) {
+/// Returns constants of the elements, relaxed; alone not null: at once, of those alone that relax so.
+std::vector<Elastic> by_element(const BodyMesh& mesh, const Materials& material, double reference,
+                                const Relaxation* alone = nullptr) {
   std::vector<Elastic> result;
-  for (const std::int32_t tag : mesh.section.plane().tag)
-    result.push_back({material.at(tag).young / reference, material.at(tag).poisson});
+  for (const std::int32_t tag : mesh.section.plane().tag) {
+    const auto found = material.relaxation.find(tag);
+    const bool relaxes = found != material.relaxation.end();
+    double part = relaxes ? found->second.modulus(0).real() : 1;
+    if (alone) part = relaxes && found->second == *alone ? 1 : 0;
+    const Elastic& m = material.elastic.at(tag);
+    result.push_back({part * m.young / reference, m.poisson});
+  }
   return result;
 }
 
 }  // namespace
 
-System::System(const BodyMesh& mesh, const TractionNodes& fans, const std::map<std::int32_t, Elastic>& material,
-               const BodyOptions& options, int threads, SectionReader* saved)
+System::System(const BodyMesh& mesh, const TractionNodes& fans, const Materials& material, const BodyOptions& options,
+               int threads, SectionReader* saved)
     : ResponseCache(mesh.surface, options.cache_bytes),
       mesh_(mesh),
       section_(mesh.section),
       fans_(fans),
-      reference_(largest_modulus(material)),
+      reference_(largest_modulus(material.elastic)),
       stiffness_(mesh, by_element(mesh, material, reference_), reference_),
       harmonics_(section_.stations()) {
   statistics_.unknowns = stiffness_.unknowns();
   statistics_.condensed = static_cast<std::int64_t>(profile_unknowns().size());
+  for (const auto& [tag, relaxation] : material.relaxation) {
+    const bool known =
+        std::any_of(creeping_.begin(), creeping_.end(), [&](const Creeping& c) { return c.relaxation == relaxation; });
+    // Springs over an infinite reference are none.
+    if (!known)
+      creeping_.push_back(
+          {relaxation, HarmonicStiffness(mesh, by_element(mesh, material, reference_, &relaxation), HUGE_VAL)});
+  }
   if (saved) {
     restore(*saved, 3 * at(surface_.nodes()), stiffness_.numbers().size());
     return;
   }
   ++statistics_.assemblies;
-  solve_harmonics(threads);
+  if (creeping_.empty()) response(0, threads);
   own_ = solve_own_load(mesh_);
 }
 
@@ -66,19 +82,83 @@ std::unique_ptr<SparseFactor> System::factor_of(double n, std::span<const std::i
   try {
     return factor_definite(stiffness_.matrix(n), condensed, order);
   } catch (const ZeroPivot& pivot) {
-    const auto& of = stiffness_.numbers();
-    const auto place = std::find(of.begin(), of.end(), pivot.unknown()) - of.begin();
-    constexpr const char* component[] = {"across the way", "along the way", "along the section's second axis"};
-    fail(Status::err_singular,
-         "the stiffness of harmonic n = %.4g of the section is singular at node %lld (counting from %d), %s: check its "
-         "supports, its mesh and the ratio of its moduli",
-         n, static_cast<long long>(place / 3) + surface_.index_base, surface_.index_base, component[place % 3]);
+    refuse_singular(n, pivot.unknown());
   }
 }
 
-void System::solve_harmonics(int threads) {
+void System::refuse_singular(double n, std::int64_t unknown) const {
+  const auto& of = stiffness_.numbers();
+  const auto place = std::find(of.begin(), of.end(), unknown) - of.begin();
+  constexpr const char* component[] = {"across the way", "along the way", "along the section's second axis"};
+  fail(Status::err_singular,
+       "the stiffness of harmonic n = %.4g of the section is singular at node %lld (counting from %d), %s: check its "
+       "supports, its mesh and the ratio of its moduli",
+       n, static_cast<long long>(place / 3) + surface_.index_base, surface_.index_base, component[place % 3]);
+}
+
+const Response& System::response(double rate, int threads) {
+  constexpr std::size_t most = 4;
+  if (creeping_.empty()) rate = 0;
+  const auto found =
+      std::find_if(response_.begin(), response_.end(), [&](const Response& r) { return r.rate == rate; });
+  if (found != response_.end()) {
+    response_.splice(response_.begin(), response_, found);
+    return response_.front();
+  }
+  Response made{rate, {}, {}};
   const Stopwatch watch(statistics_.seconds_factor);
   const BlasThreads blas(1);
+  creeping_.empty() ? solve_harmonics(made, threads) : solve_creeping(made, threads);
+  statistics_.factorizations += made.part.rows();
+  response_.push_front(std::move(made));
+  if (response_.size() > most) response_.pop_back();
+  return response_.front();
+}
+
+// The moduli of harmonic n are those at the frequency n times the rate; a body that turns backwards has the conjugate.
+void System::solve_creeping(Response& response, int threads) {
+  const std::vector<std::int64_t> condensed = profile_unknowns();
+  const auto width = static_cast<std::int64_t>(section_.profile().size());
+  const std::vector<double>& sample = harmonics_.samples();
+  const SparseMatrix pattern = stiffness_.matrix(1);
+  const SparseOrder order = order_unknowns(pattern, condensed);
+  std::vector<std::int64_t> place(order.unknown.size(), -1), row;  // row: 3 * profile node + c, in that order
+  for (std::int64_t i = 0; i < width; ++i)
+    for (std::size_t c = 0; c < 3; ++c)
+      if (const std::int64_t u = stiffness_.unknown(section_.profile()[at(i)], c); u >= 0)
+        place[at(u)] = 3 * i + static_cast<std::int64_t>(c);
+  for (std::size_t k = order.unknown.size() - condensed.size(); k < order.unknown.size(); ++k)
+    row.push_back(place[at(order.unknown[k])]);
+  const ComplexCondensation condensation(pattern, order.unknown, std::ssize(condensed));
+  for (RowMatrix<double>* part : {&response.part, &response.lags}) part->resize(std::ssize(sample), 9 * width * width);
+  parallel_for(std::ssize(sample), 1, threads, [&](std::int64_t s, int) {
+    const double n = sample[at(s)], scale = (n > 0 ? n : 1) / reference_, sign = response.rate < 0 ? -1 : 1;
+    const std::vector<double> relaxed = stiffness_.matrix(n).value;
+    std::vector<std::complex<double>> value(relaxed.begin(), relaxed.end());
+    for (const Creeping& c : creeping_) {
+      const std::complex<double> more =
+          c.relaxation.modulus(n * std::abs(response.rate)) - c.relaxation.modulus(0).real();
+      const std::vector<double> own = c.stiffness.matrix(n).value;
+      for (std::size_t k = 0; k < own.size(); ++k) value[k] += more * own[k];
+    }
+    std::vector<std::complex<double>> found;
+    try {
+      found = condensation.inverse(value, scale);
+    } catch (const ZeroPivot& pivot) {
+      refuse_singular(n, pivot.unknown());
+    }
+    for (std::size_t k = 0; k < row.size(); ++k)
+      for (std::size_t r = 0; r < row.size(); ++r) {
+        const std::complex<double> u = found[k * row.size() + r];
+        response.part.row(s)[row[r] * 3 * width + row[k]] = u.real();
+        response.lags.row(s)[row[r] * 3 * width + row[k]] = sign * u.imag();
+      }
+  });
+  statistics_.nonzeros = condensation.nonzeros();
+  count_peak(response.part.bytes() * 2);
+}
+
+void System::solve_harmonics(Response& response, int threads) {
   const std::vector<std::int64_t> condensed = profile_unknowns();
   const auto width = static_cast<std::int64_t>(section_.profile().size()),
              n = static_cast<std::int64_t>(condensed.size());
@@ -87,7 +167,7 @@ void System::solve_harmonics(int threads) {
     for (std::size_t c = 0; c < 3; ++c)
       if (stiffness_.unknown(section_.profile()[at(i)], c) >= 0) place.push_back(3 * i + static_cast<std::int64_t>(c));
   const std::vector<double>& sample = harmonics_.samples();
-  response_.resize(static_cast<std::int64_t>(sample.size()), 9 * width * width);
+  response.part.resize(static_cast<std::int64_t>(sample.size()), 9 * width * width);
   std::vector<SparseStatistics> found(sample.size());
   SparseOrder order;  // all harmonics have one pattern
   {
@@ -101,16 +181,15 @@ void System::solve_harmonics(int threads) {
     const double scale = std::max(sample[at(s)], sample[at(s)] > 0 ? 0 : 1.0) / reference_;
     for (std::int64_t k = 0; k < n; ++k) b[at(k * n + k)] = scale;
     factor->solve_condensed(b.data(), n);
-    double* row = response_.row(s);
+    double* row = response.part.row(s);
     for (std::int64_t k = 0; k < n; ++k)
       for (std::int64_t r = 0; r < n; ++r) row[place[at(r)] * 3 * width + place[at(k)]] = b[at(k * n + r)];
   });
-  statistics_.factorizations += static_cast<std::int64_t>(sample.size());
   for (const SparseStatistics& s : found) {
     statistics_.nonzeros = std::max(statistics_.nonzeros, s.nonzeros);
     statistics_.condition = std::max(statistics_.condition, s.condition);
   }
-  count_peak(response_.bytes() + found[0].peak_bytes * at(std::max(threads, 1)));
+  count_peak(response.part.bytes() + found[0].peak_bytes * at(std::max(threads, 1)));
 }
 
 OwnLoads System::solve_own_load(const BodyMesh& loaded) const {
@@ -162,7 +241,7 @@ void System::respond(const LoadedSurface& surface, SurfaceRows& rows, int thread
   const BlasThreads blas(threads);
   ++statistics_.condensations;
   const Acted acted = act(surface, rows);
-  answer(acted.face, acted.node, acted.traction, rows);
+  answer(response(surface.rate, threads), acted.face, acted.node, acted.traction, rows);
 }
 
 System::Acted System::act(const LoadedSurface& surface, SurfaceOutline& outline) const {
@@ -175,9 +254,15 @@ System::Acted System::act(const LoadedSurface& surface, SurfaceOutline& outline)
     for (std::int64_t k = 0; k < n; ++k) acted.traction.row(k)[k] = 1;
     return acted;
   }
-  const auto material = [this](std::int64_t face) {
-    const Elastic& m = stiffness_.material(section_.element_under(face));
-    return Elastic{m.young * reference_, m.poisson};
+  // What faces do not feel has waves of about two of them: bodies that creep answer with their stiffness to these.
+  const double wave = SweptSection::pi / (section_.step() * (section_.quadratic() ? 2 : 1)) * std::abs(surface.rate);
+  const auto material = [&](std::int64_t face) {
+    const std::int64_t e = section_.element_under(face);
+    Elastic m = this->material(e);
+    for (const Creeping& c : creeping_)
+      if (c.stiffness.material(e).young > 0)
+        m.young = c.stiffness.material(e).young * reference_ * std::abs(c.relaxation.modulus(wave));
+    return m;
   };
   FeltTractions felt = feel({mesh_, fans_, material}, surface.layer, outline, true);
   acted = {outline.seen_face, felt.node, felt.traction};
@@ -187,7 +272,9 @@ System::Acted System::act(const LoadedSurface& surface, SurfaceOutline& outline)
 
 BodyStatistics System::statistics() const {
   const std::lock_guard lock(mutex_);
-  return statistics_with(response_.bytes());
+  std::size_t bytes = 0;
+  for (const Response& r : response_) bytes += r.part.bytes() + r.lags.bytes();
+  return statistics_with(bytes);
 }
 
 std::uint64_t System::numbering() const {
@@ -200,22 +287,22 @@ std::uint64_t System::numbering() const {
 
 void System::write_factors(SectionWriter& file) const {
   OutArchive ar(file);
-  ar(response_);
+  ar(response_.front().part);
 }
 
 void System::read_factors(SectionReader& file) {
   InArchive ar(file);
-  ar(response_);
+  RowMatrix<double>& read = response_.emplace_back().part;
+  ar(read);
   const auto width = static_cast<std::int64_t>(section_.profile().size());
-  if (response_.rows() != std::ssize(harmonics_.samples()) || response_.columns() != 9 * width * width)
+  if (read.rows() != std::ssize(harmonics_.samples()) || read.columns() != 9 * width * width)
     file.fail_here("the harmonics do not fit the section");
 }
 
 void require_support() {}
 
-std::unique_ptr<Condensed> make_response(const BodyMesh& mesh, const TractionNodes& fans,
-                                         const std::map<std::int32_t, Elastic>& material, const BodyOptions& options,
-                                         int threads, SectionReader* saved) {
+std::unique_ptr<Condensed> make_response(const BodyMesh& mesh, const TractionNodes& fans, const Materials& material,
+                                         const BodyOptions& options, int threads, SectionReader* saved) {
   return std::make_unique<System>(mesh, fans, material, options, threads, saved);
 }
 

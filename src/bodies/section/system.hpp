@@ -2,12 +2,13 @@
 /// Solves a body by a section. Harmonics of the way, each condensed to the nodes of the section's contact edges, give
 /// the response to tractions on the surface that the section sweeps (docs/sections.md).
 
-#include <map>
+#include <list>
 #include <mutex>
 #include <tuple>
 #include <vector>
 
 #include "bodies/model/felt_layer.hpp"
+#include "bodies/model/mesh_models.hpp"
 #include "bodies/model/response_cache.hpp"
 #include "bodies/section/harmonic_stiffness.hpp"
 #include "bodies/section/harmonics.hpp"
@@ -29,12 +30,20 @@ struct Source {
 /// the last and the middle station.
 std::array<double, 3> along_the_way(bool quadratic, std::size_t function);
 
+/// Holds samples of n times the response. Rows are by sample and hold, at [((3 * j + a) * profile + i) * 3 + b],
+/// component a of the displacement of profile node j under component b of a force at node i, per radian.
+struct Response {
+  double rate = 0;               ///< angle per time at which the body passes by; 0: it stands, or is elastic
+  RowMatrix<double> part, lags;  ///< real and imaginary parts; elastic bodies have none that lags
+};
+
 class System final : public ResponseCache {
  public:
-  /// Factorises the harmonics, or reads them from `saved`, which save() wrote for an equal body. The swept mesh and the
-  /// fans of its surface must outlive the system. Throws err_singular, err_memory, err_unsupported and err_io.
-  System(const BodyMesh& mesh, const TractionNodes& fans, const std::map<std::int32_t, Elastic>& material,
-         const BodyOptions& options, int threads, SectionReader* saved);
+  /// Factorises the harmonics, or reads them from `saved`, which save() wrote for an equal body; those of bodies that
+  /// creep wait for a rate. The swept mesh and the fans of its surface must outlive the system. Throws err_singular,
+  /// err_memory, err_unsupported and err_io.
+  System(const BodyMesh& mesh, const TractionNodes& fans, const Materials& material, const BodyOptions& options,
+         int threads, SectionReader* saved);
 
   OwnLoads solve_loads(const BodyMesh& loaded, int threads) override;
   BodyStatistics statistics() const override;
@@ -70,29 +79,38 @@ class System final : public ResponseCache {
   /// Finds these tractions, and sets in `outline` what is left to a half-space.
   Acted act(const LoadedSurface& surface, SurfaceOutline& outline) const;
   std::uint64_t numbering() const override;
-  std::int64_t factored() const override { return response_.rows(); }
+  std::int64_t factored() const override { return creeping_.empty() ? response_.front().part.rows() : 0; }
   void write_factors(SectionWriter& file) const override;
   void read_factors(SectionReader& file) override;
   std::unique_ptr<SparseFactor> factor_of(double n, std::span<const std::int64_t> condensed,
                                           std::span<const std::int64_t> order) const;
-  void solve_harmonics(int threads);
+  [[noreturn]] void refuse_singular(double n, std::int64_t unknown) const;
+  /// Returns the response at a rate, made if it is none of the few latest.
+  const Response& response(double rate, int threads);
+  void solve_harmonics(Response& response, int threads);
+  void solve_creeping(Response& response, int threads);
+  void find_power(SurfaceState& state, const Response& response) const;
   OwnLoads solve_own_load(const BodyMesh& loaded) const;
   std::vector<std::int64_t> profile_unknowns() const;
   void find_sources(std::span<const std::int64_t> face, std::span<const std::int32_t> node,
                     const RowMatrix<double>& traction, std::vector<Source>& source, RowMatrix<double>& acting) const;
   /// Computes the response to tractions on faces: traction(r, c) is that of column c at node[r].
-  void answer(std::span<const std::int64_t> face, std::span<const std::int32_t> node, const RowMatrix<double>& traction,
-              SurfaceRows& rows) const;
+  void answer(const Response& response, std::span<const std::int64_t> face, std::span<const std::int32_t> node,
+              const RowMatrix<double>& traction, SurfaceRows& rows) const;
 
   const BodyMesh& mesh_;
   const SweptSection& section_;
   const TractionNodes& fans_;
   double reference_;
-  HarmonicStiffness stiffness_;
+  HarmonicStiffness stiffness_;  ///< with all materials relaxed
   Harmonics harmonics_;
-  /// Rows are by sample and hold, at [((3 * j + a) * profile + i) * 3 + b], component a of the displacement of profile
-  /// node j under component b of a force at node i, per radian, times n.
-  RowMatrix<double> response_;
+  /// Holds the elements that relax alike, with their moduli at once and nothing else.
+  struct Creeping {
+    Relaxation relaxation;
+    HarmonicStiffness stiffness;
+  };
+  std::list<Creeping> creeping_;
+  std::list<Response> response_;  ///< the latest used first
   /// Order of the unknowns with none condensed, which all harmonics share; found once for all threads.
   mutable std::once_flag order_found_;
   mutable std::vector<std::int64_t> order_;

@@ -70,7 +70,7 @@ void add_slip(std::span<const LoadedPlace> place, const Moments& m, EquivalentEl
 CommonElasticity common_elasticity(const Body& body1, const Body& body2) {
   double flexible = 0, sideways = 0, strained = 0, sign = 1;
   for (const Body* body : {&body1, &body2}) {
-    if (!body->relaxation().empty())
+    if (body->creeps())
       fail(
           Status::err_unsupported,
           "a body is viscoelastic (rollcon_body_set_viscoelastic), which creep-force tables and simplified theories do "

@@ -66,7 +66,7 @@ void find_stresses(const Solution& state, std::int32_t body, const PointsInside&
          "stresses inside half-spaces are those under a contact in a plane, and this one is conformal (option "
          "conformal is 1)");
   // Stresses under given tractions do not depend on the modulus.
-  if (displacement && !which.relaxation().empty())
+  if (displacement && which.creeps())
     fail(Status::err_unsupported,
          "body %d is viscoelastic (rollcon_body_set_viscoelastic): displacements inside it are not computed; allowed: "
          "stresses alone, and displacements of its surface (rollcon_contact_get_displacements_at)",
