@@ -1,6 +1,7 @@
-/// Prepared bodies to and from files. Sections: "body", what was given; "numbers", those of the nodes in the mesh's file; of bodies with equations "response", numbers about them and the displacements
-/// under the body's own loads; "factors", the factorised matrix (boundary elements: all of it; finite elements: what is
-/// condensed); "kept", the responses to frames. Whatever else a body has is found again from the mesh.
+/// Prepared bodies to and from files. Sections: "body", what was given; "numbers", those of the nodes in the mesh's
+/// file; of bodies with equations "response", numbers about them and the displacements under the body's own loads;
+/// "factors", the factorised matrix (boundary elements: all of it; finite elements: what is condensed); "kept", the
+/// responses to frames. Whatever else a body has is found again from the mesh.
 
 #include <utility>
 
