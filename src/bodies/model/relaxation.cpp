@@ -46,7 +46,7 @@ std::vector<double> non_negative_minimum(const std::vector<double>& g, const std
       dpotrf_("L", &m, a.data(), &m, &info);
       dtrsm_("L", "L", "N", "N", &m, &one, &unit, a.data(), &m, s.data(), &m);
       dtrsm_("L", "L", "T", "N", &m, &one, &unit, a.data(), &m, s.data(), &m);
-      double part = 1;  // of the way to s
+      double part = 1;  // fraction of the way to s
       for (std::size_t i = 0; i < active.size(); ++i)
         if (!(s[i] > 0)) part = std::min(part, x[active[i]] / (x[active[i]] - s[i]));
       if (info != 0) part = 0;
