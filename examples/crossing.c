@@ -16,7 +16,7 @@
 static const double young = 2.1e5, poisson = 0.28, mu = 0.3, load = 50000, speed = 10000, radius = 460;
 static const double flangeway = 44, nose_begins = 560, nose_is_up = 760, nose_width = 12, nose_depth = 6,
                     wing_raised = 2;
-static const double gauge_side = 725; /* lies so far from the middle of the track; the running edge is at 717.5 */
+static const double gauge_side = 725; /* the nose's, from the middle of the track; the running edge is at 717.5 */
 
 /* Ends the program with the library's own words if a status is below zero. */
 static int32_t must(int32_t status) {

@@ -530,7 +530,7 @@ contains
   end subroutine
 
   !> Returns where a point of the wheel's or the rail's profile stood in the last solve, in the track, for pictures. The
-  !> wheel's profile is that in the plane of its axle, below it.
+  !> wheel's profile is that in the plane of its axle, below it; of profiles that vary, the section there.
   subroutine wheelrail_get_profile_point(self, which, share, point, stat, errmsg)
     class(rc_wheelrail_plain), intent(in) :: self
     integer(rc_int), intent(in) :: which

@@ -2694,7 +2694,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_get_stat(
 
 /*
  * Returns where a point of the wheel's or the rail's profile stood in the last solve, in the
- * track, for pictures. The wheel's profile is that in the plane of its axle, below it.
+ * track, for pictures. The wheel's profile is that in the plane of its axle, below it; of
+ * profiles that vary, the section there.
  *   which      ROLLCON_WHEEL or ROLLCON_RAIL
  *   share      fraction of the length of that body's profile, 0 to 1, from the end where y is
  *              less

@@ -184,4 +184,20 @@ std::array<double, 2> SlicedSurface::extent(const Vec3& direction) const {
   return {range[0] - more, range[1] + more};
 }
 
+Vec2 section_of(const ProfileSlices& slices, double u, double share) {
+  const auto& sheet = slices.sheets();
+  const double here = slices.within(u);
+  double columns = 0;
+  for (const ProfileSlices::Sheet& s : sheet) columns += s.has(here) ? s.last() : 0;
+  double v = share * columns;
+  std::size_t last = 0;
+  for (std::size_t i = 0; i < sheet.size(); ++i) {
+    if (!sheet[i].has(here)) continue;
+    if (v <= sheet[i].last()) return slices.at(i, here, v).x;
+    v -= sheet[i].last();
+    last = i;
+  }
+  return slices.at(last, here, sheet[last].last()).x;
+}
+
 }  // namespace rollcon

@@ -48,4 +48,7 @@ class SlicedSurface final : public Surface {
   Vec3 third_;  ///< direction of y of an extruded profile with the sign reversed; of angles of a revolved one
 };
 
+/// Returns a point of the section at u; share: 0 to 1 through the sheets that are there, in the order of features.
+Vec2 section_of(const ProfileSlices& slices, double u, double share);
+
 }  // namespace rollcon

@@ -19,6 +19,15 @@ ProfilePlane in_track(const RailShape& rail) {
   return {{rail.origin[1], rail.origin[2]}, {across[1], across[2]}, {rail.down[1], rail.down[2]}};
 }
 
+/// Refuses waves that the stations of VaryingPair would miss.
+void require_long_waves(const ProfileSlices& slices, double radius, const char* body) {
+  constexpr double shortest = 0.01;
+  for (const ProfileWave& w : slices.waves())
+    if (!(w.length >= shortest * radius))
+      fail(Status::err_argument, "the %s has a wave of length %g; allowed: from %g on", body, w.length,
+           shortest * radius);
+}
+
 }  // namespace
 
 ContactSearch::ContactSearch(const WheelShape& wheel, const RailShape& rail)
@@ -32,6 +41,8 @@ ContactSearch::ContactSearch(const WheelShape& wheel, const RailShape& rail)
   if (!(least > 0))
     fail(Status::err_argument, "the wheel's radius is %g, and its profile reaches its axis; allowed: a greater one",
          wheel.radius);
+  if (wheel.slices) require_long_waves(*wheel.slices, 1, "wheel");
+  if (rail.slices) require_long_waves(*rail.slices, wheel.radius, "rail");
   if (wheel.slices)
     wheel_heights_.emplace(wheel.slices, ProfilePlane{{0, 0}, {side_, 0}, {0, 1}},
                            VisibleProfile::Seen::from_greater_z);
@@ -45,7 +56,7 @@ auto ContactSearch::with_gap(const Pose& wheel, double along, Use use) const {
   const Vec3 down = wheel.turn({0, 0, 1});
   const WheelAxes& axes = locus.axes();
   const VaryingPair varying(wheel_heights_ ? &*wheel_heights_ : nullptr, rail_heights_ ? &*rail_heights_ : nullptr,
-                            rail_, along, std::atan2(dot(down, axes.ahead), dot(down, axes.down)));
+                            rail_, along, std::atan2(dot(down, axes.ahead), dot(down, axes.down)), shape_.radius);
   return use(ProfileGap(wheel_, rail_, locus, &varying));
 }
 

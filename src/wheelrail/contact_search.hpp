@@ -53,6 +53,8 @@ class ContactSearch {
   /// Finds patches in the order of y, overwriting `patch`; planar: each has one normal. Once it has seen as many
   /// patches it allocates nothing.
   void find(const Pose& wheel, std::vector<OverlapPatch>& patch, bool planar = true, double along = 0);
+  /// Returns how the wheel's profile varies; null: it does not.
+  const ProfileSlices* wheel_slices() const { return shape_.slices.get(); }
   /// Returns the inclination of the rail at y (where it ends: there): atan dz/dy.
   double rail_angle(double y) const;
 

@@ -14,14 +14,18 @@ constexpr double farthest = 0.25, closest_station = 0.005, farthest_station = 0.
 }  // namespace
 
 VaryingPair::VaryingPair(const SliceHeights* wheel, const SliceHeights* rail, const VisibleProfile& rail_profile,
-                         double along, double turned)
+                         double along, double turned, double radius)
     : wheel_(wheel),
       rail_(rail),
       rail_profile_(rail_profile),
       along_(along),
       turned_(turned),
       station_(farthest_station) {
+  constexpr double of_wave = 0.125;
   if (wheel_) station_ = closest_station;
+  for (const SliceHeights* one : {wheel_, rail_})
+    for (std::size_t i = 0; one && i < one->slices().waves().size(); ++i)
+      station_ = std::min(station_, of_wave * one->slices().waves()[i].length / (one == wheel_ ? 1 : radius));
   stations_ = std::min(static_cast<int>(farthest / station_), most_stations);
   for (int i = -stations_; i <= stations_; ++i)
     turn_[static_cast<std::size_t>(i + stations_)] = {std::cos(i * station_), std::sin(i * station_)};
@@ -127,7 +131,15 @@ const std::optional<VaryingPair::At>& VaryingPair::least(const WheelLocus& locus
   double lowest = 0, there = 0;
   const int station = best_station(locus, p.y, p.z, lowest, there);
   if (station < 0) return found_;
-  const int best = station - stations_;
+  int best = station - stations_;
+  // Steeper rails, and flanges of wheels that yaw, are met farther away.
+  const int way = best == stations_ ? 1 : best == -stations_ ? -1 : 0;
+  for (int i = best + way; way != 0 && std::abs(i) * station_ < 1; i += way) {
+    const double turn = i * station_, g = rough_gap(locus, p.y, p.z, std::cos(turn), std::sin(turn), turn, there);
+    if (!(g < lowest)) break;
+    lowest = g;
+    best = i;
+  }
   double low = (best - 1) * station_, high = (best + 1) * station_;
   angle_ = best * station_;
   constexpr int most = 40;
@@ -138,6 +150,7 @@ const std::optional<VaryingPair::At>& VaryingPair::least(const WheelLocus& locus
     const double lean = found_->lean() / found_->y[1];
     (lean > 0 ? high : low) = angle_;
     double next = angle_ - found_->lean() / found_->lean_t();
+    if (found_->lean_t() > 0 && std::abs(next - angle_) <= rounding) break;
     if (!(next > low && next < high)) next = 0.5 * (low + high);
     const double step = std::abs(next - angle_);
     if (step <= rounding) break;

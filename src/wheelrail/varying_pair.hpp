@@ -12,9 +12,9 @@ namespace rollcon {
 class VaryingPair {
  public:
   /// Takes heights of what varies, else null, and the rail's profile where it does not; along: the rail's place where x
-  /// is 0; turned: angle by which the wheel has turned from below to ahead.
+  /// is 0; turned: angle by which the wheel has turned from below to ahead; radius: the wheel's.
   VaryingPair(const SliceHeights* wheel, const SliceHeights* rail, const VisibleProfile& rail_profile, double along,
-              double turned);
+              double turned, double radius);
 
   struct Rough {
     double gap, y, slack;  ///< gap: infinite beside the rail; slack: its greatest error
@@ -55,8 +55,8 @@ class VaryingPair {
   const SliceHeights *wheel_, *rail_;
   const VisibleProfile& rail_profile_;
   double along_, turned_;
-  double station_;                          ///< angle between places that are tried
-  static constexpr int most_stations = 50;  ///< on either side
+  double station_;                           ///< angle between places that are tried
+  static constexpr int most_stations = 200;  ///< on either side
   int stations_;
   std::array<std::array<double, 2>, 2 * most_stations + 1> turn_;  ///< cosine and sine at each
   mutable std::size_t near_ = 0;

@@ -209,7 +209,7 @@ WheelRail::Derivative WheelRail::derivative(std::int32_t i) {
   const bool springs = solved_->stiffness != std::array<double, 2>{};
   for (std::size_t k = 0; k < (springs ? entries + shifts : entries) && !active_.empty(); ++k) {
     const std::size_t of = k < entries ? k % 6 : 0;
-    if ((k == 0 && rail_varies_ == 0) || (k == 5 && wheel_varies_ == 0)) continue;
+    if (k == 0 ? rail_varies_ == 0 : k == 5 && wheel_varies_ == 0) continue;
     const double unit = of < 3 ? radius_ : 1;
     const double step = k < 6 || k >= entries ? small * unit : 1e-5 * speed * (of < 3 ? 1 : 1 / radius_);
     if (!by_solves) {

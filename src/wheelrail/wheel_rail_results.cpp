@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/sliced_surface.hpp"
 #include "support/error.hpp"
 #include "wheelrail/wheel_rail.hpp"
 
@@ -154,12 +155,18 @@ std::array<double, 2> WheelRail::profile_point(std::int32_t body, double share) 
   require_solved();
   require_finite(share, "share");
   if (body != 1 && body != 2) fail(Status::err_argument, "which is %d; allowed: 1 (wheel), 2 (rail)", body);
-  const ProfileCurve& curve = *(body == 1 ? given_wheel_ : given_rail_)->nominal_profile();
   if (!(share >= 0 && share <= 1)) fail(Status::err_argument, "share is %g; allowed: 0 to 1", share);
-  const Vec2 at = curve.at(share * curve.length()).x;
   const RailShape& r = rail_shape_;
+  const WheelsetState& here = solved_->position;
+  const ProfileSlices* slices = body == 2 ? r.slices.get() : search_ ? search_->wheel_slices() : nullptr;
+  const double turned = body == 1 && slices ? here.pitch + solved_->bend.pitch : 0;
+  const ProfileCurve& curve = *(body == 1 ? given_wheel_ : given_rail_)->nominal_profile();
+  const Vec2 at =
+      slices ? section_of(*slices, body == 1 ? -turned : here.x, share) : curve.at(share * curve.length()).x;
+  const double out = radius_ + at[1];  // a wheel that varies has turned with its pose
   const Vec3 x = body == 1
-                     ? wheel_pose(solved_->position, solved_->z, solved_->bend).place({0, at[0], at[1]})
+                     ? wheel_pose(here, solved_->z, solved_->bend)
+                           .place({-out * std::sin(turned), at[0], out * std::cos(turned) - radius_})
                      : rail_pose(solved_->deviation).place(r.origin + at[0] * cross(r.down, r.along) + at[1] * r.down);
   return {side_ * x[1], x[2]};
 }

@@ -1217,7 +1217,8 @@ class WheelrailPlain:
 
     def profile_point(self, which: int | str, share: float) -> ndarray:
         """Returns where a point of the wheel's or the rail's profile stood in the last solve, in
-        the track, for pictures. The wheel's profile is that in the plane of its axle, below it.
+        the track, for pictures. The wheel's profile is that in the plane of its axle, below it;
+        of profiles that vary, the section there.
 
         which: WHEEL or RAIL.
         share: fraction of the length of that body's profile, 0 to 1, from the end where y is

@@ -23,7 +23,9 @@ std::shared_ptr<const ProfileSlices> slices_of(const BodyProfile& p, bool smooth
   if (!p.varies()) return nullptr;
   const bool round = p.place == ProfilePlace::revolved;
   const double turn = 2 * std::numbers::pi;
+  double most = 0;
   for (const ProfileWave& w : p.wave) {
+    most += std::abs(w.amplitude);
     constexpr double rounding = 1e-9;
     const double order = turn / w.length;
     if (round && std::abs(order - std::round(order)) > rounding * order)
@@ -35,7 +37,13 @@ std::shared_ptr<const ProfileSlices> slices_of(const BodyProfile& p, bool smooth
   std::vector<ProfileSlice> slice = p.slice;
   if (slice.empty()) slice.push_back({0, p.curve, {}});
   if (round)
-    for (const ProfileSlice& s : slice) require_one_side(*s.curve, p.radius);
+    for (const ProfileSlice& s : slice) {
+      require_one_side(*s.curve, p.radius);
+      for (const Vec2& x : s.curve->points())
+        if (most > 0 && !(p.radius + x[1] > most))
+          fail(Status::err_argument, "waves of %g reach the axis, %g from the profile; allowed: less", most,
+               p.radius + x[1]);
+    }
   return std::make_shared<const ProfileSlices>(std::move(slice), p.wave, smooth, round ? turn : 0);
 }
 
