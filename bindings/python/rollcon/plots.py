@@ -244,6 +244,66 @@ def _over_shift(ax):
     return ax
 
 
+def passage(wheelrail, positions, velocities, ax=None, points=400):
+    """Solves positions[n, 6] with velocities ([n, 6], or [6] for all) one after the other, and draws a wheel that
+    passes a rail: the rail from above, darker where it is higher, with the patches, whose area grows with the normal
+    force; below that, over the wheelset's x, each patch's normal force and the force on the rail. ax: two axes, or
+    None. Returns both. wheelrail is left at the last position."""
+    positions = np.asarray(positions, dtype=float).reshape(-1, 6)
+    velocities = np.broadcast_to(np.asarray(velocities, dtype=float), positions.shape)
+    names = ("x", "y", "share", "normal_force", "max_pressure")
+    sections, patch, force = [], [], []
+    for position, velocity in zip(positions, velocities):
+        wheelrail.set_position(position)
+        wheelrail.set_velocity(velocity)
+        wheelrail.solve()
+        sections.append([wheelrail.profile_point(_api.RAIL, share) for share in np.linspace(0, 1, points)])
+        force.append(-wheelrail.resultant()[0])
+        patch += [[position[0], *(wheelrail.patch_stat(k, name) for name in names)]
+                  for k in range(wheelrail.patch_count)]
+    if not patch:
+        raise ValueError("nothing to draw: the wheel touches the rail nowhere")
+    sections, force, (at, x, y, share, normal, pressure) = np.array(sections), np.array(force), np.array(patch).T
+    if ax is None:
+        axes = _axes(None, nrows=2, sharex=True, figsize=(8, 7))
+    else:
+        axes = np.ravel(ax)
+        if len(axes) != 2:
+            raise ValueError(f"{len(axes)} axes; allowed: two, for the rail from above and for forces")
+    across = np.linspace(sections[:, :, 0].min(), sections[:, :, 0].max(), points)
+    top = np.array([_seen_from_above(section, across) for section in sections])
+    depth = 0.2 * np.ptp(across)  # what lies deeper is white
+    axes[0].pcolormesh(positions[:, 0], across, top.T, shading="nearest", cmap="Greys_r", rasterized=True,
+                       vmin=np.nanmin(top) - depth, vmax=np.nanmin(top) + depth / 2)
+    drawn = axes[0].scatter(x, y, 120 * share * normal / normal.max(), pressure, cmap="viridis", alpha=0.8, lw=0)
+    axes[0].figure.colorbar(drawn, ax=axes[0], label="largest pressure")
+    axes[0].set_ylabel("y in the track")
+    axes[0].invert_yaxis()
+    axes[1].plot(at, share * normal, "k.", label="normal force of a patch")
+    for component, name in zip(force.T, ("longitudinal", "lateral", "vertical")):
+        axes[1].plot(positions[:, 0], component, label=f"{name}, on the rail")
+    axes[1].set_xlabel("x of the wheelset")
+    axes[1].set_ylabel("force")
+    axes[1].legend(fontsize="small")
+    axes[1].grid(alpha=0.3)
+    return axes
+
+
+def _seen_from_above(section, y):
+    """Returns the least z that a section[n, 2] has at each y, NaN beside it. Steps far longer than the others bridge
+    what the section does not have."""
+    step = np.diff(section, axis=0)
+    size = np.hypot(*step.T)
+    top = np.full(len(y), np.nan)
+    own = size < 20 * np.median(size)
+    for (y0, z0), (dy, dz) in zip(section[:-1][own], step[own]):
+        if dy == 0:
+            continue
+        there = (y >= min(y0, y0 + dy)) & (y <= max(y0, y0 + dy))
+        top[there] = np.fmin(top[there], z0 + (y[there] - y0) / dy * dz)
+    return top
+
+
 def conicity(left, right, amplitude, ax=None):
     """Draws the equivalent conicity (EN 15302) over the amplitude[n] of the wheelset's motion."""
     ax = _axes(ax)

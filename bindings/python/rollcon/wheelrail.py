@@ -208,3 +208,9 @@ class WheelRail(Settings, WheelrailPlain, Handle):
         rollcon.plots."""
         from . import plots
         return plots.patches(self, ax)
+
+    def plot_passage(self, positions, velocities, ax=None):
+        """Solves positions[n, 6] with velocities in their order, and draws the rail from above with the patches, and
+        the forces over x; returns two axes of matplotlib. See rollcon.plots.passage."""
+        from . import plots
+        return plots.passage(self, positions, velocities, ax)

@@ -1,0 +1,128 @@
+"""Tests rails that vary and wheels out of round: derivatives, ends, slopes, waves, sections, a picture."""
+
+import unittest
+
+import numpy as np
+import rollcon as rc
+from scene import Scene
+
+import matplotlib
+matplotlib.use("Agg")
+from matplotlib import pyplot  # noqa: E402
+
+
+class Varying(Scene):
+
+    def tearDown(self):
+        pyplot.close("all")
+        super().tearDown()
+
+    def steel(self, shape, parameters):
+        body = rc.Body(self.context, "halfspace")
+        body.set_elastic(2.1e5, 0.28)
+        body.set_profile_shape(shape, parameters)
+        return body
+
+    def rail(self, places, height=lambda x: 0):
+        """Returns a head of radius 300, 40 wide, by slices; its top is at this z."""
+        rail = self.steel("arc", [-300, 20])
+        turn = np.arcsin(20 / 300)
+        for x in places:
+            rail.set_profile_shape("arcs", [-20, 300 * (1 - np.cos(turn)) + height(x), -turn, 600 * turn, 1 / 300])
+            rail.add_slice(x, [])
+        return rail
+
+    def wheel(self, wheel, rail, x=0.0, pitch=0.0, rate=0.0, y=0.0):
+        made = rc.WheelRail(self.context, wheel, rail, "right")
+        made.place_rail(750, 0, 0)
+        made.set_wheelset(1360, -70, 460)
+        made.set_friction(0.3)
+        made.prescribe_vertical("force", 1e4)
+        made.set_position([x, y, 0, 0, 0, pitch])
+        made.set_velocity([2000, 0, rate, 0, 0, -2000 / 460])
+        return made
+
+    def test_derivatives_by_place_and_turn(self):
+        wheel = self.steel("line", [60, -0.025])
+        wheel.add_wave(0.05, 2 * np.pi / 8, 0.3)
+        rail = self.rail(np.arange(-300, 301, 50), lambda x: 0.3 * np.sin(x / 80))
+        solved = self.wheel(wheel, rail, 20, 0.2)
+        solved.solve()
+        for entry, step in ((0, 0.02), (5, 1e-4)):
+            ends = []
+            for sign in (-1, 1):
+                at = self.wheel(wheel, rail, 20 + sign * step * (entry == 0), 0.2 + sign * step * (entry == 5))
+                at.solve()
+                ends.append([*at.resultant()[0], at.stat("z")])
+            force, _, z = solved.derivative(entry)
+            wanted = (np.array(ends[1]) - ends[0]) / (2 * step)
+            self.assertGreater(abs(wanted[3]), 1e-3)
+            self.assertAlmostEqual(z, wanted[3], delta=1e-3 * abs(wanted[3]))
+            self.assertAlmostEqual(force[0], wanted[0], delta=1e-2 * abs(wanted[0]))
+
+    def test_where_a_rail_begins_and_ends(self):
+        rail = self.steel("arc", [-300, 20])
+        for x in (0, 100, 200, 300):
+            rail.add_slice(x, [0, 1e9, -1, -1] if x < 150 else [-1, -1, 0, 1e9])
+        wheel = self.steel("line", [60, -0.025])
+        height = []
+        for x in (100, 200):
+            at = self.wheel(wheel, rail, x)
+            self.assertGreaterEqual(at.solve(), 0)
+            self.assertEqual(at.patch_count, 1)
+            height.append(at.stat("z"))
+        self.assertAlmostEqual(*height, delta=1e-3)
+        with self.assertRaisesRegex(rc.RollconError, "derailed"):
+            self.wheel(wheel, rail, 150).solve()
+
+    def test_rail_that_rises_steeply(self):
+        # A circle on an inclined plane: R sqrt(1 + k^2) over it, touching R sin of the inclination ahead.
+        wheel = self.steel("line", [60, 0])
+        plain = self.wheel(wheel, self.rail([0]))
+        plain.solve()
+        for k in (0.1, 0.4):
+            at = self.wheel(wheel, self.rail(np.arange(-400, 401, 100), lambda x, k=k: -k * x), rate=-2000 * k)
+            at.solve()
+            self.assertAlmostEqual(at.patch_stat(0, "x"), 460 * k / np.hypot(1, k), delta=0.2)
+            self.assertAlmostEqual(at.stat("z"), plain.stat("z") + 460 * (1 - np.hypot(1, k)), delta=0.02)
+
+    def test_waves_that_are_refused(self):
+        wheel, rail = self.steel("line", [60, 0]), self.steel("arc", [-300, 20])
+        rail.add_wave(1e-3, 4.5, 0)
+        with self.assertRaisesRegex(rc.RollconError, "wave of length 4.5; allowed: from 4.6 on"):
+            self.wheel(wheel, rail).solve()
+        round_wheel = self.steel("line", [60, 0])
+        round_wheel.add_wave(1e-3, 2 * np.pi / 1000, 0)
+        with self.assertRaisesRegex(rc.RollconError, "allowed: from 0.01 on"):
+            self.wheel(round_wheel, self.rail([0])).solve()
+        deep = self.steel("line", [60, 0])
+        deep.add_wave(500, 2 * np.pi / 6, 0)
+        with self.assertRaisesRegex(rc.RollconError, "waves of 500 reach the axis"):
+            self.wheel(deep, self.rail([0])).solve()
+
+    def test_points_are_those_of_the_section(self):
+        wheel = self.steel("line", [60, 0])
+        wheel.add_wave(2, 2 * np.pi / 4, 0)
+        rail = self.rail(np.arange(-300, 301, 50), lambda x: 3 * np.sin(x / 200))
+        at = self.wheel(wheel, rail, 100, 0.3)
+        at.solve()
+        self.assertAlmostEqual(at.profile_point(rc.RAIL, 0.5)[1], 3 * np.sin(0.5), places=9)
+        self.assertAlmostEqual(at.profile_point(rc.WHEEL, 0.5)[1], at.stat("z") + 2 * np.sin(4 * -0.3), places=9)
+
+    def test_picture_of_a_passage(self):
+        rail = self.rail(np.arange(-100, 101, 20), lambda x: -1e-4 * x * x)
+        passing = self.wheel(self.steel("line", [60, -0.025]), rail)
+        way = np.array([-40.0, 0, 40])
+        upper, lower = passing.plot_passage(np.outer(way, [1, 0, 0, 0, 0, 0]), [2000, 0, 0, 0, 0, -2000 / 460])
+        x, y = upper.collections[1].get_offsets().T
+        self.assertAlmostEqual(x[-1], passing.patch_stat(0, "x"))
+        self.assertAlmostEqual(y[-1], passing.patch_stat(0, "y"))
+        np.testing.assert_allclose(lower.lines[3].get_ydata(), 1e4, rtol=1e-4)
+        top = upper.collections[0].get_array().reshape(-1, 3)
+        np.testing.assert_allclose(np.nanmin(top, axis=0), [-0.16, 0, -0.16], atol=0.01)
+        with self.assertRaisesRegex(ValueError, "allowed: two"):
+            passing.plot_passage([[0] * 6], [2000, 0, 0, 0, 0, -4], ax=[upper])
+
+
+if __name__ == "__main__":
+    unittest.main()
