@@ -21,5 +21,6 @@ set format x "%g"
 set xlabel "harmonic of the way round"
 set ylabel "part of the power lost"
 set key top right
-plot for [k=2:5] folder . "/solid_tyre_harmonics.csv" every ::1 using 1:k with lines lw 2 title sprintf("10^{%d} mm/s", k-1)
+plot for [k=2:5] folder . "/solid_tyre_harmonics.csv" every ::1 using 1:k \
+  with lines lw 2 title sprintf("10^{%d} mm/s", k-1)
 unset multiplot
