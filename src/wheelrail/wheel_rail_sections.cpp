@@ -22,6 +22,25 @@ double next_sink(double sink, double given, double depth) {
 
 }  // namespace
 
+Status PatchContact::solve_whole(double normal) {
+  now_.solves = ++solves_;
+  now_.normal = normal;
+  now_.on_strips = shown_ = false;
+  now_.whole = true;
+  whole_->reset();
+  place_bodies(whole_->scene, whole_place_);
+  give_friction(whole_->scene);
+  whole_->scene.prescribe(static_cast<std::int32_t>(Direction::normal), static_cast<std::int32_t>(How::by_force),
+                          normal);
+  now_.status = whole_->solve();
+  if (now_.status == Status::cancelled) return now_.status;
+  Vec3 force, moment;
+  whole_->resultant(InAxes::local, force.data(), moment.data());
+  whole_->motion(&now_.farther, nullptr);
+  take_results(force, moment);
+  return now_.status;
+}
+
 // A section has y of its profile, and z: from the axle, or of the rail's profile.
 WholeBodies WheelRail::whole_bodies() const {
   WholeBodies whole{{wheel_, rail_}, {}};
