@@ -1,5 +1,6 @@
 #include "io/slice_file.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -70,17 +71,26 @@ SliceFile read_slice_file(const std::string& path) {
   if (slices < 1) lines.lines().fail_whole("it has no slices");
   const std::size_t slash = path.find_last_of('/');
   const std::string folder = slash == path.npos ? "" : path.substr(0, slash + 1);
+  std::vector<double> given;
   for (std::int64_t i = 0; i < slices; ++i) {
     const std::string_view line = lines.next("the last slice");
     const std::string name = quoted_name(line, lines);
     const double place = lines.lines().number_in(trimmed(line.substr(0, line.find_first_of("'\""))));
-    file.slice.push_back({offset[1] * (offset[0] + place), name.front() == '/' ? name : folder + name, {}});
+    const double u = offset[1] * (offset[0] + place);
+    if (offset[1] == 0 || !std::isfinite(u))
+      lines.lines().fail_here("scale times offset and place is " + std::to_string(u) + "; the scale may not be 0");
+    given.push_back(place);
+    file.slice.push_back({u, name.front() == '/' ? name : folder + name, {}});
   }
   for (std::size_t i = 1; i < counts.size() && i < 3; ++i)
     if (counts[i] > 0) lines.next("parts with kinks or accelerations");
   for (std::int64_t i = 0; features > 1 && i < slices; ++i) {
     auto value = lines.numbers(static_cast<std::size_t>(features) + 1, "the place and a length for each feature");
     value.resize(static_cast<std::size_t>(features) + 1);
+    constexpr double rounding = 1e-3;
+    const double place = given[static_cast<std::size_t>(i)];
+    if (!(std::abs(value[0] - place) <= rounding * std::max(1.0, std::abs(place))))
+      lines.lines().fail_here("features at " + std::to_string(value[0]) + "; the slice is at " + std::to_string(place));
     file.slice[static_cast<std::size_t>(i)].feature.assign(value.begin() + 1, value.end());
   }
   const double kind = how.size() > 1 ? how[1] : 0;

@@ -1,5 +1,7 @@
 """Tests rails that vary and wheels out of round: derivatives, ends, slopes, waves, sections, a picture."""
 
+import pathlib
+import tempfile
 import unittest
 
 import numpy as np
@@ -99,6 +101,24 @@ class Varying(Scene):
         deep.add_wave(500, 2 * np.pi / 6, 0)
         with self.assertRaisesRegex(rc.RollconError, "waves of 500 reach the axis"):
             self.wheel(deep, self.rail([0])).solve()
+
+    def test_lists_that_contradict_themselves(self):
+        with tempfile.TemporaryDirectory() as place:
+            folder = pathlib.Path(place)
+            (folder / "a.txt").write_text("".join(f"{y} {y * y / 600}\n" for y in range(-20, 21)))
+            lines = ["0 1", "2", "2", "1", "0 'a.txt'", "100 'a.txt'", "0 0 999", "100 0 999"]
+            for row, text, words in ((None, "", ""), (6, "5 0 999", "features at 5.*slice is at 0"),
+                                     (0, "0 0", "scale may not be 0"), (0, "0 1e308", "place is inf")):
+                given = [text if k == row else line for k, line in enumerate(lines)]
+                (folder / "list.slcs").write_text("\n".join(given) + "\n")
+                body = self.steel("arc", [-300, 20])
+                length = body.profile_length()
+                if not words:
+                    body.read_slices(str(folder / "list.slcs"), 1, 1)
+                    continue
+                with self.assertRaisesRegex(rc.RollconError, words):
+                    body.read_slices(str(folder / "list.slcs"), 1, 1)
+                self.assertEqual(body.profile_length(), length)
 
     def test_points_are_those_of_the_section(self):
         wheel = self.steel("line", [60, 0])
