@@ -154,7 +154,7 @@ static void results(rollcon_contact* contact) {
   double force[3], moment[3], creep[3], tilt[2], approach, u[3], stress[6], principal[3], von_mises, shear, index;
   const double archard = 1e-9, across[5] = {-20, -10, 0, 10, 20}; /* mm^2/N; mm */
   const double flat[10] = {-20, 0, -10, 0, 0, 0, 10, 0, 20, 0};
-  double depth[5], worn[10];
+  double depth[5], worn[10], place[3];
   char* plan;
   int64_t n;
   printf("again %.0f N\n", force_along(contact));
@@ -165,6 +165,8 @@ static void results(rollcon_contact* contact) {
   must(rollcon_contact_get_fields_at(contact, ROLLCON_BODY1, 1, xyz, ROLLCON_IN_CONTACT, u, stress));
   must(rollcon_stress_invariants(1, stress, principal, &von_mises, &shear));
   printf("3 mm deep: von Mises %.0f MPa, shear %.0f MPa\n", von_mises, shear);
+  must(rollcon_contact_find_stress(contact, ROLLCON_BODY1, "shear", 0, NULL, &shear, place));
+  printf("the largest shear, %.0f MPa, is %.1f mm deep\n", shear, -place[2]);
   must(rollcon_contact_get_fatigue_index(contact, 300, &index));
   printf("index of surface fatigue %.2f\n", index);
   must(rollcon_contact_get_wear(contact, "archard", 1, &archard, 5, across, depth, NULL));

@@ -554,9 +554,12 @@ contains
 
   !> Sets a profile in closed form: "line" half_width, slope; "arc" radius, half_width: the circle through (0, 0) about
   !> z = -radius, up to half of it; "arcs" y, z and angle of the start, then length and curvature (0: a line; positive:
-  !> from y to z) of each arc, each going on in the direction in which the one before ends; "s1002" unit: the wheel, in
-  !> lengths of which `unit` is a millimetre, the middle of the tread at (0, 0), z down, the flange at y < 0; "60e1"
-  !> unit: the head of the rail, upright, its top at (0, 0), z down. The former profile and its place are forgotten.
+  !> from y to z) of each arc, each going on in the direction in which the one before ends; "roller" half_width, relief,
+  !> k (0 to 1), edge_radius: z = relief ln(1 - k (y/half_width)^2), logarithmic after Lundberg (k = 1) or Johns and
+  !> Gohar (k < 1), up to where it is 45 degrees steep, and beyond quarter circles of the edge's radius (0: none, sharp
+  !> ends); relief 0 is a straight roller; "s1002" unit: the wheel, in lengths of which `unit` is a millimetre, the
+  !> middle of the tread at (0, 0), z down, the flange at y < 0; "60e1" unit: the head of the rail, upright, its top at
+  !> (0, 0), z down. The former profile and its place are forgotten.
   subroutine body_set_profile_shape(self, shape, parameters, stat, errmsg)
     class(rc_body_plain), intent(inout) :: self
     character(len=*), intent(in) :: shape

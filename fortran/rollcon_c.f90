@@ -1453,6 +1453,20 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_fields_at
 
+    function rollcon_contact_find_stress(contact, which, measure, n, parameters, value, place) &
+        result(rc) bind(C, name="rollcon_contact_find_stress")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t), value :: which
+      character(kind=c_char), intent(in) :: measure(*)
+      integer(c_int32_t), value :: n
+      real(c_double), intent(in) :: parameters(*)
+      real(c_double), intent(inout) :: value
+      real(c_double), intent(out) :: place(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_find_stress
+
     function rollcon_contact_get_body_displacements(contact, which, capacity, u, n_values) &
         result(rc) bind(C, name="rollcon_contact_get_body_displacements")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr

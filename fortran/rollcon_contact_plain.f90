@@ -54,6 +54,7 @@ module rollcon_contact_plain
     procedure :: get_motion => contact_get_motion
     procedure :: get_tilt => contact_get_tilt
     procedure :: get_sensitivity => contact_get_sensitivity
+    procedure :: find_stress => contact_find_stress
     procedure :: write_loads => contact_write_loads
     procedure :: get_fatigue_index => contact_get_fatigue_index
     procedure :: get_equivalent_ellipse => contact_get_equivalent_ellipse
@@ -769,6 +770,31 @@ contains
       'rc_contact%get_sensitivity', stat, errmsg)
   end subroutine
 
+  !> Searches a half-space under the last solve for the largest value of a measure of stress, and says where it is.
+  !> "von_mises", "shear" (half the difference of the extreme principal stresses) and "orthogonal_shear" (|s13|) take no
+  !> parameters. Measures of the history of a particle that passes through the contact along t1: "dang_van" and
+  !> "crossland" take the weight a of the hydrostatic stress h, and are max(shear of the deviator less the centre of its
+  !> least ball + a h) and radius of the least ball/sqrt(2) + a max h. "lundberg_palmgren" takes exponents c and h and a
+  !> least depth: value is the integral of amplitude(s13)^c/depth^h over t2 and depth, which times the length of the
+  !> track is the volume integral of a bearing's life; place is that of the largest amplitude. Values are those of the
+  !> solution's tractions: at a sharp end they depend on the frame. ROLLCON_ERR_OPTION: no such measure;
+  !> ROLLCON_ERR_STATE: no solution, or no contact; ROLLCON_ERR_UNSUPPORTED: no half-space, or a conformal contact.
+  subroutine contact_find_stress(self, which, measure, parameters, value, place, stat, errmsg)
+    class(rc_contact_plain), intent(in) :: self
+    integer(rc_int), intent(in) :: which
+    character(len=*), intent(in) :: measure
+    real(rc_real), intent(in), contiguous :: parameters(:)
+    real(rc_real), intent(out) :: value
+    real(rc_real), intent(out) :: place(3)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    value = 0
+    place = 0
+    call finish( &
+      rollcon_contact_find_stress(self%p, which, c_text(measure), size(parameters, 1, rc_int), parameters, value, place), &
+      self%p, 'rc_contact%find_stress', stat, errmsg)
+  end subroutine
+
   !> Writes what the contact does to a body with a mesh as forces on the body's own nodes, in its axes: the integrals of
   !> the last solve's tractions times the nodes' shape functions. A name that ends in .inp gets *CLOAD cards of Abaqus
   !> and CalculiX, of components that are not zero; one that ends in .mtx a MatrixMarket vector of x, y, z of each node
@@ -788,10 +814,11 @@ contains
       errmsg)
   end subroutine
 
-  !> Returns the index of surface-initiated rolling contact fatigue, FI = sqrt(F1^2 + F2^2)/Fn - 2 A k/(3 Fn), with the
-  !> area A in contact (statistic contact_area; pi a b for an ellipse) and the yield stress k in shear; positive where
-  !> fatigue is to be expected. ROLLCON_ERR_STATE: no solution, or no normal force. The wear number T-gamma, force times
-  !> creepage, is the statistic t_gamma.
+  !> Returns the railways' index of surface-initiated rolling contact fatigue of wheels, after Ekberg, Kabo and
+  !> Andersson (bearings: rollcon_contact_find_stress), FI = sqrt(F1^2 + F2^2)/Fn - 2 A k/(3 Fn), with the area A in
+  !> contact (statistic contact_area; pi a b for an ellipse) and the yield stress k in shear; positive where fatigue is
+  !> to be expected. ROLLCON_ERR_STATE: no solution, or no normal force. The wear number T-gamma, force times creepage,
+  !> is the statistic t_gamma.
   subroutine contact_get_fatigue_index(self, shear_yield, index, stat, errmsg)
     class(rc_contact_plain), intent(in) :: self
     real(rc_real), intent(in) :: shear_yield

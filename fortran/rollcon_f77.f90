@@ -1274,6 +1274,17 @@ subroutine rcflds(icon, iwhich, n, xyz, in_axes, u, stress, ierr)
     u, stress)
 end subroutine
 
+!> Searches a half-space under the last solve for the largest value of a measure of stress, and says where it is.
+subroutine rcpeak(icon, iwhich, measure, n, par, value, place, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, iwhich, n, ierr
+  character(len=*) :: measure
+  double precision :: par(*), value, place(3)
+  ierr = rollcon_contact_find_stress(contact_of(icon), narrow(iwhich), c_name(measure), narrow(n), par, value, &
+    place)
+end subroutine
+
 !> Returns displacements of all nodes of a body of finite or boundary elements under the tractions of the last so.
 subroutine rcbodu(icon, iwhich, maxn, u, nv, ierr)
   use rollcon_f77_support
@@ -1299,7 +1310,7 @@ subroutine rcbpow(icon, iwhich, maxn, power, nv, ierr)
   nv = int(n_values_c)
 end subroutine
 
-!> Writes the elements of a body of finite or boundary elements with displacements, smoothed stresses (xx, yy, zz.
+!> Writes the elements of a body of finite or boundary elements, or a block of a half-space around the contact, t.
 subroutine rcwbod(icon, iwhich, path, ierr)
   use rollcon_f77_support
   implicit none
@@ -1326,7 +1337,7 @@ subroutine rctmps(icon, n, xy, temperature, ierr)
   ierr = rollcon_contact_get_temperatures_at(contact_of(icon), int(n, c_int64_t), xy, temperature)
 end subroutine
 
-!> Returns the index of surface-initiated rolling contact fatigue, FI = sqrt(F1^2 + F2^2)/Fn - 2 A k/(3 Fn), with.
+!> Returns the railways' index of surface-initiated rolling contact fatigue of wheels, after Ekberg, Kabo and And.
 subroutine rcfati(icon, shear_yield, xindex, ierr)
   use rollcon_f77_support
   implicit none

@@ -982,12 +982,15 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_profile(rollcon_body *b
  * Sets a profile in closed form: "line" half_width, slope; "arc" radius, half_width: the circle
  * through (0, 0) about z = -radius, up to half of it; "arcs" y, z and angle of the start, then
  * length and curvature (0: a line; positive: from y to z) of each arc, each going on in the
- * direction in which the one before ends; "s1002" unit: the wheel, in lengths of which `unit` is
- * a millimetre, the middle of the tread at (0, 0), z down, the flange at y < 0; "60e1" unit: the
- * head of the rail, upright, its top at (0, 0), z down. The former profile and its place are
- * forgotten.
+ * direction in which the one before ends; "roller" half_width, relief, k (0 to 1), edge_radius: z
+ * = relief ln(1 - k (y/half_width)^2), logarithmic after Lundberg (k = 1) or Johns and Gohar (k <
+ * 1), up to where it is 45 degrees steep, and beyond quarter circles of the edge's radius (0:
+ * none, sharp ends); relief 0 is a straight roller; "s1002" unit: the wheel, in lengths of which
+ * `unit` is a millimetre, the middle of the tread at (0, 0), z down, the flange at y < 0; "60e1"
+ * unit: the head of the rail, upright, its top at (0, 0), z down. The former profile and its
+ * place are forgotten.
  *   body        a half-space or rigid, without a mesh (else ROLLCON_ERR_STATE)
- *   shape       line, arc, arcs, s1002 or 60e1
+ *   shape       line, arc, arcs, roller, s1002 or 60e1
  *   n           parameters, of the shape
  *   parameters  [n]; of the shape, in its order; radian, length
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
@@ -2004,6 +2007,33 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_fields_at(
     double *u, double *stress);
 
 /*
+ * Searches a half-space under the last solve for the largest value of a measure of stress, and
+ * says where it is. "von_mises", "shear" (half the difference of the extreme principal stresses)
+ * and "orthogonal_shear" (|s13|) take no parameters. Measures of the history of a particle that
+ * passes through the contact along t1: "dang_van" and "crossland" take the weight a of the
+ * hydrostatic stress h, and are max(shear of the deviator less the centre of its least ball + a
+ * h) and radius of the least ball/sqrt(2) + a max h. "lundberg_palmgren" takes exponents c and h
+ * and a least depth: value is the integral of amplitude(s13)^c/depth^h over t2 and depth, which
+ * times the length of the track is the volume integral of a bearing's life; place is that of the
+ * largest amplitude. Values are those of the solution's tractions: at a sharp end they depend on
+ * the frame. ROLLCON_ERR_OPTION: no such measure; ROLLCON_ERR_STATE: no solution, or no contact;
+ * ROLLCON_ERR_UNSUPPORTED: no half-space, or a conformal contact.
+ *   which       ROLLCON_BODY1 or ROLLCON_BODY2
+ *   measure     von_mises, shear, orthogonal_shear, dang_van, crossland or lundberg_palmgren
+ *   n           parameters of the measure
+ *   parameters  [n]; of the measure, in its order
+ *   value       out; force/length^2; of lundberg_palmgren that to the power c, times length^(2 -
+ *               h)
+ *   place       [3], out; along t1, t2 and n, length
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_OPTION, ROLLCON_ERR_STATE,
+ *   ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_MEMORY.
+ * Source: docs/theory.md, inside of half-spaces.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_find_stress(
+    const rollcon_contact *contact, int32_t which, const char *measure, int32_t n,
+    const double *parameters, double *value, double *place);
+
+/*
  * Returns displacements of all nodes of a body of finite or boundary elements under the tractions
  * of the last solve and the body's own loads, in the body's axes. Under a frame of its own finer
  * than the body's faces these are the tractions that the elements feel (docs/theory.md, section
@@ -2040,10 +2070,11 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_body_power(
     int64_t *n_values);
 
 /*
- * Writes the elements of a body of finite or boundary elements with displacements, smoothed
- * stresses (xx, yy, zz, xy, yz, xz, in ParaView's order) and von Mises's stress at the nodes,
- * under the tractions of the last solve and the body's own loads, as a VTU file for ParaView and
- * meshio. The call is otherwise like rollcon_contact_get_fields_at.
+ * Writes the elements of a body of finite or boundary elements, or a block of a half-space around
+ * the contact, three times as long and wide, with displacements, smoothed stresses (xx, yy, zz,
+ * xy, yz, xz, in ParaView's order) and von Mises's stress at the nodes, under the tractions of
+ * the last solve and the body's own loads, as a VTU file for ParaView and meshio. The call is
+ * otherwise like rollcon_contact_get_fields_at.
  *   which    ROLLCON_BODY1 or ROLLCON_BODY2
  *   path     name of the file; an existing one is replaced
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_IO,
@@ -2092,9 +2123,10 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_temperatures_at(
     const rollcon_contact *contact, int64_t n, const double *xy, double *temperature);
 
 /*
- * Returns the index of surface-initiated rolling contact fatigue, FI = sqrt(F1^2 + F2^2)/Fn - 2 A
- * k/(3 Fn), with the area A in contact (statistic contact_area; pi a b for an ellipse) and the
- * yield stress k in shear; positive where fatigue is to be expected. ROLLCON_ERR_STATE: no
+ * Returns the railways' index of surface-initiated rolling contact fatigue of wheels, after
+ * Ekberg, Kabo and Andersson (bearings: rollcon_contact_find_stress), FI = sqrt(F1^2 + F2^2)/Fn -
+ * 2 A k/(3 Fn), with the area A in contact (statistic contact_area; pi a b for an ellipse) and
+ * the yield stress k in shear; positive where fatigue is to be expected. ROLLCON_ERR_STATE: no
  * solution, or no normal force. The wear number T-gamma, force times creepage, is the statistic
  * t_gamma.
  *   shear_yield  k, force/length^2, above 0

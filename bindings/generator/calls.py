@@ -42,8 +42,9 @@ TASKS = [
                                                      "contact_get_field"]),
         ("numbers by name: largest pressure, power, error", ["contact_get_stat"]),
         ("stresses and displacements inside", ["contact_get_fields_at", "body_get_node_stresses"]),
+        ("largest shear, von Mises, Dang Van, Crossland, Lundberg-Palmgren", ["contact_find_stress"]),
         ("derivatives", ["contact_get_sensitivity"]),
-        ("wear; fatigue index; temperatures", ["contact_get_wear", "contact_get_fatigue_index",
+        ("wear; railways' fatigue index; temperatures", ["contact_get_wear", "contact_get_fatigue_index",
                                                "contact_get_temperatures_at"]),
         ("a file for ParaView; what the solve did", ["contact_write", "contact_get_plan"])]),
     ("Wheel on rail", [

@@ -88,8 +88,11 @@ std::vector<double> node_stresses(const Body& body, const BodyFields& fields) {
   return stress;
 }
 
-void write_fields(const Body& body, const std::vector<double>& u, std::vector<double> stress, const char* path) {
-  const std::size_t nodes = at(body.mesh().surface.nodes());
+}  // namespace
+
+void write_fields(const char* path, const SurfaceMesh& surface, const VolumeElements* volume,
+                  const std::vector<double>& u, std::vector<double> stress) {
+  const std::size_t nodes = at(surface.nodes());
   std::vector<double> von_mises(nodes);
   for (std::size_t k = 0; k < nodes; ++k) von_mises[k] = stress_invariants(stress.data() + 6 * k).von_mises;
   // ParaView counts symmetric tensors xx, yy, zz, xy, yz, xz.
@@ -97,8 +100,14 @@ void write_fields(const Body& body, const std::vector<double>& u, std::vector<do
   const PointArray arrays[] = {{"displacement", 3, u.data(), nullptr},
                                {"stress", 6, stress.data(), nullptr},
                                {"von_mises", 1, von_mises.data(), nullptr}};
-  if (on_surface_alone(body)) return write_vtu(path, body.mesh().surface, arrays);
-  write_vtu(path, body.mesh().surface, body.mesh().volume, arrays);
+  if (!volume) return write_vtu(path, surface, arrays);
+  write_vtu(path, surface, *volume, arrays);
+}
+
+namespace {
+
+void write_fields(const Body& body, const std::vector<double>& u, std::vector<double> stress, const char* path) {
+  write_fields(path, body.mesh().surface, on_surface_alone(body) ? nullptr : &body.mesh().volume, u, std::move(stress));
 }
 
 }  // namespace

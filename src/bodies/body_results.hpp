@@ -47,6 +47,10 @@ void write_body(const Body& body, SurfaceState state, const char* path);
 /// Writes elements with displacements, smoothed stresses and von Mises's stress at the nodes as a VTU file. err_io.
 void write_body(const Body& body, const NodalDisplacements& given, const char* path);
 
+/// Writes nodes, elements (null: those of the surface) and fields of them as a VTU file. err_io.
+void write_fields(const char* path, const SurfaceMesh& surface, const VolumeElements* volume,
+                  const std::vector<double>& u, std::vector<double> stress);
+
 /// Returns a number about the prepared body by name; 0 for bodies without equations. err_option: unknown name.
 double body_statistic(const Body& body, const char* name);
 const StatisticInfo* body_statistic_info(std::int64_t i);  ///< null beyond the last

@@ -198,6 +198,23 @@ rollcon_status rollcon_contact_get_fatigue_index(const rollcon_contact* contact,
   });
 }
 
+rollcon_status rollcon_contact_find_stress(const rollcon_contact* contact, int32_t which, const char* measure,
+                                           int32_t n, const double* parameters, double* value, double place[3]) {
+  return with_contact(__func__, contact, [&](const Contact& c) {
+    require_body_number(which);
+    require_pointer(measure, "measure");
+    require_pointer(value, "value");
+    require_points(n, 1);
+    if (n > 0) require_pointer(parameters, "parameters");
+    require_finite_points(n, parameters, 1, "parameters");
+    Vec3 at{};
+    const double found = c.find_stress(which, measure, {parameters, static_cast<std::size_t>(n)}, at);
+    require_finite_results(1, 1, &found, "value");
+    *value = found;
+    if (place) std::copy(at.begin(), at.end(), place);
+  });
+}
+
 rollcon_status rollcon_contact_get_equivalent_ellipse(const rollcon_contact* contact, double inputs[9],
                                                       double center[2]) {
   return with_contact(__func__, contact, [&](const Contact& c) {

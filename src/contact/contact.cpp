@@ -105,7 +105,11 @@ Status Contact::solve_unless_cancelled() {
     if (own_frames) frames_->end_step(found);
     const Status status = found == Status::ok ? with_doubts(solver->solution(), found) : found;
     if (!own_frames || status != found) solver->tell(status);
-    return status;
+    if (scene.options.pressure_length > 0 || (status != Status::ok && status != Status::inaccurate)) return status;
+    const Line sharp = describe_sharp_end(solver->solution());
+    if (!*sharp.text) return status;
+    solver->host.caveat(Status::inaccurate, sharp.c_str());
+    return Status::inaccurate;
   } catch (const Cancelled&) {  // cancelled while patches were searched for
     solver->forget();
     return Status::cancelled;

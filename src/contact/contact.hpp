@@ -18,10 +18,11 @@
 
 namespace rollcon {
 
-struct CaseList;     // contact/cases/solve_many.hpp
-struct CaseResults;  // contact/cases/solve_many.hpp
-class Solver;        // contact/solver.hpp
-class WearLaw;       // contact/laws/wear_law.hpp
+struct CaseList;       // contact/cases/solve_many.hpp
+struct CaseResults;    // contact/cases/solve_many.hpp
+class Solver;          // contact/solver.hpp
+class StressesInside;  // contact/results/stresses.hpp
+class WearLaw;         // contact/laws/wear_law.hpp
 
 /// Solves contacts whose frame nobody gave, on frames that it makes (src/framing/).
 class FrameMaker {
@@ -99,12 +100,15 @@ class Contact {
   // Fields of body 1 or 2 follow, in its axes, under the contact's tractions and its own loads. err_unsupported: it is
   // not of finite or boundary elements.
 
+  /// Returns the largest value of a measure of stress inside a half-space, and its place in the axes. See
+  /// rollcon_contact_find_stress.
+  double find_stress(std::int32_t body, const char* measure, std::span<const double> parameter, Vec3& place) const;
   /// Copies the displacements of all nodes and returns how many numbers they are; null: copies nothing.
   std::int64_t body_displacements(std::int32_t body, double* u) const;
   /// Returns the power that a viscoelastic section loses in each harmonic, from 0 on. err_unsupported: it is another
   /// body.
   std::vector<double> body_power(std::int32_t body) const;
-  /// Writes the body's elements and fields as a VTU file. err_io.
+  /// Writes the body's elements and fields, those of a block of a half-space, as a VTU file. err_io.
   void write_body(std::int32_t body, const char* path) const;
   /// Writes the forces of the last solution on the body's nodes, see nodal_loads and write_loads.
   void write_loads(std::int32_t body, const char* path) const;
@@ -131,6 +135,7 @@ class Contact {
   friend class OwnFramesSolver;
   Status solve_unless_cancelled();
   SurfaceState surface_state(std::int32_t body) const;
+  StressesInside stresses_inside(std::int32_t body) const;
   Status solve_on_own_frames(const CaseList& cases, const CaseResults& results);
   const Body& body(std::int32_t which) const { return which == 1 ? *body1_ : *body2_; }
 

@@ -8,9 +8,11 @@
 #include "bodies/nodal_loads.hpp"
 #include "contact/contact.hpp"
 #include "contact/prepare/lattice_scene.hpp"
+#include "contact/results/stress_search.hpp"
 #include "contact/results/stresses.hpp"
 #include "contact/solver.hpp"
 #include "io/load_file.hpp"
+#include "support/index.hpp"
 #include "support/input_checks.hpp"
 
 namespace rollcon {
@@ -86,6 +88,10 @@ SurfaceState Contact::surface_state(std::int32_t body) const {
   return state;
 }
 
+StressesInside Contact::stresses_inside(std::int32_t body) const {
+  return {solver->solution(), body, scene.options.stress_accuracy, solver->host.context->threads()};
+}
+
 std::int64_t Contact::body_displacements(std::int32_t body, double* u) const {
   solver->require_solution();
   const Body& which = this->body(body);
@@ -108,7 +114,25 @@ std::vector<double> Contact::body_power(std::int32_t body) const {
 }
 
 void Contact::write_body(std::int32_t body, const char* path) const {
-  rollcon::write_body(this->body(body), surface_state(body), path);
+  solver->require_solution();
+  const Body& which = this->body(body);
+  if (!which.traits().half_space) return rollcon::write_body(which, surface_state(body), path);
+  const BlockInside block(solver->solution(), body);
+  const std::vector<Vec3>& node = block.surface.node;
+  SurfaceMesh placed = block.surface;
+  const Pose given = relative(scene.pose(at(body - 1)), pose_of(solver->solution().prepared->frame.axes));
+  for (Vec3& x : placed.node) x = given.place(x);
+  std::vector<double> u(3 * node.size()), stress(6 * node.size());
+  fields_at(body, true, std::ssize(node), placed.node.front().data(), which.relaxation().empty() ? u.data() : nullptr,
+            stress.data());
+  write_fields(path, placed, &block.volume, u, std::move(stress));
+}
+
+double Contact::find_stress(std::int32_t body, const char* measure, std::span<const double> parameter,
+                            Vec3& place) const {
+  solver->require_solution();
+  StressesInside inside = stresses_inside(body);
+  return largest_stress(solver->solution(), body, inside, measure, parameter, place);
 }
 
 void Contact::write_loads(std::int32_t body, const char* path) const {
@@ -145,7 +169,7 @@ void Contact::fields_at(std::int32_t body, bool in_body, std::int64_t n, const d
   if (of_elements)
     rollcon::body_fields_at(this->body(body), surface_state(body), n, xyz, u, stress);
   else
-    find_stresses(s, body, {n, xyz}, scene.options.stress_accuracy, solver->host.context->threads(), stress, u);
+    stresses_inside(body).find({n, xyz}, stress, u);
   for (std::int64_t i = 0; turned && i < n; ++i) {
     if (u) turn_vector_back(given, u + 3 * i);
     if (stress) turn_stress_back(given, stress + 6 * i);

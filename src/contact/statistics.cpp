@@ -7,6 +7,7 @@
 #include "contact/estimate/error_estimate.hpp"
 #include "contact/estimate/few_nodes.hpp"
 #include "contact/results/condition.hpp"
+#include "contact/results/mean_pressure.hpp"
 #include "contact/results/power.hpp"
 #include "contact/scene/geometry.hpp"
 #include "contact/solver.hpp"
@@ -195,8 +196,12 @@ constexpr Statistic table[] = {
     {{"step_growth", "fraction of the contact's area that a step without rolling added"}, step_growth},
     {{"step_row_builds", "rows made to carry displacements along", true},
      [](Solver& v) { return number(v.preparation() ? v.preparation()->carried.made() : 0); }},
-    {{"max_pressure", "largest pressure: at a node, or on strips the top of the curve between nodes"},
+    {{"max_pressure",
+      "largest pressure: at a node, on strips the top of the curve between nodes, or the mean over the option "
+      "pressure_length"},
      [](Solver& v) {
+       if (const double over = v.scene.options.pressure_length; over > 0)
+         return largest_mean_pressure(v.solution(), over);
        if (const auto& top = v.derived().largest_pressure) return *top;
        return std::max(
            0.0, -*std::min_element(v.solution().iterate.lambda[2].begin(), v.solution().iterate.lambda[2].end()));

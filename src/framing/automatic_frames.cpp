@@ -54,6 +54,8 @@ struct Shape {
   AtBodyEnds at_body_ends = AtBodyEnds::closer;
   /// True: one regular lattice lies over all outlines, because strips do not follow their shapes.
   bool lattice = false;
+  /// True: a half-space or rigid body ends at the contact, where pressures have no bound; lattices are finer across.
+  bool sharp = false;
   Rectangle box{};  ///< around all of the contact, a little wider
 };
 
@@ -171,7 +173,7 @@ class AutomaticFrames final : public FrameMaker {
         (coarse_solved_ ? *coarse_ : fine).tell(status);
         return status;
       }
-      const double wanted = fine.scene.options.frame_accuracy, reached = fine.error_estimate();
+      const double wanted = fine.scene.options.frame_accuracy, reached = error_reached(fine);
       if (reached <= wanted) break;
       if (level_ + 1 == level_count()) {
         level_ = levels.size();  // the next scene may be an easier one
@@ -181,6 +183,15 @@ class AutomaticFrames final : public FrameMaker {
     if (!beyond_bounds_) return Status::ok;
     fine.host.caveat(Status::rim_contact, (std::string("frames: ") + beyond_bounds_).c_str());
     return Status::rim_contact;
+  }
+
+  /// Returns what has to be below the accuracy asked for. Largest pressures are judged less sharply than forces, and
+  /// only where they have a bound.
+  double error_reached(Solver& fine) {
+    const double error = fine.error_estimate();
+    if (!shape_.sharp || !(fine.scene.options.pressure_length > 0) || !coarse_solved_) return error;
+    return std::max(error,
+                    std::abs(1 - find_statistic(*coarse_, "max_pressure") / find_statistic(fine, "max_pressure")) / 4);
   }
 
   std::size_t level_count() const { return found_.speed != 0 && shape_.lattice ? levels.size() : usual_levels; }
@@ -276,6 +287,9 @@ class AutomaticFrames final : public FrameMaker {
                                  [](const Outline& outline) { return outline.hollow() > too_hollow; });
     shape_.stretch = usual_stretch;
     shape_.at_body_ends = surfaces_deform(pair) ? AtBodyEnds::even : AtBodyEnds::closer;
+    shape_.sharp = !pair.meshed() && std::any_of(shape_.outline.begin(), shape_.outline.end(),
+                                                 [](const Outline& outline) { return outline.ends_body(); });
+    shape_.lattice = shape_.lattice || shape_.sharp;
     found_ = now;
     ++shapes_;
     // Pressures at a sharp end depend on the frame: no level is taken over from the scene before.
@@ -452,6 +466,15 @@ class AutomaticFrames final : public FrameMaker {
              std::max(all.y_greatest, b.y_greatest)};
       hx = std::min(hx, (b.x_greatest - b.x_least) / static_cast<double>(along));
       hy = std::min(hy, (b.y_greatest - b.y_least) / (outline.more_strips() * static_cast<double>(across)));
+    }
+    // Contacts are wider near a sharp end, over a length like their width.
+    constexpr double longest = 2;  // cells
+    constexpr std::int64_t most = 32;
+    if (shape_.sharp) {
+      hy = std::min(hy, std::max(longest * hx, (all.y_greatest - all.y_least) / static_cast<double>(most * along)));
+      const double wider = 0.15 * (all.x_greatest - all.x_least);
+      all.x_least -= wider;
+      all.x_greatest += wider;
     }
     const double x = 0.5 * (all.x_least + all.x_greatest), y = 0.5 * (all.y_least + all.y_greatest);
     const auto nx = intervals(all.x_least, all.x_greatest, hx, [&](double at) { return gap_at_(at, y); }),

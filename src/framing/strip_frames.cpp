@@ -66,17 +66,22 @@ StripFrames::Sizes StripFrames::sizes() const {
   return size;
 }
 
-double StripFrames::inclination() const {
+StripFrames::Inclination StripFrames::inclination() const {
   const StripState& s = peaked();
   const StripLayout& l = s.layout;
   const double* g = s.geometry.data();
   double all = 0, square = 0;
+  Vec2 sum{};
   for (std::size_t i = 0; i < l.node.size(); ++i) {
     const double load = s.pressure[i] * l.unit_weight[i] * l.cell(l.node[i], g);
     all += load;
-    square += load * givens_.steepness({l.x(l.node[i], g), l.y(l.node[i], g)});
+    const Vec2 slope = givens_.slope({l.x(l.node[i], g), l.y(l.node[i], g)});
+    sum = sum + load * slope;
+    square += load * dot(slope, slope);
   }
-  return all > 0 ? std::atan(std::sqrt(square / all)) : 0;
+  if (!(all > 0)) return {};
+  const Vec2 mean = (1 / all) * sum;
+  return {std::atan(length(mean)), std::atan(std::sqrt(std::max(0.0, square / all - dot(mean, mean))))};
 }
 
 EquivalentEllipse StripFrames::equivalent_ellipse(const PairOfBodies& pair) {

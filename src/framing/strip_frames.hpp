@@ -44,9 +44,12 @@ class StripFrames final : public MovingFrame {
   };
   Sizes sizes() const;
   double largest_pressure() const { return strips::largest_pressure(peaked()).pressure; }
-  /// Returns the angle of the contact's normals to n of the axes. Its tangent is a root mean square, weighted by
-  /// pressures.
-  double inclination() const;
+  /// Holds angles, weighted by pressures: that of the mean normal to n of the axes, and the root mean square by which
+  /// normals turn away from the mean.
+  struct Inclination {
+    double mean = 0, turned = 0;
+  };
+  Inclination inclination() const;
   /// Returns the Hertzian contact that is equivalent to the solution without friction. Errors are those of
   /// rollcon::equivalent_ellipse().
   EquivalentEllipse equivalent_ellipse(const PairOfBodies& pair);

@@ -60,11 +60,9 @@ void StripGivens::Friction::at(std::span<const Vec2> point, double* value, Vec2*
   }
 }
 
-double StripGivens::steepness(const Vec2& point) const {
+Vec2 StripGivens::slope(const Vec2& point) const {
   Heights h;
-  if (!known_ || !known_->heights(point[0], point[1], h)) return 0;
-  const Vec2 slope = 0.5 * (h.slope[0] + h.slope[1]);
-  return dot(slope, slope);
+  return known_ && known_->heights(point[0], point[1], h) ? 0.5 * (h.slope[0] + h.slope[1]) : Vec2{};
 }
 
 void StripGivens::shift(const StripParameter& rates, double factor) {

@@ -32,8 +32,8 @@ class StripGivens {
   /// Returns creepages, spin and fields of slip over speed, which frictionless scenes do not have.
   std::array<double, 2> rigid_slip(const Vec2& point) const;
   double speed() const { return speed_; }
-  /// Returns the square of the slope of the mean surface against the plane of the axes.
-  double steepness(const Vec2& point) const;
+  /// Returns the slope of the mean surface against the plane of the axes.
+  Vec2 slope(const Vec2& point) const;
   /// Says whether both bodies are at a point.
   bool both_at(const Vec2& point) const;
 

@@ -80,6 +80,38 @@ ProfilePiece arc_between(double from, double to, const Vec2& centre, double radi
   return arc(start, -side * first, radius * (last - first), -side / radius);
 }
 
+/// Builds z = relief ln(1 - k (y / half_width)^2), up to where it is 45 degrees steep, and quarter circles beyond.
+Pieces roller(Parameters p) {
+  const double half = p[0], relief = p[1], k = p[2], edge = p[3];
+  require_positive(half, "half_width, parameter 1 of \"roller\",");
+  if (!(relief >= 0)) fail(Status::err_argument, "relief, parameter 2 of \"roller\", is %g; allowed: >= 0", relief);
+  if (!(k >= 0 && k <= 1)) fail(Status::err_argument, "k, parameter 3 of \"roller\", is %g; allowed: 0 to 1", k);
+  if (!(edge >= 0)) fail(Status::err_argument, "edge_radius, parameter 4 of \"roller\", is %g; allowed: >= 0", edge);
+  Pieces all{straight({-half, 0}, {half, 0})};
+  double angle = 0;
+  if (relief * k > 0) {
+    const double end = std::min(half, half * half / k / (relief + std::hypot(relief, half / std::sqrt(k))));
+    angle = std::atan(2 * relief * k * end / (half * half - k * end * end));
+    // With y = half / sqrt(k) tanh(t), z is -2 relief ln cosh(t), which even steps of t resolve everywhere.
+    const double reach = std::atanh(std::sqrt(k) * end / half);
+    const std::int64_t parts = 16 + to_index(100 * reach);
+    std::vector<Vec2> point;
+    for (std::int64_t i = 0; i <= parts; ++i) {
+      const double t = reach * (2 * static_cast<double>(i) / static_cast<double>(parts) - 1);
+      point.push_back({half / std::sqrt(k) * std::tanh(t), -2 * relief * std::log(std::cosh(t))});
+    }
+    const Vec2 begin{std::cos(angle), std::sin(angle)}, last{begin[0], -begin[1]};
+    all = spline_through(point, &begin, &last);
+  }
+  if (!(edge > 0)) return all;
+  const double turn = std::numbers::pi / 2 - angle;
+  const Vec2 from = all.front().start, to = end_of(all.back());
+  all.insert(all.begin(), arc(from - edge * Vec2{1 - std::sin(angle), std::cos(angle)}, std::numbers::pi / 2,
+                              edge * turn, -1 / edge));
+  all.push_back(arc(to, -angle, edge * turn, -1 / edge));
+  return all;
+}
+
 double polynomial(std::span<const double> c, double y) {
   double sum = 0;
   for (std::size_t i = c.size(); i-- > 0;) sum = sum * y + c[i];
@@ -178,6 +210,7 @@ constexpr Shape shapes[] = {
     {"line", 2, "half_width, slope", line},
     {"arc", 2, "radius, half_width", circle},
     {"arcs", 5, "y, z, angle, then length and curvature of each arc", chain},
+    {"roller", 4, "half_width, relief, k, edge_radius", roller},
     {"s1002", 1, "unit", [](Parameters p) { return scaled(s1002(), p[0]); }},
     {"60e1", 1, "unit", [](Parameters p) { return scaled(e60(), p[0]); }},
 };

@@ -40,6 +40,7 @@ struct Frame {
   std::vector<double> weight;
   std::vector<double> cell_area;   ///< median-dual cell area (curved: on the surface), > 0
   std::vector<std::uint8_t> rim;   ///< 1 for nodes on the frame's boundary
+  std::vector<std::uint8_t> ends;  ///< 1 for nodes where a body without a mesh ends; empty: none
   std::vector<std::uint8_t> used;  ///< 1 for nodes that belong to an element and may carry tractions
   double area = 0;                 ///< area of the projected frame, of the surface if curved
   /// Holds the local triads of a curved frame; a flat one leaves them empty and has the axes' triad everywhere.

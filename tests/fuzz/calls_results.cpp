@@ -182,6 +182,18 @@ void fatigue_index(World& w) {
   require(good || index.untouched(), "a failed call wrote into its output");
 }
 
+void find_stress(World& w) {
+  const rollcon_contact* c = w.contact();
+  const std::int32_t which = w.in.below(4);
+  Output<double> value(1), place(3);
+  const std::vector<double> parameter = w.in.reals(3);
+  static constexpr const char* measures[] = {"shear", "dang_van", "crossland", "lundberg_palmgren", "none"};
+  const bool good =
+      FUZZ_CALL(w, rollcon_contact_find_stress, c, which, measures[w.in.below(5)],
+                w.in.below(4), parameter.data(), value.data(), place.data()) == ROLLCON_OK;
+  require(good || (value.untouched() && place.untouched()), "a failed call wrote into its output");
+}
+
 void stress_invariants(World& w) {
   const std::int64_t n = array_size(w.in, 5);
   const std::vector<double> stress = w.in.reals(static_cast<std::size_t>(n > 0 ? 6 * n : 0));
@@ -245,6 +257,7 @@ std::span<const Call> result_calls() {
                                stress_invariants,
                                temperatures_at,
                                fatigue_index,
+                               find_stress,
                                stat,
                                history,
                                plan,

@@ -70,6 +70,39 @@ TEST(profile_shapes, chain_of_arcs_is_a_rounded_cone) {
   expect_error("chain: length", tip.length() - (2 * flank + radius * (pi - 2 * a)), 1e-13);
 }
 
+// Lundberg's profile has k = 1, Johns and Gohar's a little less. Edges go on from it without a kink.
+TEST(profile_shapes, rollers_are_logarithmic_with_round_edges) {
+  constexpr double half = 5, relief = 3.5e-3, edge = 0.4;
+  for (const double k : {1.0, 0.994, 0.3, 0.0})
+    for (const double r : {0.0, edge}) {
+      const ProfileCurve roller = shape("roller", {half, relief, k, r});
+      const double steep = k > 0 ? -relief + std::sqrt(relief * relief + half * half / k) : half;
+      const double end = std::min(half, steep), slope = 2 * relief * k * end / (half * half - k * end * end);
+      const std::string name = "roller, k " + std::to_string(k) + ", edge " + std::to_string(r);
+      expect_error(
+          name + ": z over the relief",
+          worst(roller, -end, end,
+                [&](double y, double z) { return (z - relief * std::log1p(-k * y * y / (half * half))) / relief; }),
+          1e-7);
+      const double sine = std::sin(std::atan(slope)), z_end = relief * std::log1p(-k * end * end / (half * half));
+      const double down = z_end - r * std::cos(std::atan(slope));
+      for (const double side : {-1.0, 1.0}) {
+        const Vec2 last = roller.at(side < 0 ? 0 : roller.length()).x;
+        expect_error(name + ": end", length(last - Vec2{side * (end + r * (1 - sine)), down}), 1e-11);
+        expect_error(name + ": edge",
+                     worst(roller, side * end - (side < 0 ? 1 : 0), side * end + (side > 0 ? 1 : 0),
+                           [&](double y, double z) {
+                             return r > 0 ? std::hypot(y - side * (end - r * sine), z - down) - r : 0;
+                           }),
+                     1e-11);
+      }
+    }
+  expect_refused("roller", {0, 1e-3, 1, 0}, "half_width, parameter 1 of \"roller\", is 0; allowed: > 0");
+  expect_refused("roller", {5, -1e-3, 1, 0}, "relief, parameter 2 of \"roller\", is -0.001; allowed: >= 0");
+  expect_refused("roller", {5, 1e-3, 1.1, 0}, "k, parameter 3 of \"roller\", is 1.1; allowed: 0 to 1");
+  expect_refused("roller", {5, 1e-3, 1, -1}, "edge_radius, parameter 4 of \"roller\", is -1; allowed: >= 0");
+}
+
 TEST(profile_shapes, s1002_is_its_table) {
   const ProfileCurve wheel = shape("s1002", {1});
   // The formulas follow Horner's rule in another order than the library's, and square roots.
@@ -151,7 +184,7 @@ TEST(profile_shapes, pieces_join) {
 }
 
 TEST(profile_shapes, wrong_parameters_are_told) {
-  expect_refused("S1002", {1}, "shape is \"S1002\"; allowed: line, arc, arcs, s1002, 60e1");
+  expect_refused("S1002", {1}, "shape is \"S1002\"; allowed: line, arc, arcs, roller, s1002, 60e1");
   expect_refused("s1002", {}, "shape \"s1002\" was given 0 parameter(s); allowed: unit");
   expect_refused("s1002", {0}, "unit, parameter 1 of the shape, is 0; allowed: > 0");
   expect_refused("line", {-1, 0}, "half_width, parameter 1 of \"line\", is -1; allowed: > 0");

@@ -33,6 +33,16 @@ class Pictures(Scene):
         pyplot.close("all")
         super().tearDown()
 
+    def test_stress_below(self):
+        value, place = self.drawn.find_stress(1, "shear")
+        self.assertLess(place[2], 0)
+        drawn = self.drawn.plot_stress(1, "shear")
+        x, depth = drawn.lines[0].get_xydata()[0]
+        self.assertAlmostEqual(x, place[0])
+        self.assertAlmostEqual(depth, -place[2])
+        self.assertAlmostEqual(drawn.collections[0].get_array().max() / value, 1, delta=0.12)
+        self.assertRaises(ValueError, self.drawn.plot_stress, 1, "dang_van")
+
     def test_pressure_and_tractions(self):
         values = self.drawn.plot_pressure().collections[0].get_array()
         self.assertAlmostEqual(values.max(), self.drawn.field("pressure").max())

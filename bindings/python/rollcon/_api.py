@@ -384,6 +384,9 @@ FUNCTIONS = {
     "rollcon_contact_get_fields_at": (c_int32, [
         c_void_p, c_int32, c_int64, POINTER(c_double),
         c_int32, POINTER(c_double), POINTER(c_double)]),
+    "rollcon_contact_find_stress": (c_int32, [
+        c_void_p, c_int32, c_char_p, c_int32,
+        POINTER(c_double), POINTER(c_double), POINTER(c_double)]),
     "rollcon_contact_get_body_displacements": (c_int32, [
         c_void_p, c_int32, c_int64,
         POINTER(c_double), POINTER(c_int64)]),
@@ -805,6 +808,10 @@ ARGUMENTS = {
     "rollcon_contact_get_fields_at": [
         ("contact", ""), ("which", "body of a contact"), ("n", ""), ("xyz", ""), ("in_axes",
         "axes of points"), ("u", ""), ("stress", "")
+    ],
+    "rollcon_contact_find_stress": [
+        ("contact", ""), ("which", "body of a contact"), ("measure", ""), ("n", ""),
+        ("parameters", ""), ("value", ""), ("place", "")
     ],
     "rollcon_contact_get_body_displacements": [
         ("contact", ""), ("which", "body of a contact"), ("capacity", ""), ("u", ""), ("n_values",

@@ -319,12 +319,15 @@ class BodyPlain:
         """Sets a profile in closed form: "line" half_width, slope; "arc" radius, half_width: the
         circle through (0, 0) about z = -radius, up to half of it; "arcs" y, z and angle of the
         start, then length and curvature (0: a line; positive: from y to z) of each arc, each
-        going on in the direction in which the one before ends; "s1002" unit: the wheel, in
-        lengths of which `unit` is a millimetre, the middle of the tread at (0, 0), z down, the
-        flange at y < 0; "60e1" unit: the head of the rail, upright, its top at (0, 0), z down.
-        The former profile and its place are forgotten.
+        going on in the direction in which the one before ends; "roller" half_width, relief, k (0
+        to 1), edge_radius: z = relief ln(1 - k (y/half_width)^2), logarithmic after Lundberg (k =
+        1) or Johns and Gohar (k < 1), up to where it is 45 degrees steep, and beyond quarter
+        circles of the edge's radius (0: none, sharp ends); relief 0 is a straight roller; "s1002"
+        unit: the wheel, in lengths of which `unit` is a millimetre, the middle of the tread at
+        (0, 0), z down, the flange at y < 0; "60e1" unit: the head of the rail, upright, its top
+        at (0, 0), z down. The former profile and its place are forgotten.
 
-        shape: line, arc, arcs, s1002 or 60e1.
+        shape: line, arc, arcs, roller, s1002 or 60e1.
         parameters: of the shape, in its order; radian, length.
         """
         parameters, parameters_at = reals(parameters)
@@ -900,11 +903,12 @@ class ContactPlain:
         self._call("write_loads", which, c_path(path))
 
     def fatigue_index(self, shear_yield: float) -> float:
-        """Returns the index of surface-initiated rolling contact fatigue, FI = sqrt(F1^2 +
-        F2^2)/Fn - 2 A k/(3 Fn), with the area A in contact (statistic contact_area; pi a b for an
-        ellipse) and the yield stress k in shear; positive where fatigue is to be expected.
-        ERR_STATE: no solution, or no normal force. The wear number T-gamma, force times creepage,
-        is the statistic t_gamma.
+        """Returns the railways' index of surface-initiated rolling contact fatigue of wheels,
+        after Ekberg, Kabo and Andersson (bearings: find_stress()), FI = sqrt(F1^2 + F2^2)/Fn - 2
+        A k/(3 Fn), with the area A in contact (statistic contact_area; pi a b for an ellipse) and
+        the yield stress k in shear; positive where fatigue is to be expected. ERR_STATE: no
+        solution, or no normal force. The wear number T-gamma, force times creepage, is the
+        statistic t_gamma.
 
         shear_yield: k, force/length^2, above 0.
         """

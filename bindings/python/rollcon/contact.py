@@ -251,6 +251,16 @@ class Contact(Settings, ContactPlain, Handle):
         self._call("get_fields_at", which, len(xyz), points, in_axes, first, second)
         return u, stress
 
+    def find_stress(self, which: int | str, measure: str, parameters: ArrayLike = ()) -> tuple[float, np.ndarray]:
+        """Returns the largest value of a measure of stress inside a half-space, and its place [3] in the contact's
+        axes: "von_mises", "shear", "orthogonal_shear", "dang_van" and "crossland" (weight of the hydrostatic stress),
+        or the integral "lundberg_palmgren" (exponents of stress and depth, least depth)."""
+        parameters, given = reals(np.atleast_1d(parameters))
+        value = c_double()
+        place, address = room(3)
+        self._call("find_stress", which, c_text(measure, "measure"), parameters.size, given, byref(value), address)
+        return value.value, place
+
     def wear(self, law: str, parameters: ArrayLike, y: ArrayLike) -> tuple[np.ndarray, float]:
         """Returns the depth [points] that a pass of the contact wears off at places y along t2, and the volume per
         length rolled, by a law, "archard" (i, or i1, i2, angle) or "t_gamma" (pairs)."""
@@ -351,6 +361,12 @@ class Contact(Settings, ContactPlain, Handle):
         pressure."""
         from . import plots
         return plots.section(self, y, ax)
+
+    def plot_stress(self, which=1, measure="von_mises", y=None, ax=None):
+        """Draws a measure of stress below a half-space in the plane of rolling direction and depth, at y or through the
+        place of the largest."""
+        from . import plots
+        return plots.stress(self, which, measure, y, ax)
 
     def plot_creep_curve(self, creepages, direction="longitudinal", ax=None):
         """Solves a list of creepages in a direction, or of spins, and draws the forces over them."""

@@ -8,6 +8,7 @@ import numpy as np
 
 from . import _api, wheelrail as wheelrail_module
 from ._library import RollconError, enumerator
+from .stresses import stress_invariants
 
 STICK_COLOUR, SLIP_COLOUR = "#1f4e9c", "#c8442b"
 
@@ -109,6 +110,33 @@ def section(contact, y=None, ax=None):
     ax.set_title(f"section at y = {line:.4g}", fontsize="medium")
     ax.legend(fontsize="small", loc="lower center", ncols=2)
     ax.margins(y=0.15)
+    return ax
+
+
+def stress(contact, which=1, measure="von_mises", y=None, ax=None, cmap="inferno"):
+    """Draws a measure of stress, von_mises, shear or orthogonal_shear, below a half-space in the plane of the rolling
+    direction and the depth, at y or through the place of the largest, which a cross marks."""
+    if measure not in ("von_mises", "shear", "orthogonal_shear"):
+        raise ValueError(f"measure is {measure!r}; allowed: von_mises, shear, orthogonal_shear")
+    value, place = contact.find_stress(which, measure)
+    x, ys, touching, _ = _nodes(contact)
+    middle, half = (x[touching].max() + x[touching].min()) / 2, np.ptp(x[touching]) / 2
+    depth = 1.5 * max(min(half, np.ptp(ys[touching]) / 2), abs(place[2]))
+    x, z = np.meshgrid(middle + 2 * half * np.linspace(-1, 1, 81), depth * np.linspace(0, 1, 41) ** 1.5)
+    side = 1 if place[2] > 0 else -1
+    points = np.stack([x, np.full_like(x, place[1] if y is None else y), side * z], axis=-1).reshape(-1, 3)
+    found = contact.fields_at(which, points)[1]
+    shown = (np.abs(found[:, 4]) if measure == "orthogonal_shear"
+             else stress_invariants(found)[1 if measure == "von_mises" else 2])
+    ax = _axes(ax)
+    drawn = ax.contourf(x, z, shown.reshape(x.shape), 12, cmap=cmap)
+    ax.figure.colorbar(drawn, ax=ax, label=measure.replace("_", " "))
+    if y is None:
+        ax.plot(place[0], abs(place[2]), "c+", ms=10)
+        ax.set_title(f"{value:.4g} at depth {abs(place[2]):.3g}", fontsize="medium")
+    ax.set_xlabel("x, rolling direction")
+    ax.set_ylabel("depth")
+    ax.invert_yaxis()
     return ax
 
 

@@ -86,6 +86,18 @@ Line describe_too_deep(const Solution& s) {
       largest, modulus);
 }
 
+Line describe_sharp_end(const Solution& s) {
+  const Frame& frame = s.prepared->frame;
+  for (std::size_t k = 0; k < frame.ends.size(); ++k)
+    if (frame.ends[k] && s.iterate.lambda[2][k] < 0)
+      return {
+          "the contact reaches a sharp end of a body, where the pressure of a half-space has no bound: it grows as 1 / "
+          "sqrt(distance to the end), so that elements of a quarter of the size double the largest pressure, whereas "
+          "force and approach converge; relieve the end or give it a radius (shape \"roller\"), or take the mean over "
+          "a length (option pressure_length)"};
+  return {};
+}
+
 Line describe_units(const Solution& s) {
   const Line first = doubt_about_units(s, 0);
   return *first.text ? first : doubt_about_units(s, 1);

@@ -11,6 +11,9 @@ namespace rollcon {
 Line describe_too_deep(const Solution& s);
 /// Says what the meshes of the bodies do not show; empty: nothing.
 Line describe_meshes(const Solution& s);
+/// Says that the contact reaches a sharp end of a body without a mesh, where pressures have no bound; empty: it does
+/// not.
+Line describe_sharp_end(const Solution& s);
 /// Says, whatever the outcome is, that a given matrix and its body's modulus are not in the same units; empty: nothing.
 Line describe_units(const Solution& s);
 /// Returns the status of a solve on any frame: inaccurate instead of ok if there are doubts about the meshes.

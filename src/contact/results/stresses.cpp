@@ -1,6 +1,7 @@
 #include "contact/results/stresses.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "bodies/halfspace/interior_grid.hpp"
@@ -56,8 +57,29 @@ void find_at(const HalfspaceInterior& interior, const std::vector<std::int64_t>&
 
 }  // namespace
 
-void find_stresses(const Solution& state, std::int32_t body, const PointsInside& points, double accuracy, int threads,
-                   double* stress, double* displacement) {
+struct StressesInside::Fields {
+  std::int32_t body;
+  const Body* which;
+  int threads;
+  std::vector<double> traction;
+  std::optional<InteriorGrid> grid;  ///< nothing: points are evaluated one by one
+  HalfspaceInterior::Material material;
+  const Frame* frame;
+  double accuracy;
+  std::optional<HalfspaceInterior> interior;  ///< made for points that no slice has
+
+  const HalfspaceInterior& one_by_one() {
+    if (!interior) interior.emplace(*frame, traction.data(), material, accuracy);
+    return *interior;
+  }
+  // Depth points into the body: along -n into body 1, whose tractions are lambda, along n into body 2, which has
+  // -lambda. A mirrored body obeys the same laws.
+  double side() const { return body == 1 ? 1 : -1; }
+};
+
+StressesInside::~StressesInside() = default;
+
+StressesInside::StressesInside(const Solution& state, std::int32_t body, double accuracy, int threads) {
   const Prepared& on = *state.prepared;
   const Body& which = *on.pair.body[at(body - 1)];
   require_halfspace(which, body);
@@ -65,40 +87,41 @@ void find_stresses(const Solution& state, std::int32_t body, const PointsInside&
     fail(Status::err_unsupported,
          "stresses inside half-spaces are those under a contact in a plane, and this one is conformal (option "
          "conformal is 1)");
-  // Stresses under given tractions do not depend on the modulus.
-  if (displacement && which.creeps())
-    fail(Status::err_unsupported,
-         "body %d is viscoelastic (rollcon_body_set_viscoelastic): displacements inside it are not computed; allowed: "
-         "stresses alone, and displacements of its surface (rollcon_contact_get_displacements_at)",
-         body);
-  require_inside(points, body);
-  // Depth points into the body: along -n into body 1, whose tractions are lambda, along n into body 2, which has
-  // -lambda. A mirrored body obeys the same laws.
-  const double side = body == 1 ? 1 : -1;
-  const std::size_t nodes = at(on.problem.nodes), n = at(points.count);
-  std::vector<double> traction(3 * nodes), inside(points.xyz, points.xyz + 3 * n);
-  for (std::size_t k = 0; k < nodes; ++k) {
+  const HalfspaceInterior::Material material{which.young() / (2 * (1 + which.poisson())), which.poisson()};
+  fields_ = std::make_unique<Fields>(Fields{body, &which, threads, {}, {}, material, &on.frame, accuracy, {}});
+  const double side = fields_->side();
+  std::vector<double>& traction = fields_->traction;
+  traction.resize(3 * at(on.problem.nodes));
+  for (std::size_t k = 0; k < traction.size() / 3; ++k) {
     traction[3 * k] = side * state.iterate.lambda[0][k];
     traction[3 * k + 1] = side * state.iterate.lambda[1][k];
     traction[3 * k + 2] = -state.iterate.lambda[2][k];
   }
-  for (std::size_t p = 0; p < n; ++p) inside[3 * p + 2] *= -side;
-  const HalfspaceInterior::Material material{which.young() / (2 * (1 + which.poisson())), which.poisson()};
-  std::vector<std::int64_t> rest;
-  bool slices = false;
-  if (on.lattice) {
-    const InteriorGrid grid(*on.lattice, traction.data(), material, accuracy);
-    slices = grid.usable();
-    if (slices) rest = find_on_slices(grid, {points.count, inside.data()}, threads, stress, displacement);
+  if (!on.lattice) return;
+  fields_->grid.emplace(*on.lattice, traction.data(), material, accuracy);
+  if (!fields_->grid->usable()) fields_->grid.reset();
+}
+
+void StressesInside::find(const PointsInside& points, double* stress, double* displacement) {
+  Fields& on = *fields_;
+  // Stresses under given tractions do not depend on the modulus.
+  if (displacement && on.which->creeps())
+    fail(Status::err_unsupported,
+         "body %d is viscoelastic (rollcon_body_set_viscoelastic): displacements inside it are not computed; allowed: "
+         "stresses alone, and displacements of its surface (rollcon_contact_get_displacements_at)",
+         on.body);
+  require_inside(points, on.body);
+  const std::size_t n = at(points.count);
+  std::vector<double> inside(points.xyz, points.xyz + 3 * n);
+  for (std::size_t p = 0; p < n; ++p) inside[3 * p + 2] *= -on.side();
+  if (!on.grid) {
+    on.one_by_one().evaluate(points.count, inside.data(), stress, displacement, on.threads);
+  } else if (const auto rest =
+                 find_on_slices(*on.grid, {points.count, inside.data()}, on.threads, stress, displacement);
+             !rest.empty()) {
+    find_at(on.one_by_one(), rest, inside.data(), on.threads, stress, displacement);
   }
-  if (!slices || !rest.empty()) {
-    const HalfspaceInterior interior(on.frame, traction.data(), material, accuracy);
-    if (slices)
-      find_at(interior, rest, inside.data(), threads, stress, displacement);
-    else
-      interior.evaluate(points.count, inside.data(), stress, displacement, threads);
-  }
-  if (body == 2) return;
+  if (on.body == 2) return;
   for (std::size_t p = 0; p < n; ++p) {
     if (stress) stress[6 * p + 4] = -stress[6 * p + 4], stress[6 * p + 5] = -stress[6 * p + 5];
     if (displacement) displacement[3 * p + 2] = -displacement[3 * p + 2];

@@ -2,6 +2,7 @@
 /// Finds stresses and displacements inside the half-spaces of a solved contact.
 
 #include <cstdint>
+#include <memory>
 
 #include "contact/solution.hpp"
 
@@ -13,9 +14,20 @@ struct PointsInside {
   const double* xyz;
 };
 
-/// Finds stresses 11, 22, nn, 12, 1n, 2n and displacements 1, 2, n in body 1 or 2; either may be null. err_unsupported:
-/// the body is no half-space; err_argument: a point is outside of it.
-void find_stresses(const Solution& state, std::int32_t body, const PointsInside& points, double accuracy, int threads,
-                   double* stress, double* displacement);
+/// Finds fields inside body 1 or 2 under a solution, which must outlive it.
+class StressesInside {
+ public:
+  /// Throws err_unsupported if the body is no half-space, or the contact conformal.
+  StressesInside(const Solution& state, std::int32_t body, double accuracy, int threads);
+  ~StressesInside();
+
+  /// Finds stresses 11, 22, nn, 12, 1n, 2n and displacements 1, 2, n; either may be null. err_unsupported:
+  /// displacements of a viscoelastic body; err_argument: a point is outside of it.
+  void find(const PointsInside& points, double* stress, double* displacement);
+
+ private:
+  struct Fields;
+  std::unique_ptr<Fields> fields_;
+};
 
 }  // namespace rollcon

@@ -24,6 +24,7 @@ struct Options {
   std::int64_t max_iterations = 500;          // "max_iterations"
   double accuracy = 1e-6;                     // "accuracy" of the half-space integrals
   double stress_accuracy = 1e-5;              // "stress_accuracy" inside half-spaces
+  double pressure_length = 0;                 // "pressure_length"
   double frame_accuracy = 0.005;              // "frame_accuracy"
   std::int64_t conformal = 0;                 // "conformal"
   std::string convection = "characteristic";  // "convection"

@@ -115,6 +115,7 @@ void find_rim(Frame& frame, const PairOfBodies& pair, const KnownGap* gap) {
   std::vector<std::uint8_t> ends(frame.rim.size(), 0);
   for (std::size_t k = 0; gap && k < ends.size(); ++k)
     ends[k] = frame.rim[k] && gap->ends_at(frame.x[k], frame.y[k], element_size(frame, k));
+  frame.ends = ends;
   for (int b = 0; b < 2; ++b) {
     const Body& body = *pair.body[at(b)];
     const Pose& pose = pair.pose[at(b)];
