@@ -48,7 +48,7 @@ TEST(stress_search, ball) {
 }
 
 // A long ellipse is a line contact in the middle: 0.300 p0 at 0.786 b, orthogonal shear 0.25 p0 at 0.5 b and 0.866 b.
-TEST(stress_search, line) {
+TEST(stress_search_long, line) {
   RollingPair pair(steel, steel);
   const closed_forms::Hertz h = press(pair, 1 / 20.0, 1 / 20e3, 1000);
   const double b = std::min(h.a, h.b);
@@ -98,7 +98,7 @@ double radius_of_ball(const std::vector<std::array<double, 6>>& path, std::array
   return std::sqrt(far);
 }
 
-TEST(stress_search, measures_of_histories) {
+TEST(stress_search_long, measures_of_histories) {
   RollingPair pair(steel, steel);
   pair.creep(1e-2, 0, 0).friction(0.1).load(100).gap_quadratic(1 / 20.0, 1 / 60.0);
   ASSERT_EQ(pair.solve(), ROLLCON_OK);
@@ -130,7 +130,7 @@ TEST(stress_search, measures_of_histories) {
 }
 
 // The integral of Lundberg and Palmgren by sums over another grid of points.
-TEST(stress_search, integral_of_lundberg_and_palmgren) {
+TEST(stress_search_long, integral_of_lundberg_and_palmgren) {
   RollingPair pair(steel, steel);
   const closed_forms::Hertz h = press(pair, 1 / 20.0, 1 / 60.0, 100);
   const double c = 31.0 / 3, e = 7.0 / 3, width = std::min(h.a, h.b), across = std::max(h.a, h.b);

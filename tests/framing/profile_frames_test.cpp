@@ -70,7 +70,7 @@ TEST(profile_frames_long, spheres_and_crossed_cylinders_are_those_of_a_quadratic
 
 /// Lays a roller of half length 5 on a plane. Pressures are singular at its sharp ends, where convergence is slow.
 void lay_straight_roller(RollingPair& pair) {
-  pair.load(load).friction(mu).creep(5e-4, 0, 0).option("frame_accuracy", 0.04);
+  pair.load(load).friction(mu).creep(5e-4, 0, 0).option("frame_accuracy", 0.04).option("pressure_length", 0.5);
   give_shape(pair, 2, "line", {5, 0});
   revolve(pair, 2, 6, {0, 1, 0});
 }
@@ -105,8 +105,8 @@ TEST(profile_frames_long, a_straight_roller_is_pressed_to_its_ends) {
   ASSERT_EQ(lattice.solve(), ROLLCON_OK);
   expect_same("straight roller beside a lattice", pair, lattice, 2e-2, 1e-2);
   pair.option("frame_accuracy", 0.005);
-  EXPECT_EQ(pair.solve(), ROLLCON_INACCURATE);
-  expect_same("the same on the finest frames", pair, lattice, 2e-3, 4e-3);
+  EXPECT_EQ(pair.solve(), ROLLCON_OK) << rollcon_last_caveat();
+  expect_same("the same on finer frames", pair, lattice, 5e-3, 3e-3);
 }
 
 // The middle of the contact is not at the origin, and the origin may be where the bodies are apart.
@@ -190,7 +190,7 @@ TEST(profile_frames, bodies_that_give_no_frame_are_told) {
 
 /// Lays a roller of radius 6 and half length 5 on a plane; its axis is level until it is posed.
 void lay_roller_that_ends(RollingPair& pair, const char* shape, const std::vector<double>& parameter) {
-  pair.load(1500).friction(0);
+  pair.load(1500).friction(0).option("pressure_length", 0.2);
   give_shape(pair, 1, shape, parameter);
   const double centre[3] = {0, 0, 0}, axis[3] = {0, 1, 0}, origin[3] = {0, 0, 0}, x[3] = {1, 0, 0}, z[3] = {0, 0, 1};
   ASSERT_EQ(rollcon_body_revolve_profile(pair.body(1), centre, axis, 6), ROLLCON_OK);

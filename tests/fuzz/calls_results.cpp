@@ -188,9 +188,8 @@ void find_stress(World& w) {
   Output<double> value(1), place(3);
   const std::vector<double> parameter = w.in.reals(3);
   static constexpr const char* measures[] = {"shear", "dang_van", "crossland", "lundberg_palmgren", "none"};
-  const bool good =
-      FUZZ_CALL(w, rollcon_contact_find_stress, c, which, measures[w.in.below(5)],
-                w.in.below(4), parameter.data(), value.data(), place.data()) == ROLLCON_OK;
+  const bool good = FUZZ_CALL(w, rollcon_contact_find_stress, c, which, measures[w.in.below(5)], w.in.below(4),
+                              parameter.data(), value.data(), place.data()) == ROLLCON_OK;
   require(good || (value.untouched() && place.untouched()), "a failed call wrote into its output");
 }
 
