@@ -123,7 +123,7 @@ void Contact::write_body(std::int32_t body, const char* path) const {
   const Pose given = relative(scene.pose(at(body - 1)), pose_of(solver->solution().prepared->frame.axes));
   for (Vec3& x : placed.node) x = given.place(x);
   std::vector<double> u(3 * node.size()), stress(6 * node.size());
-  fields_at(body, true, std::ssize(node), placed.node.front().data(), which.relaxation().empty() ? u.data() : nullptr,
+  fields_at(body, true, std::ssize(node), placed.node.front().data(), which.creeps() ? nullptr : u.data(),
             stress.data());
   write_fields(path, placed, &block.volume, u, std::move(stress));
 }

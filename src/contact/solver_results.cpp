@@ -6,6 +6,7 @@
 #include "contact/results/doubts.hpp"
 #include "contact/results/extrapolation.hpp"
 #include "contact/results/outcome_text.hpp"
+#include "contact/results/power.hpp"
 #include "contact/solver.hpp"
 #include "linalg/blas_threads.hpp"
 #include "support/index.hpp"

@@ -52,7 +52,8 @@ System::System(const BodyMesh& mesh, const TractionNodes& fans, const Materials&
       harmonics_(section_.stations()) {
   statistics_.unknowns = stiffness_.unknowns();
   statistics_.condensed = static_cast<std::int64_t>(profile_unknowns().size());
-  for (const auto& [tag, relaxation] : material.relaxation) {
+  for (const auto& of_tag : material.relaxation) {
+    const auto& relaxation = of_tag.second;
     const bool known =
         std::any_of(creeping_.begin(), creeping_.end(), [&](const Creeping& c) { return c.relaxation == relaxation; });
     // Springs over an infinite reference are none.
