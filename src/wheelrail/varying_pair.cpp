@@ -97,18 +97,27 @@ double VaryingPair::rough_gap(const WheelLocus& locus, double y, double z, doubl
   return rail_profile_.cells()[near_].cubic_z(x[1]) - x[2];
 }
 
-int VaryingPair::best_station(const WheelLocus& locus, double y, double z, double& lowest, double& at_y) const {
-  int best = -1;
+std::optional<int> VaryingPair::best_station(const WheelLocus& locus, double y, double z, double& lowest,
+                                             double& at_y) const {
+  std::optional<int> best;
   lowest = infinite;
-  for (int i = 0; i <= 2 * stations_; ++i) {
-    const auto& [c, s] = turn_[static_cast<std::size_t>(i)];
-    double there = 0;
-    if (const double g = rough_gap(locus, y, z, c, s, (i - stations_) * station_, there); g < lowest) {
-      lowest = g;
-      at_y = there;
-      best = i;
-    }
+  double there = 0;
+  const auto better = [&](int i, double c, double s) {
+    const double g = rough_gap(locus, y, z, c, s, i * station_, there);
+    if (!(g < lowest)) return false;
+    lowest = g;
+    at_y = there;
+    best = i;
+    return true;
+  };
+  for (int i = -stations_; i <= stations_; ++i) {
+    const auto& [c, s] = turn_[static_cast<std::size_t>(i + stations_)];
+    better(i, c, s);
   }
+  // Steeper rails, and flanges of wheels that yaw, are met farther away.
+  const int way = best == stations_ ? 1 : best == -stations_ ? -1 : 0;
+  for (int i = way * (stations_ + 1); way != 0 && std::abs(i) * station_ < 1; i += way)
+    if (!better(i, std::cos(i * station_), std::sin(i * station_))) break;
   return best;
 }
 
@@ -129,17 +138,9 @@ const std::optional<VaryingPair::At>& VaryingPair::least(const WheelLocus& locus
   found_slope_ = p.slope;
   found_.reset();
   double lowest = 0, there = 0;
-  const int station = best_station(locus, p.y, p.z, lowest, there);
-  if (station < 0) return found_;
-  int best = station - stations_;
-  // Steeper rails, and flanges of wheels that yaw, are met farther away.
-  const int way = best == stations_ ? 1 : best == -stations_ ? -1 : 0;
-  for (int i = best + way; way != 0 && std::abs(i) * station_ < 1; i += way) {
-    const double turn = i * station_, g = rough_gap(locus, p.y, p.z, std::cos(turn), std::sin(turn), turn, there);
-    if (!(g < lowest)) break;
-    lowest = g;
-    best = i;
-  }
+  const auto station = best_station(locus, p.y, p.z, lowest, there);
+  if (!station) return found_;
+  const int best = *station;
   double low = (best - 1) * station_, high = (best + 1) * station_;
   angle_ = best * station_;
   constexpr int most = 40;

@@ -46,8 +46,8 @@ class VaryingPair {
     double lean_y() const { return gap_ty * y[1] + gap_t * yy[1] - ty[1] * gap_y - t[1] * gap_yy; }
   };
   std::optional<At> at(const WheelLocus& locus, const VisiblePoint& p, double angle) const;
-  /// Finds the station, counted from the foremost, where the gap is nearly least; -1: beside the rail.
-  int best_station(const WheelLocus& locus, double y, double z, double& lowest, double& at_y) const;
+  /// Finds the station, 0: the lowest point, where the gap is nearly least; nullopt: beside the rail.
+  std::optional<int> best_station(const WheelLocus& locus, double y, double z, double& lowest, double& at_y) const;
   double rough_gap(const WheelLocus& locus, double y, double z, double turn_c, double turn_s, double angle,
                    double& at_y) const;
   const std::optional<At>& least(const WheelLocus& locus, const VisiblePoint& p) const;

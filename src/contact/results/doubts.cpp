@@ -88,6 +88,7 @@ Line describe_too_deep(const Solution& s) {
 
 Line describe_sharp_end(const Solution& s) {
   const Frame& frame = s.prepared->frame;
+  if (s.prepared->pair.meshed()) return {};
   for (std::size_t k = 0; k < frame.ends.size(); ++k)
     if (frame.ends[k] && s.iterate.lambda[2][k] < 0)
       return {

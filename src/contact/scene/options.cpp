@@ -20,10 +20,9 @@ const SettingTable<Options>& table() {
        "Error that stresses inside half-spaces may have, relative to the largest traction."},
       {"frame_accuracy", &Options::frame_accuracy, 1e-4, 1,
        "Error that frames made by the library may leave in force and spin moment, relative to the force."},
-      {"pressure_length", &Options::pressure_length, 0, 1e30,
+      {"pressure_length", &Options::pressure_length, 0, 1e8,
        "Length along t2 over which the statistic max_pressure takes means; 0: none. At the sharp end of a half-space "
-       "or "
-       "rigid body pressures have no bound, and means have."},
+       "or rigid body pressures have no bound, and means have."},
       {"conformal", &Options::conformal, 0, 1,
        "1: frames on half-spaces with profiles follow these across the rolling direction, with normals that turn; 0: "
        "they lie in the plane of the axes."},
