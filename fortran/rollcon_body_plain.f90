@@ -610,8 +610,8 @@ contains
       stat, errmsg)
   end subroutine
 
-  !> Reads all slices of a rail or wheel from a list, .slcs with lengths or .slcw with angles, and the profiles that it
-  !> names (docs/profiles.md). The former profile, slices and waves are forgotten.
+  !> Reads all slices of a rail (.slcs) or wheel (.slcw) from a list. Its places are lengths or angles, and it names the
+  !> files of the profiles (docs/profiles.md). The former profile, slices and waves are forgotten.
   subroutine body_read_slices(self, path, mm, unit, mirror, filter_length, stat, errmsg)
     class(rc_body_plain), intent(inout) :: self
     character(len=*), intent(in) :: path

@@ -588,7 +588,7 @@ subroutine rcbsli(ibody, u, n, features, ierr)
   ierr = rollcon_body_add_slice(body_of(ibody), u, int(n, c_int64_t), features)
 end subroutine
 
-!> Reads all slices of a rail or wheel from a list, .slcs with lengths or .slcw with angles, and the profiles tha.
+!> Reads all slices of a rail (.slcs) or wheel (.slcw) from a list.
 subroutine rcbslr(ibody, path, xmm, unit, mirror, filter_length, ierr)
   use rollcon_f77_support
   implicit none

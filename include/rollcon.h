@@ -1039,9 +1039,9 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_add_slice(rollcon_body *bod
     int64_t n, const double *features);
 
 /*
- * Reads all slices of a rail or wheel from a list, .slcs with lengths or .slcw with angles, and
- * the profiles that it names (docs/profiles.md). The former profile, slices and waves are
- * forgotten.
+ * Reads all slices of a rail (.slcs) or wheel (.slcw) from a list. Its places are lengths or
+ * angles, and it names the files of the profiles (docs/profiles.md). The former profile, slices
+ * and waves are forgotten.
  *   body           a half-space or rigid, without a mesh (else ROLLCON_ERR_STATE)
  *   path           name of the list
  *   mm             length of a millimetre, in which the list counts places and features, > 0

@@ -23,7 +23,7 @@ C     3: A HALF-SPACE
 C     3: NORMAL, 2: BY FORCE
       CALL RCPRES(ICON, 3, 2, 1500D0, IERR)
       WRITE (*, '(A)') 'tilt, mrad  pressure, MPa  approach, um'
-      DO 10 I = 0, 4, 2
+      DO 10 I = 0, 2
          ROT(3,2) = 1D-4*I
          ROT(2,3) = -1D-4*I
          CALL RCPOSE(ICON, 2, ROT, ZERO, IERR)

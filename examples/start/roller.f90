@@ -21,7 +21,7 @@ program roller_on_ring
   call contact%set_friction('coulomb', [0.05_wp])
   call contact%prescribe(ROLLCON_NORMAL, ROLLCON_BY_FORCE, 1500.0_wp)
   print '(a)', 'tilt, mrad  pressure, MPa  approach, um'
-  do i = 0, 4, 2
+  do i = 0, 2
     tilt = 1e-4_wp*i
     rotation = reshape([1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 1.0_wp, tilt, 0.0_wp, -tilt, 1.0_wp], [3, 3])
     call contact%set_pose(ROLLCON_BODY2, rotation, [0.0_wp, 0.0_wp, 0.0_wp])

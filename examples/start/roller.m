@@ -11,7 +11,7 @@ contact = rollcon.contact_create(context, ring, roller);
 rollcon.contact_set_friction(contact, 'coulomb', 0.05);
 rollcon.contact_prescribe(contact, 'normal', 'force', 1500);
 printf('tilt, mrad  pressure, MPa  approach, um\n');
-for tilt = [0, 2e-4, 4e-4]
+for tilt = [0, 1e-4, 2e-4]
   rollcon.contact_set_pose(contact, 'body2', [1, 0, 0; 0, 1, -tilt; 0, tilt, 1], [0, 0, 0]);
   rollcon.contact_solve(contact);
   printf('%10.1f %14.0f %13.2f\n', 1e3 * tilt, rollcon.contact_get_stat(contact, 'max_pressure'), ...

@@ -287,8 +287,9 @@ class AutomaticFrames final : public FrameMaker {
                                  [](const Outline& outline) { return outline.hollow() > too_hollow; });
     shape_.stretch = usual_stretch;
     shape_.at_body_ends = surfaces_deform(pair) ? AtBodyEnds::even : AtBodyEnds::closer;
-    shape_.sharp = !pair.meshed() && std::any_of(shape_.outline.begin(), shape_.outline.end(),
-                                                 [](const Outline& outline) { return outline.ends_body(); });
+    shape_.sharp = !pair.meshed() && !fine.scene.has_gap() &&
+                   std::any_of(shape_.outline.begin(), shape_.outline.end(),
+                               [](const Outline& outline) { return outline.ends_body(); });
     shape_.lattice = shape_.lattice || shape_.sharp;
     found_ = now;
     ++shapes_;

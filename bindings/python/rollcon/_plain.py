@@ -369,9 +369,9 @@ class BodyPlain:
 
     def read_slices(self, path: str | PathLike, mm: float, unit: float, mirror: int = 0,
                     filter_length: float = 0) -> None:
-        """Reads all slices of a rail or wheel from a list, .slcs with lengths or .slcw with
-        angles, and the profiles that it names (docs/profiles.md). The former profile, slices and
-        waves are forgotten.
+        """Reads all slices of a rail (.slcs) or wheel (.slcw) from a list. Its places are lengths
+        or angles, and it names the files of the profiles (docs/profiles.md). The former profile,
+        slices and waves are forgotten.
 
         path: name of the list.
         mm: length of a millimetre, in which the list counts places and features, > 0.

@@ -115,7 +115,8 @@ void find_rim(Frame& frame, const PairOfBodies& pair, const KnownGap* gap) {
   std::vector<std::uint8_t> ends(frame.rim.size(), 0);
   for (std::size_t k = 0; gap && k < ends.size(); ++k)
     ends[k] = frame.rim[k] && gap->ends_at(frame.x[k], frame.y[k], element_size(frame, k));
-  frame.ends = ends;
+  // The end of a caller's grid is where the caller ends the body: its pressure is not doubted.
+  frame.ends = gap && !gap->beyond_bounds() ? ends : std::vector<std::uint8_t>{};
   for (int b = 0; b < 2; ++b) {
     const Body& body = *pair.body[at(b)];
     const Pose& pose = pair.pose[at(b)];
