@@ -207,7 +207,7 @@ void search_beside_brute_force(int count, std::uint32_t seed) {
 }
 
 TEST_F(varying, first_touch_is_the_least_gap) {
-  search_beside_brute_force(200, 2 + extremes::first_seed());
+  search_beside_brute_force(100, 2 + extremes::first_seed());
 }
 TEST(varying_nightly, first_touch_is_the_least_gap) {
   search_beside_brute_force(10000, 3 + extremes::first_seed());
