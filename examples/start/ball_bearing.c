@@ -42,8 +42,10 @@ int main(void) {
                                       (pow(yields[i], 1.5) - pow(yields[i - 1], 1.5));
       sum += carried[k] * c;
     }
-    if (sum < load) low = shift;
-    else high = shift;
+    if (sum < load)
+      low = shift;
+    else
+      high = shift;
   }
   printf("loads of the balls, N:");
   for (k = 0; k < balls; ++k) printf(" %.0f", carried[k]);

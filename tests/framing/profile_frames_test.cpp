@@ -111,7 +111,7 @@ TEST(profile_frames_long, a_straight_roller_is_pressed_to_its_ends) {
 
 // The middle of the contact is not at the origin, and the origin may be where the bodies are apart.
 TEST(profile_frames, errors_are_told_wherever_the_axes_are) {
-  double estimate[2];
+  double estimate[2] = {0, 0};
   for (const double at : {0.0, 3.7}) {
     RollingPair pair(steel, steel);
     lay_crowned_roller(pair, 2e-3);
