@@ -90,6 +90,7 @@ class AutomaticFrames final : public FrameMaker {
   /// Solves until the tilts that moments ask for, which move the contact along the bodies, fit the frames. Frames are
   /// made for the tilts found last, until these change by little compared with the bodies' flattening.
   Status solve(Solver& fine) override {
+    missed_corners_ = false;
     if (const std::optional<Status> found = solve_on_strips(fine)) return *found;
     constexpr int most_rounds = 8;
     constexpr double little = 0.02;
@@ -149,14 +150,30 @@ class AutomaticFrames final : public FrameMaker {
     constexpr double very_unlike = 0.15;
     if (std::abs(dundurs_beta(fine.pair())) > very_unlike) return std::nullopt;
     find_shape(fine);
-    const bool ends =
-        std::any_of(shape_.outline.begin(), shape_.outline.end(), [](const Outline& o) { return o.ends_body(); });
-    if (beyond_bounds_ || ends) return std::nullopt;
+    const bool sharp =
+        std::any_of(shape_.outline.begin(), shape_.outline.end(), [&](const Outline& o) { return ends_sharply(o); });
+    if (beyond_bounds_ || sharp) return std::nullopt;
     fine.scale_tangential_loads(1);
     std::optional<double> area;
     if (shape_.outline.empty() && dundurs_beta(fine.pair()) == 0)
       area = std::numbers::pi * shape_.place.length * shape_.place.width;
-    return strips_.solve(fine, shape_.box, area);
+    const std::optional<Status> found = strips_.solve(fine, shape_.box, area);
+    missed_corners_ = !found && strips_.missed_corners();
+    return found;
+  }
+
+  /// Says whether a body ends where the contact does, and its end is not rounded by much more than bodies overlap.
+  bool ends_sharply(const Outline& outline) const {
+    if (!outline.ends_body()) return false;
+    constexpr double much = 10;
+    const Rectangle b = outline.box();
+    const double x = 0.5 * (b.x_least + b.x_greatest), y = 0.5 * (b.y_least + b.y_greatest), width = b.y_greatest - y;
+    const double least = gap_at_(x, y), overlap = gap_at_(b.x_greatest, y) - least;
+    const auto ends = [&](double outside) {
+      const auto end = end_of_body([&](double at) { return gap_at_(x, at); }, y, outside);
+      return end && gap_at_(x, *end) - least < much * overlap;
+    };
+    return !(overlap > 0) || ends(y - 2 * width) || ends(y + 2 * width);
   }
 
   Status solve_on_levels(Solver& fine) {
@@ -179,6 +196,12 @@ class AutomaticFrames final : public FrameMaker {
         level_ = levels.size();  // the next scene may be an easier one
         return StripLevels::tell_inaccurate(fine, reached);
       }
+    }
+    if (!beyond_bounds_ && missed_corners_) {
+      fine.host.caveat(Status::inaccurate,
+                       "frames: the curvature of a profile jumps near the end of the contact, and the peak of pressure "
+                       "there is narrower than the frame resolves: the largest pressure is too low");
+      return Status::inaccurate;
     }
     if (!beyond_bounds_) return Status::ok;
     fine.host.caveat(Status::rim_contact, (std::string("frames: ") + beyond_bounds_).c_str());
@@ -545,6 +568,7 @@ class AutomaticFrames final : public FrameMaker {
   StripLevels strips_;
   std::unique_ptr<Solver> coarse_;
   bool coarse_solved_ = false;  // the last pair solved it
+  bool missed_corners_ = false;
   PatchSearch search_;
   std::unique_ptr<HertzFriction> hertz_friction_;  ///< made when it is asked for
   Shape shape_;

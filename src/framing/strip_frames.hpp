@@ -62,6 +62,8 @@ class StripFrames final : public MovingFrame {
   std::optional<double> friction_power() const;
   /// Returns the rolling speed, at which both bodies run through the contact.
   double speed() const { return givens_.speed(); }
+  /// Says whether the last fit missed peaks of pressure where curvatures jump.
+  bool missed_corners() const { return contact_.missed_corners(); }
   void forget() { warm_ = false; }
   /// Solves the scene of fit() again with a parameter changed by a step; shift_back() returns to the solution before.
   /// Returns false, and changes nothing, if the parameter is not known or strips do not fit.

@@ -218,7 +218,9 @@ bool StripLevels::rates(Parameter parameter, Rates& found) {
 // Fits strips of a level. Returns false where they do not fit the contact.
 bool StripLevels::fit(Solver& fine, const Rectangle& box, std::size_t level, Rates& found) {
   StripFrames& on = strips_[level];
-  if (on.fit(fine, box, strip_levels[level].counts) != strips::StripStatus::solved) return false;
+  const bool fits = on.fit(fine, box, strip_levels[level].counts) == strips::StripStatus::solved;
+  missed_corners_ = on.missed_corners();
+  if (!fits) return false;
   found = rates_of(on.totals());
   if (!on.by_law()) return true;
   // What resists slip is known to the solver alone.

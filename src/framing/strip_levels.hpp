@@ -18,6 +18,8 @@ class StripLevels final : public MovingFrame {
   std::optional<Status> solve(Solver& fine, const Rectangle& box, const std::optional<double>& area);
   /// Reports that the error of the finest frames is `reached`, more than was asked for; returns the status for it.
   static Status tell_inaccurate(const Solver& fine, double reached);
+  /// Says whether the last strips that were tried missed peaks of pressure where curvatures jump.
+  bool missed_corners() const { return missed_corners_; }
   void forget();  ///< drops warm starts
   /// Takes differences where results of several counts are mixed, because the weights of the mixture change, too.
   bool rates(Parameter parameter, Rates& found) override;
@@ -41,6 +43,7 @@ class StripLevels final : public MovingFrame {
   std::unique_ptr<Solver> coarse_;
   const Scene* scene_ = nullptr;  ///< scene of the last mixture
   std::size_t last_ = 0;          ///< last level of that mixture
+  bool missed_corners_ = false;
 };
 
 }  // namespace rollcon

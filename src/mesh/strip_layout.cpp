@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace rollcon::strips {
 namespace {
@@ -35,7 +36,12 @@ std::vector<double> row_areas(const std::vector<double>& across) {
 
 }  // namespace
 
-StripLayout::StripLayout(StripCounts of, int number_of_parts) : counts(of), parts(number_of_parts) {
+double usual_row(double t) {
+  return (t + std::sin(pi / 2 * t)) / 2;
+}
+
+StripLayout::StripLayout(StripCounts of, int number_of_parts, std::vector<double> rows_across)
+    : counts(of), parts(number_of_parts), across(std::move(rows_across)) {
   const int n = counts.along, m = counts.across;
   rows_each = m - 1;
   rows = parts * rows_each;
@@ -45,10 +51,8 @@ StripLayout::StripLayout(StripCounts of, int number_of_parts) : counts(of), part
   const int used = rows * (n + 1);
   places = (used + kernel_width - 1) / kernel_width * kernel_width;
   for (int i = 0; i <= n; ++i) along.push_back(std::sin(pi / 2 * (2.0 * i / n - 1)));
-  for (int i = 0; i <= m; ++i) {
-    const double t = 2.0 * i / m - 1;
-    across.push_back((t + std::sin(pi / 2 * t)) / 2);
-  }
+  if (across.empty())
+    for (int i = 0; i <= m; ++i) across.push_back(usual_row(2.0 * i / m - 1));
   for (int i = 0; i < n; ++i) slope.push_back(1 / (along[i + 1] - along[i]));
   weight.assign(3 * static_cast<std::size_t>(places), 0);
   turn = weight;
@@ -93,8 +97,9 @@ StripLayout::StripLayout(StripCounts of, int number_of_parts) : counts(of), part
     for (const int side : {-1, 1}) {
       // Middles of the last two rows are extended.
       const int last = part * rows_each + (side < 0 ? 0 : rows_each - 1);
-      const double end = side * (1 + beyond_width / m), outer = across[side < 0 ? 1 : m - 1],
-                   inner = across[side < 0 ? 2 : m - 2], by = (end - outer) / (outer - inner);
+      const double outer = across[side < 0 ? 1 : m - 1], inner = across[side < 0 ? 2 : m - 2],
+                   usual = (1 - std::abs(outer)) / (1 - usual_row(1 - 2.0 / m)),
+                   end = side * (1 + beyond_width / m * usual), by = (end - outer) / (outer - inner);
       observers.push_back({last, last - side, part, 1 + by, -by, 0, end});
     }
 }

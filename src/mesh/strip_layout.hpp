@@ -25,19 +25,23 @@ struct StripPoint {
   double middle = 1, beyond = 0, half = 0, across = 0;
 };
 
-/// Holds what depends on the counts and the number of parts alone. A geometry is a vector of lengths in this order:
-/// middle c and half length s of each row's chord, middle M and half width S of each part.
+/// Returns the usual place of a row in the width, from -1 to 1, at a parameter in the same range that is uniform.
+double usual_row(double t);
+
+/// Holds what depends on the counts, the number of parts and the places of rows alone. A geometry is a vector of
+/// lengths in this order: middle c and half length s of each row's chord, middle M and half width S of each part.
 class StripLayout {
  public:
   StripLayout() = default;
-  StripLayout(StripCounts counts, int parts);
+  /// across: places of rows in the width, from -1 to 1 with both ends; empty: the usual ones.
+  StripLayout(StripCounts counts, int parts, std::vector<double> across = {});
 
   StripCounts counts;
   int parts = 0, rows_each = 0, rows = 0, nodes_each = 0, nodes = 0;  ///< nodes lie inside of chords
   int geometry = 0;                                                   ///< length of a geometry
   int places = 0;                    ///< count of all rows' nodes with the chords' ends, padded for the kernels
   std::vector<double> along;         ///< places of a chord's nodes, from -1 to 1: sin(pi t/2), t uniform
-  std::vector<double> across;        ///< places of rows in the width, with its ends: t/2 + sin(pi t/2)/2
+  std::vector<double> across;        ///< places of rows in the width, with its ends
   std::vector<double> slope;         ///< slopes of hats: 1 over each interval along
   std::vector<double> weight, turn;  ///< values for the three feet of each place, [foot][place]
   std::vector<StripPoint> node;      ///< nodes inside, row by row

@@ -102,35 +102,65 @@ std::optional<int> VaryingPair::best_station(const WheelLocus& locus, double y, 
   std::optional<int> best;
   lowest = infinite;
   double there = 0;
-  const auto better = [&](int i, double c, double s) {
+  const auto gap_at = [&](int i, double c, double s) {
     const double g = rough_gap(locus, y, z, c, s, i * station_, there);
-    if (!(g < lowest)) return false;
-    lowest = g;
-    at_y = there;
-    best = i;
-    return true;
+    if (g < lowest) {
+      lowest = g;
+      at_y = there;
+      best = i;
+    }
+    return g;
   };
   for (int i = -stations_; i <= stations_; ++i) {
-    const auto& [c, s] = turn_[static_cast<std::size_t>(i + stations_)];
-    better(i, c, s);
+    const auto k = static_cast<std::size_t>(i + stations_);
+    station_gap_[k] = gap_at(i, turn_[k][0], turn_[k][1]);
   }
   // Steeper rails, and flanges of wheels that yaw, are met farther away.
   const int way = best == stations_ ? 1 : best == -stations_ ? -1 : 0;
   for (int i = way * (stations_ + 1); way != 0 && std::abs(i) * station_ < 1; i += way)
-    if (!better(i, std::cos(i * station_), std::sin(i * station_))) break;
+    if (gap_at(i, std::cos(i * station_), std::sin(i * station_)) > lowest) break;
   return best;
 }
 
+// Between stations a circle sinks by an eighth of their distance squared over the radius.
+double VaryingPair::slack(const WheelLocus& locus) const {
+  return 0.2 * farthest_station * farthest_station * locus.axes().radius + (wheel_ ? wheel_->slack() : 0) +
+         (rail_ ? rail_->slack() : 0);
+}
+
 VaryingPair::Rough VaryingPair::rough(const WheelLocus& locus, double y, double z) const {
-  // Between stations a circle sinks by an eighth of their distance squared over the radius.
-  const double slack = 0.2 * farthest_station * farthest_station * locus.axes().radius +
-                       (wheel_ ? wheel_->slack() : 0) + (rail_ ? rail_->slack() : 0);
-  Rough found{infinite, 0, slack};
+  Rough found{infinite, 0, slack(locus)};
   best_station(locus, y, z, found.gap, found.y);
   return found;
 }
 
-// Tries stations, and finds the least gap between those beside the best one.
+// Finds the least gap between the stations beside one.
+std::optional<VaryingPair::At> VaryingPair::least_near(const WheelLocus& locus, const VisiblePoint& p, int station,
+                                                       double& angle) const {
+  double low = (station - 1) * station_, high = (station + 1) * station_;
+  angle = station * station_;
+  constexpr int most = 40;
+  constexpr double rounding = 1e-15, square = 1e-8;
+  std::optional<At> found;
+  for (int i = 0; i < most; ++i) {
+    found = at(locus, p, angle);
+    if (!found) return found;
+    const double lean = found->lean() / found->y[1];
+    (lean > 0 ? high : low) = angle;
+    double next = angle - found->lean() / found->lean_t();
+    if (found->lean_t() > 0 && std::abs(next - angle) <= rounding) break;
+    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    const double step = std::abs(next - angle);
+    if (step <= rounding) break;
+    angle = next;
+    if (step > square) continue;
+    found = at(locus, p, angle);
+    break;
+  }
+  return found;
+}
+
+// Tries stations. A place that is nearly as near at its station may be nearer between stations.
 const std::optional<VaryingPair::At>& VaryingPair::least(const WheelLocus& locus, const VisiblePoint& p) const {
   if (tried_ && found_y_ == p.y && found_slope_ == p.slope) return found_;
   tried_ = true;
@@ -138,27 +168,21 @@ const std::optional<VaryingPair::At>& VaryingPair::least(const WheelLocus& locus
   found_slope_ = p.slope;
   found_.reset();
   double lowest = 0, there = 0;
-  const auto station = best_station(locus, p.y, p.z, lowest, there);
-  if (!station) return found_;
-  const int best = *station;
-  double low = (best - 1) * station_, high = (best + 1) * station_;
-  angle_ = best * station_;
-  constexpr int most = 40;
-  constexpr double rounding = 1e-15, square = 1e-8;
-  for (int i = 0; i < most; ++i) {
-    found_ = at(locus, p, angle_);
-    if (!found_) return found_;
-    const double lean = found_->lean() / found_->y[1];
-    (lean > 0 ? high : low) = angle_;
-    double next = angle_ - found_->lean() / found_->lean_t();
-    if (found_->lean_t() > 0 && std::abs(next - angle_) <= rounding) break;
-    if (!(next > low && next < high)) next = 0.5 * (low + high);
-    const double step = std::abs(next - angle_);
-    if (step <= rounding) break;
-    angle_ = next;
-    if (step > square) continue;
-    found_ = at(locus, p, angle_);
-    break;
+  const auto best = best_station(locus, p.y, p.z, lowest, there);
+  if (!best) return found_;
+  found_ = least_near(locus, p, *best, angle_);
+  const double highest = lowest + slack(locus);
+  for (int i = -stations_; i <= stations_; ++i) {
+    const auto k = static_cast<std::size_t>(i + stations_);
+    const double gap = station_gap_[k];
+    const bool nearest =
+        (i == -stations_ || gap <= station_gap_[k - 1]) && (i == stations_ || gap <= station_gap_[k + 1]);
+    if (!nearest || gap > highest || std::abs(i - *best) < 2) continue;
+    double angle = 0;
+    const auto other = least_near(locus, p, i, angle);
+    if (!other || (found_ && found_->gap <= other->gap)) continue;
+    found_ = other;
+    angle_ = angle;
   }
   return found_;
 }
@@ -176,7 +200,7 @@ std::optional<LocusPoint> VaryingPair::nearest(const WheelLocus& locus, const Vi
 }
 
 double VaryingPair::curvature_along(const WheelLocus& locus, const VisiblePoint& p) const {
-  const auto f = least(locus, p);
+  const auto& f = least(locus, p);
   if (!f) return locus.bend(p);
   const double steep = std::sqrt(1 + p.slope * p.slope);
   return std::max(f->gap_tt / (dot(f->t, f->t) * steep), 0.1 * locus.bend(p));
@@ -184,7 +208,7 @@ double VaryingPair::curvature_along(const WheelLocus& locus, const VisiblePoint&
 
 // Goes on from the least gap by steps until the circle leaves the rail, and over to other overlaps that stations show.
 VaryingPair::Reach VaryingPair::reach(const WheelLocus& locus, const VisiblePoint& p) const {
-  const auto f = least(locus, p);
+  const auto& f = least(locus, p);
   Reach reach;
   if (!f || !(f->gap < 0)) return reach;
   const double middle = angle_, bend = std::max(f->gap_tt, 0.1 * length(f->t) * length(f->t) * locus.bend(p));

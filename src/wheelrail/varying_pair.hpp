@@ -50,6 +50,8 @@ class VaryingPair {
   std::optional<int> best_station(const WheelLocus& locus, double y, double z, double& lowest, double& at_y) const;
   double rough_gap(const WheelLocus& locus, double y, double z, double turn_c, double turn_s, double angle,
                    double& at_y) const;
+  double slack(const WheelLocus& locus) const;
+  std::optional<At> least_near(const WheelLocus& locus, const VisiblePoint& p, int station, double& angle) const;
   const std::optional<At>& least(const WheelLocus& locus, const VisiblePoint& p) const;
 
   const SliceHeights *wheel_, *rail_;
@@ -59,6 +61,7 @@ class VaryingPair {
   static constexpr int most_stations = 200;  ///< on either side
   int stations_;
   std::array<std::array<double, 2>, 2 * most_stations + 1> turn_;  ///< cosine and sine at each
+  mutable std::array<double, 2 * most_stations + 1> station_gap_;  ///< at each, of the last circle
   mutable std::size_t near_ = 0;
   // Members that least() found last follow.
   mutable double angle_ = 0, found_y_ = 0, found_slope_ = 0;

@@ -84,6 +84,20 @@ TEST(roller_ends_long, sharp_ends_are_told_and_means_have_a_bound) {
   expect_error("the mean on the library's frame", relative(own.stat("max_pressure"), mean[1]), 0.02);
 }
 
+// Strips near the corners and a caller's lattice tell the same peak of a roller with rounded edges.
+TEST(roller_ends_long, rounded_edges_have_peaks_that_lattices_have) {
+  const Shape rounded{"roller", {5, 1e-9, 0.5, 1}};
+  RollingPair own(steel, steel), given(steel, steel);
+  own.option("frame_accuracy", 0.005);
+  lay_roller(own, rounded, 0);
+  lay_roller(given, rounded, 0);
+  ASSERT_EQ(own.solve(), ROLLCON_OK) << rollcon_last_caveat();
+  given.rectangle(ElementType::quad4, 48, 1600, 0.15, 4.15);
+  ASSERT_EQ(given.solve(), ROLLCON_OK) << rollcon_last_caveat();
+  expect_error("largest pressure", relative(own.stat("max_pressure"), given.stat("max_pressure")), 0.02);
+  expect_error("approach", relative(own.solution().approach, given.solution().approach), 2e-3);
+}
+
 // Over the middle of a ball the mean of sqrt(1 - y^2/a^2) is known.
 TEST(roller_ends, means_of_hertz_pressures) {
   RollingPair pair(steel, steel);

@@ -89,7 +89,7 @@ bool follows_its_place(const Scene& scene, const PairOfBodies& pair) {
 // Puts what depends on strips where these are.
 void put_strips(Preparation& preparation, const Scene& scene) {
   Prepared& on = *preparation.made;
-  on.frame.strips->geometry = scene.strips()->geometry;
+  *on.frame.strips = *scene.strips();
   std::copy(scene.mesh().node.begin(), scene.mesh().node.end(), on.frame.mesh.node.begin());
   strips::put_frame(on.frame);
   take_strips(on.problem, on.frame);

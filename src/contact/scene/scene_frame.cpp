@@ -51,6 +51,7 @@ void Scene::set_placed_frame(SurfaceMesh mesh, const FramePlace& place) {
 
 void Scene::set_strips(const strips::StripLayout& layout, const std::vector<double>& geometry) {
   if (strips_ && strips_->layout.counts == layout.counts && strips_->layout.parts == layout.parts) {
+    if (strips_->layout.across != layout.across) strips_->layout = layout;
     strips_->geometry = geometry;
     ++revision.place;
   } else {

@@ -226,7 +226,7 @@ StripTotals StripContact::totals(const StripSolution& solution) {
 bool StripContact::rates(const StripScene& scene, const StripSolution& solution,
                          std::span<const StripParameter> parameter, std::span<StripTotals> rate) {
   StripSolver& solver = finder_.solver();
-  if (solution.share == 1) return solver.rates(scene, solution.strips, parameter, rate);
+  if (solution.share == 1) return finder_.rates(scene, solution.strips, parameter, rate);
   std::fill(rate.begin(), rate.end(), StripTotals{});
   part_rates_.resize(parameter.size());
   BridgedGap gap;

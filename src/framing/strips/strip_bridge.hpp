@@ -38,6 +38,8 @@ class StripContact {
   /// are tried.
   StripReport solve(const StripScene& scene, const Rectangle& box, StripCounts counts, StripSolution& solution,
                     bool warm, bool patient = true);
+  /// Says whether the last contact has peaks of pressure at corners that its strips miss.
+  bool missed_corners() const { return finder_.missed_corners(); }
   static StripTotals totals(const StripSolution& solution);
   /// Computes total derivatives of the totals, one for each parameter. Changes of the weight by the parameter count,
   /// changes of the neck's place do not: they move what is interpolated by less than its error.

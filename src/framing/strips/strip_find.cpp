@@ -150,8 +150,14 @@ bool StripFinder::start(const StripScene& scene, const Rectangle& box, StripCoun
     parts_seen_ = status_ == StripStatus::solved ? first.layout.parts : 0;
     if (parts_seen_ > 1) look_closer(scene, first.layout.counts, probes[cells], first);
   }
-  if (status_ != StripStatus::solved || !finer) return status_ == StripStatus::solved;
+  if (status_ != StripStatus::solved) return false;
+  probed_ = first;
+  probed_.pressure.assign(static_cast<std::size_t>(first.layout.nodes), 0);
+  probed_.traction.assign(2 * static_cast<std::size_t>(first.layout.nodes), 0);
+  if (first.layout.parts == 1) CornerRows::widen(scene, probed_);
+  if (!finer) return true;
   if (solver_.solve(scene, coarse_, StripStart::geometry).status != StripStatus::solved) return false;
+  probed_ = coarse_;
   if (!(state.layout.counts == counts) || state.layout.parts != coarse_.layout.parts)
     state.layout = StripLayout(counts, coarse_.layout.parts);
   refine(coarse_, state);
@@ -259,30 +265,131 @@ bool StripFinder::more_parts(const StripScene& scene, const Rectangle& box, Stri
   return true;
 }
 
+// Lays rows near corners, from a solution on strips of any counts. Returns false where there are no corners or strips
+// are not found near them; the state is then what it was.
+bool StripFinder::solve_at_corners(const StripScene& scene, const StripState& solved, StripCounts counts,
+                                   StripState& state) {
+  missed_corners_ = rows_.cornered(scene, solved);
+  if (!missed_corners_) return false;
+  if (!rows_.lay(scene, solved, counts, laid_)) return false;
+  if (solver_.solve(scene, laid_, StripStart::shares).status != StripStatus::solved) return false;
+  std::swap(state, laid_);
+  missed_corners_ = false;
+  return true;
+}
+
 StripReport StripFinder::find(const StripScene& scene, const Rectangle& box, StripCounts counts, StripState& state,
                               bool warm, bool patient) {
   StripReport report;
   report.status = StripStatus::unfit;
+  missed_corners_ = false;
   const int attempts = patient ? static_cast<int>(std::size(probes)) : 1;
   warm = warm && state.layout.counts == counts && !state.pressure.empty();
+  const bool refined = counts.along * counts.across > most_without_rough;
   for (int attempt = warm ? -1 : 0; attempt < attempts; ++attempt)
     // A waist may look like two parts to the probe.
     for (const bool joined : {false, true}) {
       if (joined && (attempt < 0 || parts_seen_ != 2)) break;
-      if (attempt >= 0 && !start(scene, box, counts, attempt, joined, state)) {
-        if (status_ == StripStatus::no_contact) return {status_};
-        continue;
-      }
-      const bool refined = counts.along * counts.across > most_without_rough;
+      const bool started = attempt < 0 || start(scene, box, counts, attempt, joined, state);
+      if (status_ == StripStatus::no_contact && !started) return {status_};
+      // Strips are often not found until their rows are near corners.
+      const auto at_corners = [&](const StripState& from) { return solve_at_corners(scene, from, counts, state); };
+      const bool from_probe = attempt >= 0 && status_ == StripStatus::solved && (refined || !started);
+      if (from_probe && at_corners(probed_)) return {};
+      if (!started) continue;
       report = solver_.solve(scene, state,
                              attempt < 0 ? StripStart::solution
                              : refined   ? StripStart::shares
                                          : StripStart::geometry);
       while (report.status == StripStatus::solved && more_parts(scene, box, state))
         report = solver_.solve(scene, state, StripStart::geometry);
+      // Rows that corners have left are found from nothing.
+      if (report.status == StripStatus::solved && !from_probe && !at_corners(state) && is_laid(state.layout))
+        report.status = StripStatus::unfit;
+      if (report.status == StripStatus::not_converged && !from_probe && attempt >= 0 && at_corners(probed_)) return {};
       if (report.status == StripStatus::solved || report.status == StripStatus::beyond_friction) return report;
     }
   return report;
+}
+
+namespace {
+
+/// Gives a field plus a multiple of another one; fields that are not there are 0.
+struct ShiftedField : PlaneField {
+  const PlaneField *field = nullptr, *rate = nullptr;
+  double step = 0;
+  mutable std::vector<double> more;
+  mutable std::vector<Vec2> more_slope;
+
+  void at(std::span<const Vec2> point, double* value, Vec2* slope) const override {
+    std::fill_n(value, point.size(), 0.0);
+    if (slope) std::fill_n(slope, point.size(), Vec2{});
+    if (field) field->at(point, value, slope);
+    if (!rate) return;
+    more.resize(point.size());
+    more_slope.resize(point.size());
+    rate->at(point, more.data(), more_slope.data());
+    for (std::size_t i = 0; i < point.size(); ++i) {
+      value[i] += step * more[i];
+      if (slope) slope[i] = slope[i] + step * more_slope[i];
+    }
+  }
+};
+
+}  // namespace
+
+bool StripFinder::rates(const StripScene& scene, const StripState& state, std::span<const StripParameter> parameter,
+                        std::span<StripTotals> rate, std::span<double> share_rate) {
+  if (!solver_.rates(scene, state, parameter, rate, share_rate)) return false;
+  if (!is_laid(state.layout)) return true;
+  const StripTotals now = StripSolver::totals(state);
+  for (std::size_t i = 0; i < parameter.size(); ++i) {
+    const StripParameter& p = parameter[i];
+    double moved = 0;
+    const auto count = [&moved](double by, double of) {
+      if (of != 0) moved = std::max(moved, std::abs(by / of));
+    };
+    count(rate[i].load, now.load);
+    count(rate[i].approach, now.approach);
+    for (int d = 0; d < 3; ++d) {
+      count(rate[i].force[d], now.force[d]);
+      count(rate[i].motion[d], now.motion[d]);
+    }
+    if ((p.value == 0 && !p.gap && scene.bodies.ck == 0) || !(moved > 0)) continue;
+    constexpr double little = 1e-4;
+    StripTotals side[2];
+    for (const int k : {0, 1}) {
+      const double step = (k == 0 ? -little : little) / moved;
+      StripScene there = scene;
+      ShiftedField gap, friction, slip[2];
+      const auto shift = [&](ShiftedField& to, const PlaneField*& field, const PlaneField* by) {
+        to.field = field;
+        to.rate = by;
+        to.step = step;
+        if (by) field = &to;
+      };
+      shift(gap, there.gap, p.gap);
+      shift(friction, there.friction, p.friction);
+      for (int d = 0; d < 2; ++d) shift(slip[d], there.slip[d], p.slip[d]);
+      there.value += step * p.value;
+      there.mu += step * p.mu;
+      for (int d = 0; d < 3; ++d) there.motion[d] += step * p.motion[d];
+      beside_ = state;
+      if (solver_.solve(there, beside_, StripStart::solution).status != StripStatus::solved ||
+          !solve_at_corners(there, beside_, state.layout.counts, beside_))
+        return true;
+      side[k] = StripSolver::totals(beside_);
+    }
+    const double over = moved / (2 * little);
+    rate[i].load = over * (side[1].load - side[0].load);
+    rate[i].approach = over * (side[1].approach - side[0].approach);
+    rate[i].pressed = over * (side[1].pressed - side[0].pressed);
+    for (int d = 0; d < 3; ++d) {
+      rate[i].force[d] = over * (side[1].force[d] - side[0].force[d]);
+      rate[i].motion[d] = over * (side[1].motion[d] - side[0].motion[d]);
+    }
+  }
+  return true;
 }
 
 }  // namespace rollcon::strips

@@ -4,6 +4,7 @@
 
 #include "framing/strips/strip_contact.hpp"
 #include "framing/strips/strip_probe.hpp"
+#include "framing/strips/strip_rows.hpp"
 
 namespace rollcon::strips {
 
@@ -15,6 +16,12 @@ class StripFinder {
   StripReport find(const StripScene& scene, const Rectangle& box, StripCounts counts, StripState& state, bool warm,
                    bool patient = true);
   StripSolver& solver() { return solver_; }
+  /// Computes total derivatives of the totals, one for each parameter. Where rows lie near corners and a parameter
+  /// moves the contact, which moves them, these are differences of solves.
+  bool rates(const StripScene& scene, const StripState& state, std::span<const StripParameter> parameter,
+             std::span<StripTotals> rate, std::span<double> share_rate = {});
+  /// Says whether the last contact has corners and rows were not found near them: peaks of pressure there are missed.
+  bool missed_corners() const { return missed_corners_; }
   const StripProbe& probe() const { return probe_; }
 
  private:
@@ -22,6 +29,7 @@ class StripFinder {
   bool start(const StripScene& scene, const Rectangle& box, StripCounts counts, int cells, bool joined,
              StripState& state);
   bool more_parts(const StripScene& scene, const Rectangle& box, StripState& state);
+  bool solve_at_corners(const StripScene& scene, const StripState& solved, StripCounts counts, StripState& state);
   double deformed_gap(const StripScene& scene, const StripState& state, const Vec2& at, bool near);
   bool inside(const StripState& state, const Vec2& at, double reach) const;
 
@@ -29,7 +37,9 @@ class StripFinder {
   int parts_seen_ = 0;  ///< parts that the probe saw last
   StripSolver solver_;
   StripProbe probe_, part_probe_;
-  StripState coarse_, part_;
+  CornerRows rows_{solver_};
+  StripState coarse_, part_, laid_, probed_, beside_;
+  bool missed_corners_ = false;
   StripIntegrals integrals_;
   std::vector<Vec2> point_;
   std::vector<double> gap_;

@@ -12,8 +12,9 @@ constexpr int most_rounds = 15;
 constexpr double longest_step = 0.3;  // part of a half chord or half width
 // Newton's steps square their errors: after a step of this size, over sizes, the next one is lost in rounding.
 constexpr double last_step = 3e-7;
-constexpr double small_step = 1e-3;   // step after which the same factors may do for another
-constexpr double least_share = 0.02;  // least part of a step that is shortened as residuals grow
+constexpr double rounded_step = 1e-5;  // step that no longer shortens residuals
+constexpr double small_step = 1e-3;    // step after which the same factors may do for another
+constexpr double least_share = 0.02;   // least part of a step that is shortened as residuals grow
 
 }  // namespace
 
@@ -153,13 +154,18 @@ StripReport StripSolver::press(const StripScene& scene, StripState& state, Strip
     if (!press_on(scene, state)) return report;
   }
   step_.resize(static_cast<std::size_t>(n));
-  double before = std::numeric_limits<double>::infinity(), share = 0;
+  double before = std::numeric_limits<double>::infinity(), share = 0, change = 1;
   while (report.normal_rounds++ < most_rounds) {
     integrals_.lay(l, scene.bodies, state.geometry.data());
     set_fields(state);
     residual_.resize(static_cast<std::size_t>(n));
     normal_rows(scene, state, Rows::all, lu_.prepare(n), n, n, residual_.data());
     const double now = norm2(residual_.data(), n);
+    if (!(now < before) && change < rounded_step) {
+      // Rounding alone is left.
+      report.status = StripStatus::solved;
+      return report;
+    }
     if (!(now < before) && share > least_share) {
       // The step before was too long.
       share /= 2;
@@ -173,7 +179,7 @@ StripReport StripSolver::press(const StripScene& scene, StripState& state, Strip
     const double longest = normal_size(state, step_.data());
     if (!std::isfinite(longest)) return report;
     share = longest > longest_step ? longest_step / longest : 1;
-    const double change = std::max(longest, normal_step(scene, state, step_.data(), share));
+    change = std::max(longest, normal_step(scene, state, step_.data(), share));
     if (change < last_step || (change < small_step && kept_step(scene, state, n) * change < last_step * last_step)) {
       report.status = StripStatus::solved;
       return report;

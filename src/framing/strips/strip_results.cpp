@@ -112,10 +112,12 @@ StripTrust trust(const StripState& state) {
   const auto along_row = [&](int row, int i) {
     return state.pressure[row * l.nodes_each + i] / std::sqrt(1 - l.along[i + 1] * l.along[i + 1]);
   };
+  // Rows that lie near a corner count as the outermost usual row.
+  const double outermost = usual_row(1 - 2.0 / l.counts.across);
   const auto of_row = [&](int row) {
     double most = along_row(row, 0);
     for (int i = 1; i < l.nodes_each; ++i) most = std::max(most, along_row(row, i));
-    const double u = l.across[row % l.rows_each + 1];
+    const double u = std::min(std::abs(l.across[row % l.rows_each + 1]), outermost);
     return most / std::sqrt(1 - u * u);
   };
   const auto valley = [&](int count, const auto& value) {

@@ -15,7 +15,7 @@ namespace rollcon::strips {
 
 /// A gap, or its derivative by the parameter at fixed places.
 struct FamilyGap : PlaneField {
-  enum Kind { ellipse, arcs, corner, slanted_pair, pair, apart } kind = ellipse;
+  enum Kind { ellipse, arcs, corner, slanted_pair, pair, apart, rounded } kind = ellipse;
   double s = 0;
   bool by_parameter = false;
   double a = 1.0 / 920, b = 1.0 / 700, c = 0;  ///< curvatures of ellipses about (s, s/2)
@@ -67,6 +67,12 @@ struct FamilyGap : PlaneField {
         if (by_parameter) f = -7.2e-4 * q * s, by_u = -1.44e-3 * u * s, by_w = 0;
         *slope = {(by_u + by_w) / std::numbers::sqrt2, (by_u - by_w) / std::numbers::sqrt2};
         return f;
+      }
+      case rounded: {
+        // A crowned roller 16 mm long whose ends are rounded by 10 mm, tilted by s.
+        const double end = std::max(std::abs(y) - 8, 0.0), side = y < 0 ? -1 : 1;
+        *slope = by_parameter ? Vec2{0, 1} : Vec2{x / 460, y / 2000 + side * end / 10 + s};
+        return by_parameter ? y : x * x / 920 + y * y / 4000 + end * end / 20 + s * y;
       }
       case apart: {
         // Two bumps across whose half distance is s.

@@ -29,6 +29,8 @@ const Path paths[] = {{"arcs", FamilyGap::arcs, -1.5, 2},
                       {"slanted pair that joins", FamilyGap::slanted_pair, 0.3, 2.8},
                       {"pair that joins", FamilyGap::apart, 5.5, 6.5},
                       {"birth of a second part", FamilyGap::pair, 2.5e-3, 2e-4},
+                      {"rounded end, load", FamilyGap::rounded, 1e-4, 1e-4, 4e3, 1e5},
+                      {"rounded end, tilt", FamilyGap::rounded, -2e-3, 2e-3},
                       {"load", FamilyGap::arcs, 0.3, 0.3, 2e3, 1.6e5},
                       {"creepage", FamilyGap::arcs, 0.3, 0.3, 1e5, 1e5, -3e-3, 3e-3}};
 
@@ -176,7 +178,7 @@ void expect_rates(FamilyGap::Kind kind, double s, const StripBodies& bodies, boo
   parameter[5].gap = &by_gap;
   parameter[6].friction = &by_part;
   StripTotals rate[7];
-  ASSERT_TRUE(finder.solver().rates(test.now(), state, parameter, rate));
+  ASSERT_TRUE(finder.rates(test.now(), state, parameter, rate));
   double worst = 0;
   for (int q = 0; q < 7; ++q) {
     constexpr double step = 2e-4;
