@@ -357,7 +357,9 @@ Rectangle PatchContact::box() const {
 FramePlace PatchContact::place() const {
   const Rectangle all = box();
   const double left = std::sqrt(std::max(1 - now_.give_way / now_.patch.overlap, 0.01));
-  return {left * all.x_greatest, left * all.y_greatest, 0};
+  // Rounding must not decide whether the last nodes are beyond the end of a profile.
+  constexpr double inside = 1 - 1e-6;
+  return {left * all.x_greatest, (now_.patch.cut ? inside : 1) * left * all.y_greatest, 0};
 }
 
 // Takes force and moment on the wheel, in and about the axes of the contact.

@@ -12,9 +12,9 @@ constexpr int most_rounds = 15;
 constexpr double longest_step = 0.3;  // part of a half chord or half width
 // Newton's steps square their errors: after a step of this size, over sizes, the next one is lost in rounding.
 constexpr double last_step = 3e-7;
-constexpr double rounded_step = 1e-5;  // step that no longer shortens residuals
-constexpr double small_step = 1e-3;    // step after which the same factors may do for another
-constexpr double least_share = 0.02;   // least part of a step that is shortened as residuals grow
+constexpr double rounded_step = 1e-5, rounded = 1e-6;  // step that no longer shortens residuals, their size
+constexpr double small_step = 1e-3;                    // step after which the same factors may do for another
+constexpr double least_share = 0.02;                   // least part of a step that is shortened as residuals grow
 
 }  // namespace
 
@@ -162,9 +162,13 @@ StripReport StripSolver::press(const StripScene& scene, StripState& state, Strip
     normal_rows(scene, state, Rows::all, lu_.prepare(n), n, n, residual_.data());
     const double now = norm2(residual_.data(), n);
     if (!(now < before) && change < rounded_step) {
-      // Rounding alone is left.
-      report.status = StripStatus::solved;
-      return report;
+      // Rounding alone may be left of residuals, which then are far below the overlap.
+      double overlap = 0;
+      for (int i = 0; i < l.nodes; ++i) overlap = std::max(overlap, state.approach - gap_.value[i]);
+      if (now < rounded * overlap) {
+        report.status = StripStatus::solved;
+        return report;
+      }
     }
     if (!(now < before) && share > least_share) {
       // The step before was too long.

@@ -78,15 +78,17 @@ class Middle {
 /// Moves to where curvature jumps, by straight lines through slopes on both sides at ever smaller distances. Returns
 /// the jump; 0 where there is none.
 double jump_near(const Middle& middle, double distance, double& place) {
+  constexpr int rounds = 5;
+  constexpr double found = 0.05;  // part of the last distance by which a jump moves at most: kinks move on
   double jump = 0;
-  for (int round = 0; round < 5; ++round, distance /= 4) {
+  for (int round = 0; round < rounds; ++round, distance /= 4) {
     const double before = middle.slope(place - distance), behind = middle.slope(place + distance);
     const double rise_before = (before - middle.slope(place - 2 * distance)) / distance,
                  rise_behind = (middle.slope(place + 2 * distance) - behind) / distance;
     const double now = rise_behind - rise_before;
     if (!(std::abs(now) > std::abs(jump) / 2)) return 0;
     const double by = (before + rise_before * distance - behind + rise_behind * distance) / now;
-    if (!(std::abs(by) <= 2 * distance)) return 0;
+    if (!(std::abs(by) <= (round + 1 < rounds ? 2 : found) * distance)) return 0;
     place += by;
     jump = now;
   }
