@@ -33,7 +33,7 @@ Hertz ellipse(double a, double b, double e_star) {
 
 /// The bounds are by motion, longitudinal and lateral creepage, spin; measured were at most 1.1, 1.2 and 1.0 % of the
 /// force, 0.6 and 1.6 % of the moment. The table has three digits.
-constexpr double kalker_force[] = {0.018, 0.018, 0.016}, kalker_moment[] = {1e-9, 0.009, 0.026};
+constexpr double kalker_force[] = {0.018, 0.018, 0.016}, kalker_moment[] = {4e-9, 0.009, 0.026};
 /// The moment of lateral creepage on long ellipses, a/b = 10, converges last: 3.2 % were found.
 constexpr double moment_of_long_ellipse = 0.05;
 
