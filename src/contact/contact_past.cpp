@@ -71,7 +71,7 @@ std::int64_t Contact::past_get(std::int64_t capacity, double* to) const {
                                static_cast<double>(last.steps),
                                last.motion[0],
                                last.motion[1],
-                               last.motion[2] + s.prepared->problem.datum,
+                               last.motion[2],
                                last.motion[3]};
   std::copy_n(head, header, to);
   for (std::size_t c = 0; c < 3; ++c)
@@ -110,7 +110,6 @@ void Contact::past_set(std::int64_t count, const double* from) {
   last.time = from[6];
   last.steps = to_index(from[7]);
   std::copy_n(from + 8, 4, last.motion.begin());
-  last.motion[approach] -= s.prepared->problem.datum;
   for (std::size_t c = 0; c < 3; ++c) last.lambda[c].assign(from + header + c * n, from + header + (c + 1) * n);
   last.mesh = scene.revision.mesh;
   if (!last.on || last.on->frame.x != frame.x || last.on->frame.y != frame.y) {

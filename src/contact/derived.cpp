@@ -102,13 +102,16 @@ void derive_fields(const Solution& s, Derived& d) {
     d.slip[0][k] = s.prepared->speed * s1;
     d.slip[1][k] = s.prepared->speed * s2;
     if (!(it.lambda[2][k] < 0)) continue;
-    const FrictionPoint point{s.given.coefficient(p.mu, k),
-                              -(it.lambda[2][k] + p.rn[k] * d.gap[k]),
-                              it.lambda[0][k],
-                              it.lambda[1][k],
-                              s1,
-                              s2,
-                              p.rt[k]};
+    FrictionPoint point{s.given.coefficient(p.mu, k),
+                        -(it.lambda[2][k] + p.rn[k] * d.gap[k]),
+                        it.lambda[0][k],
+                        it.lambda[1][k],
+                        s1,
+                        s2,
+                        p.rt[k]};
+    p.count_from_touch(k, point);
+    d.slip[0][k] = s.prepared->speed * point.s1;
+    d.slip[1][k] = s.prepared->speed * point.s2;
     const bool sliding = s.frictionless || p.law->traction(point).sliding;
     d.status[k] = static_cast<std::int32_t>(sliding ? NodeStatus::slip : NodeStatus::stick);
   }
@@ -152,8 +155,9 @@ void check_laws(const Solution& s, Derived& d) {
     const double kn = p.rigid_gap(k, it.motion) - un[k];
     if (pressure > 0) normal = std::max(normal, ln / pressure);
     if (depth > 0) normal = std::max(normal, ln < 0 ? std::abs(kn) / depth : -kn / depth);
-    const FrictionPoint point{
+    FrictionPoint point{
         s.given.coefficient(p.mu, k), std::max(-ln, 0.0), it.lambda[0][k], it.lambda[1][k], s1[k], s2[k]};
+    p.count_from_touch(k, point);
     const FrictionTraction t = p.law->traction(point);
     const double tangential = t.length, bound = t.bound;
     const bool sliding = d.status[k] == static_cast<std::int32_t>(NodeStatus::slip);
@@ -163,13 +167,13 @@ void check_laws(const Solution& s, Derived& d) {
       friction = std::max(friction, (sliding ? std::abs(excess) : excess) / bound_max);
     }
     if (s.frictionless || !(ln < 0) || !(speed_max > 0) || !(bound > 0)) continue;
-    const double speed = std::hypot(s1[k], s2[k]);
+    const double speed = std::hypot(point.s1, point.s2);
     if (!sliding) {
       slip = std::max(slip, relative(speed, k));
     } else if (tangential > 0) {  // slip component across and along the traction
       const auto [e1, e2] = p.law->against(point);
-      slip = std::max(slip, relative(std::abs(s1[k] * e2 - s2[k] * e1), k));
-      slip = std::max(slip, relative(s1[k] * e1 + s2[k] * e2, k));
+      slip = std::max(slip, relative(std::abs(point.s1 * e2 - point.s2 * e1), k));
+      slip = std::max(slip, relative(point.s1 * e1 + point.s2 * e2, k));
     }
   }
   const double equilibrium = load_error(p, s.given, Part::full, it.lambda);

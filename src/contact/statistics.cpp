@@ -12,6 +12,8 @@
 #include "contact/scene/geometry.hpp"
 #include "contact/solver.hpp"
 #include "linalg/blas_threads.hpp"
+#include "mesh/stream_lines.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
 namespace {
@@ -79,7 +81,29 @@ double t_gamma(Solver& v) {
   return -(force[0] * motion[xi1] + force[1] * motion[xi2]);
 }
 
-// Returns the fraction of the contact's area that came into contact within a step without rolling.
+// Returns the area whose particles have rolled into the contact within a step: along each row of nodes that touch, a
+// distance's fraction of the row.
+double area_rolled_in(const Solution& s) {
+  const Prepared& on = *s.prepared;
+  const StreamLines lines(on.frame);
+  double sum = 0;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::span<const std::int32_t> row = lines.nodes(i);
+    const auto touches = [&](std::size_t k) { return k < row.size() && s.iterate.lambda[2][at(row[k])] < 0; };
+    for (std::size_t k = 0, first = 0; k < row.size(); ++k) {
+      if (!touches(k)) continue;
+      if (k == 0 || !touches(k - 1)) first = k;
+      if (touches(k + 1)) continue;
+      const auto intervals = static_cast<double>(k - first);
+      const double length = (lines.x(row[first]) - lines.x(row[k])) * (intervals + 1);  // times the intervals
+      const double part = std::min(1.0, k > first ? on.distance * intervals / length : 1);
+      for (std::size_t m = first; m <= k; ++m) sum += part * on.problem.cell_area[at(row[m])];
+    }
+  }
+  return sum;
+}
+
+// Returns the fraction of the contact's area that came into contact within a step.
 double step_growth(Solver& v) {
   const auto area = [](const PastStep& past) {
     double sum = 0;
@@ -87,9 +111,10 @@ double step_growth(Solver& v) {
       if (past.lambda[2][k] < 0) sum += past.on->frame.cell_area[k];
     return sum;
   };
-  const double now = area(v.steps().last);
-  return v.solution().prepared->step == StepKind::shift && now > 0 ? std::max(0.0, 1 - area(v.steps().before) / now)
-                                                                   : 0;
+  const double now = area(v.steps().last), before = area(v.steps().before);
+  if (v.solution().prepared->step == StepKind::steady || !(now > 0)) return 0;
+  if (v.solution().prepared->step == StepKind::rolling && before > 0) return area_rolled_in(v.solution()) / now;
+  return std::max(0.0, 1 - before / now);
 }
 
 const Builds& builds_of(Solver& v) {
@@ -172,6 +197,14 @@ constexpr Statistic table[] = {
        return sum_in_contact(v.solution(), [&](std::size_t k) { return v.solution().prepared->problem.cell_area[k]; });
      },
      true},
+    {{"stick_area", "area that sticks"},
+     [](Solver& v) {
+       derive_fields(v.solution(), v.derived());
+       return sum_in_contact(v.solution(), [&](std::size_t k) {
+         const bool sticks = v.derived().status[k] == static_cast<std::int32_t>(NodeStatus::stick);
+         return sticks ? v.solution().prepared->problem.cell_area[k] : 0;
+       });
+     }},
     {{"friction_power", "power of friction, by the slip at nodes"},
      [](Solver& v) { return power_at_nodes(v.solution(), v.derived()); },
      true},
@@ -193,7 +226,7 @@ constexpr Statistic table[] = {
     {{"step_time", "time since the steps began"}, [](Solver& v) { return v.steps().last.time; }},
     {{"steps", "steps in time"}, [](Solver& v) { return number(v.steps().last.steps); }},
     {{"step_distance", "distance rolled in the last step"}, [](Solver& v) { return v.solution().prepared->distance; }},
-    {{"step_growth", "fraction of the contact's area that a step without rolling added"}, step_growth},
+    {{"step_growth", "fraction of the contact's area that came into contact within the last step"}, step_growth},
     {{"step_row_builds", "rows made to carry displacements along", true},
      [](Solver& v) { return number(v.preparation() ? v.preparation()->carried.made() : 0); }},
     {{"max_pressure",

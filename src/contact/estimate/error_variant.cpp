@@ -77,6 +77,7 @@ void Variant::take_problem(const Solution& s) {
   p.mu = pick(*space_, mu);
   p.slip1 = pick(*space_, from.slip1);
   p.slip2 = pick(*space_, from.slip2);
+  p.before_touch = pick(*space_, from.before_touch);
   if (!from.turn.empty())
     for (const std::int32_t k : space_->node) p.turn.push_back(from.turn[at(k)]);
   compliance_ = compliance_of(*s.prepared->compliance, *space_);

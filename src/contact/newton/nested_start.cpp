@@ -74,6 +74,7 @@ Problem coarser_problem(const Problem& p, const Prescribed& given, const Lattice
     q.mu[k] *= given.utilisation[at(c.fine[k])];
   sample(p.slip1, q.slip1);
   sample(p.slip2, q.slip2);
+  sample(p.before_touch, q.before_touch);
   q.motion_scale = p.motion_scale;
   q.stiffness = p.stiffness;
   q.law = p.law;

@@ -8,16 +8,17 @@
 
 namespace rollcon {
 
-void PastStep::take(const Iterate& it) {
+void PastStep::take(const Iterate& it, double datum) {
   for (std::size_t c = 0; c < 3; ++c) lambda[c] = it.lambda[c];
   motion = it.motion;
+  motion[approach] += datum;
   loaded = std::any_of(lambda[2].begin(), lambda[2].end(), [](double l) { return l < 0; });
 }
 
 std::size_t StepHistory::bytes() const {
   std::size_t sum = work.traction.capacity() + work.displacement.capacity();
   for (std::size_t c = 0; c < 3; ++c)
-    sum += last.lambda[c].capacity() + before.lambda[c].capacity() + carried[c].capacity();
+    sum += work.image[c].capacity() + last.lambda[c].capacity() + before.lambda[c].capacity() + carried[c].capacity();
   return sum * sizeof(double);
 }
 
@@ -78,6 +79,26 @@ void carry_by_integrals(StepHistory& h, const Prepared& on) {
   tangential_displacements(*on.compliance, on, Where::upstream, h.last.lambda, h.work, h.carried);
 }
 
+// Finds what particles that were apart shift until they touch. Near the contact's edge shift and gap have one shape,
+// whose ratio is that of compliances times that of tangential traction and pressure just after (docs/time.md).
+void find_shift_before_touch(StepHistory& h, Problem& p, bool moved) {
+  StepWorkspace& work = h.work;
+  MotionValues before = h.last.motion;
+  before[approach] -= p.datum;
+  p.before_touch.assign(at(p.nodes), 0.0);
+  work.apart.clear();
+  for (std::size_t k = 0; k < at(p.nodes); ++k)
+    if (p.used[k] && (moved || !(h.last.lambda[2][k] < 0))) work.apart.push_back(static_cast<std::int32_t>(k));
+  for (auto& image : work.image) image.resize(at(p.nodes));
+  if (!moved) p.op->images(normal_component, {}, work.apart, h.last.lambda, work.image);
+  for (const std::int32_t i : work.apart) {
+    const std::size_t k = at(i);
+    const double gap = p.rigid_gap(k, before) - (moved ? work.displacement[3 * k + 2] : work.image[2][k]);
+    const double ratio = (p.op->own(0, 0, k) + p.op->own(1, 1, k)) / (2 * p.op->own(2, 2, k));
+    p.before_touch[k] = std::max(0.0, ratio * gap);
+  }
+}
+
 }  // namespace
 
 void begin_step(StepHistory& h, const Solution& s, const Scene& scene) {
@@ -88,7 +109,7 @@ void begin_step(StepHistory& h, const Solution& s, const Scene& scene) {
          "from rest (rollcon_contact_reset)");
   // The step starts from the steady state that was found last, or from rest.
   if (s.warm_usable) {
-    h.last.take(s.iterate);
+    h.last.take(s.iterate, s.prepared->problem.datum);
     note_frame(h.last, *s.prepared, scene);
     h.iterate_is_last = true;
   } else {
@@ -102,15 +123,17 @@ void carry_past(StepHistory& h, Preparation& preparation, const Scene& scene) {
   Prepared& on = *preparation.made;
   Problem& p = on.problem;
   const std::size_t n = on.frame.x.size();
-  const bool none = !h.last.loaded || on.frictionless;
+  const bool none = !h.last.loaded || on.frictionless, moved = !none && !lies_on(h.last, on, scene);
   for (auto& v : h.carried) v.resize(n);
+  p.before_touch.clear();
   if (!none) {
-    if (!lies_on(h.last, on, scene))
+    if (moved)
       carry_between_frames(h, on, preparation.threads);
     else if (p.op->tangential || p.op->all_at_once())
       preparation.carried.apply(on, preparation.rows, h.last.lambda, h.carried);
     else
       carry_by_integrals(h, on);
+    if (on.step == StepKind::shift && preparation.procedure.standard()) find_shift_before_touch(h, p, moved);
   }
   for (const auto& [slip, c] : {std::pair{&p.slip1, std::size_t{0}}, std::pair{&p.slip2, std::size_t{1}}}) {
     slip->resize(n);
@@ -128,6 +151,7 @@ bool start_step(const StepHistory& h, Solution& s) {
   if (!h.last.loaded) return true;
   for (std::size_t c = 0; c < 3; ++c) s.iterate.lambda[c] = h.last.lambda[c];
   s.iterate.motion = h.last.motion;
+  s.iterate.motion[approach] -= s.prepared->problem.datum;
   s.iterate.invalidate();
   return true;
 }
@@ -136,7 +160,7 @@ void end_step(StepHistory& h, const Solution& s, const Scene& scene) {
   std::swap(h.last, h.before);
   h.last.time = h.before.time + scene.step_time();
   h.last.steps = h.before.steps + 1;
-  h.last.take(s.iterate);
+  h.last.take(s.iterate, s.prepared->problem.datum);
   if (s.report.outcome == Outcome::no_contact) h.last.loaded = false;
   if (!h.last.on || !same_places(h.last.on->frame, s.prepared->frame)) h.last.on = h.before.on;
   note_frame(h.last, *s.prepared, scene);

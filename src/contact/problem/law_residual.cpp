@@ -53,8 +53,23 @@ TangentialLaw linearise_friction(const Problem& p, const Prescribed& given, std:
                                  const std::vector<double> (&lambda)[3], double s1, double s2, double pressure,
                                  bool bound_follows) {
   const double rt = given.slip_scale * p.rt[k];
-  return p.law->linearise({given.coefficient(p.mu, k), pressure, lambda[0][k], lambda[1][k], s1, s2, rt, given.falling},
-                          bound_follows);
+  FrictionPoint point{given.coefficient(p.mu, k), pressure, lambda[0][k], lambda[1][k], s1, s2, rt, given.falling};
+  p.count_from_touch(k, point);
+  TangentialLaw law = p.law->linearise(point, bound_follows);
+  if (point.rt == rt) return law;
+  // The slip depends on the node's own traction over its pressure, too.
+  const double per_traction = p.before_touch[k] / pressure * point.rt;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double along = law.slip[i][0] * point.t1 + law.slip[i][1] * point.t2;
+    for (std::size_t c = 0; c < 2; ++c) {
+      law.own[i][c] += law.slip[i][c] * per_traction;
+      law.slip[i][c] *= point.rt / rt;
+    }
+    if (!bound_follows) continue;
+    law.own[i][2] += along * per_traction / pressure;
+    law.constant[i] -= along * per_traction;
+  }
+  return law;
 }
 
 }  // namespace rollcon

@@ -83,7 +83,9 @@ LawSums sum_laws(const Problem& p, const Prescribed& given, Part part, Values&& 
       if (touching && at.slip_known(k)) {
         const double rt = given.slip_scale * p.rt[k], mu = given.coefficient(p.mu, k);
         const SummedSlip s = at.slip(k);
-        t = friction.traction({mu, -augmented, l1, l2, s.s1, s.s2, rt, given.falling});
+        FrictionPoint point{mu, -augmented, l1, l2, s.s1, s.s2, rt, given.falling};
+        p.count_from_touch(k, point);
+        t = friction.traction(point);
         sliding = t.sliding;
         if constexpr (!trial) {
           // Only the part across the traction counts where nodes slide; it shrinks with the bound.

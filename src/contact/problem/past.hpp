@@ -23,17 +23,20 @@ struct FrameOfPast {
 struct PastStep {
   bool loaded = false;            ///< false: the bodies are at rest, unstressed
   std::vector<double> lambda[3];  ///< t1, t2, n
-  MotionValues motion{};
+  MotionValues motion{};          ///< the approach from no datum
   double time = 0;
   std::int64_t steps = 0;
   std::int64_t mesh = -1;  ///< revision of the frame's nodes and elements
   std::shared_ptr<FrameOfPast> on;
 
-  void take(const Iterate& iterate);  ///< tractions and motions
+  /// Takes tractions and motions of an iterate whose approach counts from the datum.
+  void take(const Iterate& iterate, double datum);
 };
 
 struct StepWorkspace {
   std::vector<double> traction, displacement;  ///< three values a node
+  std::vector<std::int32_t> apart;             ///< nodes whose particles do not touch before the step
+  std::vector<double> image[3];
 };
 
 struct StepHistory {

@@ -47,6 +47,9 @@ struct Problem {
   std::vector<double> mu;
   /// Slip over speed that no motion and no traction changes: given field, displacements given elsewhere. Empty: none.
   std::vector<double> slip1, slip2;
+  /// Shift that a node's particle makes within a time step before it touches, under a traction that equals its pressure
+  /// (docs/time.md). Empty: all particles touched before.
+  std::vector<double> before_touch;
   std::vector<double> weight;              ///< integral of N_i: force from tractions
   std::vector<double> moment_x, moment_y;  ///< integrals of N_i x and N_i y: spin moment
   std::vector<double> moment_z;            ///< integral of N_i z
@@ -70,6 +73,14 @@ struct Problem {
     const double across = motion_scale * (m[xi2] + m[spin] * convection.slip_x[k]);
     if (turn.empty()) return c == 0 ? along : across;
     return turn[k][c][0] * along + turn[k][c][1] * across;
+  }
+  /// Makes the slip of node k that since its particle touched; the scale falls with what its tractions now change.
+  void count_from_touch(std::size_t k, FrictionPoint& point) const {
+    if (before_touch.empty() || !(before_touch[k] > 0) || !(point.pressure > 0)) return;
+    const double per_traction = before_touch[k] / point.pressure;
+    point.s1 += per_traction * point.t1;
+    point.s2 += per_traction * point.t2;
+    point.rt /= 1 + per_traction * point.rt;
   }
   /// Returns the gap lost per unit of approach.
   double closing(std::size_t k) const { return turn.empty() ? 1 : turn[k][2][2]; }

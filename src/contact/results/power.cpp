@@ -94,7 +94,7 @@ double work_of_rigid_slip(const Solution& s) {
 double work_of_slip(const Solution& s, Derived& d, const std::vector<double>& weight) {
   const Problem& p = s.prepared->problem;
   const Iterate& it = s.iterate;
-  const bool known = p.op->tangential || s.images_known;
+  const bool known = (p.op->tangential || s.images_known) && p.before_touch.empty();
   if (!known) derive_fields(s, d);
   double sum = 0;
   for (std::size_t k = 0; k < p.gap.size(); ++k) {

@@ -46,9 +46,9 @@ void RateFinder::fill_right_side(const Solution& s, const ReducedSystem& system,
     if (change.nodes) gap_[a] = change.nodes->gap[k];
     if (system.part() == Part::normal) continue;
     // mu p e grows by mu e (p dmu/mu + dp); own[i][2] is mu e_i.
-    const double pressure =
-        -change.friction(p, k) * s.iterate.lambda[2][k] - (system.part() == Part::tangential ? lambda_[2][k] : 0);
     const TangentialLaw& law = system.law(static_cast<std::int64_t>(a));
+    const double pressure = (law.sliding ? -change.friction(p, k) * s.iterate.lambda[2][k] : 0) -
+                            (system.part() == Part::tangential ? lambda_[2][k] : 0);
     for (std::size_t c = 0; c < 2; ++c) bound_[c][a] = law.own[c][2] * pressure;
     if (change.nodes)
       for (std::size_t c = 0; c < 2; ++c) slip_[c][a] = change.nodes->slip[c][k];
