@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -30,6 +31,25 @@ Through look_through(const SurfaceMesh& surface, const SurfaceSearch& all, std::
   return result;
 }
 
+// Returns the greatest depth of the layers of nodes below a face, where these are fewer than `few`; else 0.
+double deepest_of_few_layers(const SurfaceMesh& surface, std::int64_t e, const SurfaceFrame& face, double thickness,
+                             std::size_t few) {
+  constexpr double beside = 0.5, apart = 0.01;  // fractions of the face, and of the deepest layer
+  const Vec3 corner = surface.node[static_cast<std::size_t>(surface.element(e)[0])], n = normalized(face.normal);
+  const double near = beside * element_diameter(surface, e) / std::numbers::sqrt2;
+  std::vector<double> depth{0};
+  for (const Vec3& node : surface.node) {
+    const Vec3 d = node - corner;
+    const double below = -dot(d, n);
+    if (below > 0 && below < thickness + near && length(d + below * n) < near) depth.push_back(below);
+  }
+  std::sort(depth.begin(), depth.end());
+  std::adjacent_difference(depth.begin(), depth.end(), depth.begin());
+  const double deepest = *std::max_element(depth.begin(), depth.end());
+  const auto layers = std::count_if(depth.begin(), depth.end(), [&](double d) { return d > apart * deepest; });
+  return static_cast<std::size_t>(layers) < few ? deepest : 0;
+}
+
 }  // namespace
 
 Thinness thinness(BodyMesh& mesh, double linear, double quadratic) {
@@ -55,12 +75,14 @@ Thinness thinness(BodyMesh& mesh, double linear, double quadratic) {
 }
 
 MeshOnFrame look_under(const BodyMesh& mesh, std::span<const std::int64_t> element) {
-  constexpr double most = 10, third = 1.0 / 3, few_layers = 4;
+  constexpr double most = 10, third = 1.0 / 3;
+  constexpr std::size_t few_layers = 4, looked_at = 16;  // layers, and faces whose layers are counted
   const SurfaceMesh& surface = mesh.surface;
   const SurfaceSearch all(surface, {});
   const std::vector<std::uint8_t> held = held_elements(mesh);
   MeshOnFrame found;
-  double sum = 0, areas = 0;
+  double sum = 0, areas = 0, layered = INFINITY;
+  std::size_t seen = 0;
   for (const std::int64_t e : element) {
     const auto i = static_cast<std::size_t>(e);
     const auto [area, opposite] = look_through(surface, all, e);
@@ -73,9 +95,15 @@ MeshOnFrame look_under(const BodyMesh& mesh, std::span<const std::int64_t> eleme
     double deepest = 0;
     for (const std::int32_t k : mesh.volume.element(mesh.origin[i].element))
       deepest = std::max(deepest, dot(face.x - surface.node[static_cast<std::size_t>(k)], normalized(face.normal)));
-    const double depth = is_quadratic(surface.type[i]) ? 0.5 * deepest : deepest;
+    const bool quadratic = is_quadratic(surface.type[i]);
+    const double depth = quadratic ? 0.5 * deepest : deepest;
     if (opposite->distance < few_layers * depth) found.element = std::min(found.element, depth);
+    if (++seen % (1 + element.size() / looked_at) != 0) continue;
+    const std::size_t few = quadratic ? 2 * few_layers : few_layers;
+    const double layer = deepest_of_few_layers(surface, e, face, opposite->distance, few);
+    if (layer > 0) layered = std::min(layered, layer);
   }
+  if (std::isfinite(layered)) found.element = std::isfinite(found.element) ? std::max(found.element, layered) : layered;
   found.under_faces = areas > 0 ? sum / areas : most;
   return found;
 }

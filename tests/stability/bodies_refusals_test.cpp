@@ -225,6 +225,24 @@ TEST(stability_bodies, volume_elements_deeper_than_half_of_the_contact_are_told)
   }
 }
 
+// A thin layer on a deep one is a body of two layers; five layers, each twice as deep as the one above, are told
+// nothing.
+TEST(stability_bodies, few_layers_below_a_thin_one_are_told) {
+  const std::vector<double> thin_on_deep{-1, 0.8, 1}, graded{-1, 0, 0.5, 0.75, 0.875, 1};
+  for (const auto& lines : {thin_on_deep, graded}) {
+    BlockShape block{.model = Model::fem};
+    block.n = {16, 16, static_cast<int>(lines.size()) - 1};
+    block.line[2] = lines;
+    Told told(make_block(block));
+    const bool few = lines.size() == 3;
+    EXPECT_EQ(told.press(nullptr, {4e-3, 0}), few ? ROLLCON_INACCURATE : ROLLCON_OK) << told.text();
+    if (few)
+      told.expect({"body 1: its elements under the frame are too deep"});
+    else
+      EXPECT_EQ(told.text(), "");
+  }
+}
+
 TEST(stability_bodies, covers_pressed_by_more_than_half_of_their_thickness_are_too_deep) {
   for (const Model model : {Model::fem, Model::bem}) {
     BlockShape cover{.model = model};
