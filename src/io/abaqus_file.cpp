@@ -67,6 +67,7 @@ struct Mention {
   std::int64_t first, last = 0, step = 1;  ///< numbers in the file; for a set, its group
   std::int32_t side = -1;
   std::int64_t line = 0;
+  bool listed = true;  ///< one by one, not as a range
 };
 
 class AbaqusReader {
@@ -144,6 +145,8 @@ class AbaqusReader {
     for (const char* reader : {"NODE", "ELEMENT", "NSET", "ELSET", "SURFACE"})
       if (name == reader && now_.has("INPUT"))
         lines_.fail_here("*" + name + " with INPUT is not followed: put the mesh into one file");
+    for (const char* other : {"SURFACEDEFINITION", "RIGIDSURFACE", "MODELCHANGE", "REFINEMESH", "ADAPTIVEMESH", "MESH"})
+      if (name == other) pass("*" + name);
     if (name == "INCLUDE") lines_.fail_here("*INCLUDE is not followed: put the mesh into one file");
     if (name == "SYSTEM") lines_.fail_here("*SYSTEM is not read: write nodes in the global axes");
     if (name == "PART" && ++parts_ > 1)
@@ -250,7 +253,7 @@ class AbaqusReader {
   void add_mention(Mention::Kind kind, std::int64_t id) {
     if (!mention_.empty()) {
       Mention& last = mention_.back();
-      if (last.kind == kind && last.group == group_ && last.step == 1 && last.last < id && last.last == id - 1) {
+      if (last.kind == kind && last.group == group_ && last.listed && last.last < id && last.last == id - 1) {
         last.last = id;
         return;
       }
@@ -267,6 +270,7 @@ class AbaqusReader {
                        step = words_.size() > 2 ? number(words_[2]) : 1;
     if (step < 1 || first > last) lines_.fail_here("a range that goes nowhere");
     add_mention(kind_of_set(), first, last, step);
+    mention_.back().listed = false;
   }
 
   void take_members() {
@@ -321,13 +325,17 @@ class AbaqusReader {
   void resolve(const Mention& m) {
     switch (m.kind) {
       case Mention::node:
-        mesh_.node_numbers().each_between(m.first, m.last, m.step,
-                                          [&](std::int64_t node) { mesh_.put_node(m.group, node, m.line); });
+      case Mention::element: {
+        const bool node = m.kind == Mention::node;
+        const Numbering& numbers = node ? mesh_.node_numbers() : mesh_.element_numbers();
+        numbers.each_between(m.first, m.last, m.step, [&](std::int64_t k) {
+          node ? mesh_.put_node(m.group, k, m.line) : mesh_.put_element(m.group, k, m.line);
+        });
+        for (std::int64_t i = 0; m.listed && i <= m.last - m.first; ++i)
+          if (numbers.find(m.first + i) < 0 && (node || !passed_element_.contains(m.first + i)))
+            pass(node ? "nodes of sets, not in the file" : "elements of sets, not in the file");
         break;
-      case Mention::element:
-        mesh_.element_numbers().each_between(m.first, m.last, m.step,
-                                             [&](std::int64_t e) { mesh_.put_element(m.group, e, m.line); });
-        break;
+      }
       case Mention::face: {
         const std::int64_t element = mesh_.element_numbers().find(m.first);
         if (passed_element_.contains(m.first)) return pass("faces of elements that are passed over");

@@ -286,6 +286,9 @@ TEST_F(MeshFiles, of_abaqus_tell_what_they_pass_over) {
   EXPECT_EQ(
       whole(others + "*NSET, NSET=Far\n13\n").told,
       "passed over: elements of type B31 (1), elements of type COH3D8 (2); group without anything of the mesh: Far");
+  EXPECT_EQ(whole("*NSET, NSET=Some\n5, 98, 99\n*ELSET, ELSET=None\n77\n*MODEL CHANGE, REMOVE\nNone\n").told,
+            "passed over: *MODELCHANGE (1), elements of sets, not in the file (1), nodes of sets, not in "
+            "the file (2)");
   const MeshFile surfaces =
       whole(others +
             "*SURFACE, NAME=top\ncube, S2\n*SURFACE, NAME=side\n1, S3\n4, END1\n4, S1\n"
