@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "contact/results/doubts.hpp"
 #include "contact/solver.hpp"
 #include "framing/hertz.hpp"
 #include "support/error.hpp"
@@ -331,8 +332,14 @@ void WheelRail::tell(Status status) const {
         "wheel and rail overlap by %g, more than a thousandth of the wheel's radius (%g): check %s and all "
         "units",
         deepest, radius_, in_.by_force ? "the vertical force" : "z");
-  for (const Slot* slot : active_)
-    if (slot->contact.status() == status && !slot->contact.whole()) slot->contact.contact()->solver->tell(status);
+  for (const Slot* slot : active_) {
+    const PatchContact& patch = slot->contact;
+    if (patch.status() != status || patch.whole()) continue;
+    if (const Line deep = describe_pressure(patch.max_pressure(), patch.modulus()); *deep.text)
+      context_->caveat(status, "%s", deep.c_str());
+    else
+      patch.contact()->solver->tell(status);
+  }
   for (std::size_t i = 0; i < active_.size(); ++i)
     if (const OverlapPatch& patch = active_[i]->contact.overlap(); patch.cut && status == Status::rim_contact)
       context_->caveat(Status::rim_contact,

@@ -154,7 +154,7 @@ class Contact(Settings, ContactPlain, Handle):
 
     def solve(self) -> Status:
         """Solves and returns the status: OK, NOT_CONVERGED, NO_CONTACT, CANCELLED, RIM_CONTACT, COARSE,
-        INACCURATE."""
+        INACCURATE, TOO_DEEP."""
         self._raised.clear()
         status = call(lib.rollcon_contact_solve, self._handle)
         if self._raised:

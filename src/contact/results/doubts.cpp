@@ -70,8 +70,16 @@ Line doubt_about(const Solution& s, int which) {
 
 }  // namespace
 
+Line describe_pressure(double largest, double modulus) {
+  if (!(largest > modulus)) return {};
+  return line_of(
+      "the largest pressure is %.4g, more than the modulus of contact (%.4g), as no material bears: check shapes, "
+      "sides, loads and all units",
+      largest, modulus);
+}
+
 Line describe_too_deep(const Solution& s) {
-  const double deep = s.iterate.motion[approach], bears = s.prepared->bears, modulus = s.prepared->problem.stiffness;
+  const double deep = s.iterate.motion[approach], bears = s.prepared->bears;
   if (deep > 0.5 * bears)
     return line_of(
         "the bodies approach each other by %.4g, more than half of what is %.4g thick or round there, as no linear "
@@ -79,11 +87,7 @@ Line describe_too_deep(const Solution& s) {
         deep, bears);
   const std::vector<double>& normal = s.iterate.lambda[2];
   const double largest = normal.empty() ? 0 : -*std::min_element(normal.begin(), normal.end());
-  if (!(largest > modulus)) return {};
-  return line_of(
-      "the largest pressure is %.4g, more than the modulus of contact (%.4g), as no material bears: check shapes, "
-      "sides, loads and all units",
-      largest, modulus);
+  return describe_pressure(largest, s.prepared->problem.stiffness);
 }
 
 Line describe_sharp_end(const Solution& s) {

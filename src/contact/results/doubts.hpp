@@ -7,6 +7,8 @@
 
 namespace rollcon {
 
+/// Says that no material bears this pressure; empty: it is not more than the modulus of contact.
+Line describe_pressure(double largest, double modulus);
 /// Says whether approach or pressure is too much, and by what; empty: neither is.
 Line describe_too_deep(const Solution& s);
 /// Says what the meshes of the bodies do not show; empty: nothing.
