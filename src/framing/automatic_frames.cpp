@@ -120,7 +120,7 @@ class AutomaticFrames final : public FrameMaker {
 
   void reset() override {
     level_ = levels.size();
-    hard_ = tilts_known_ = false;
+    tilts_known_ = false;
     if (coarse_) coarse_->reset();
     strips_.forget();
   }
@@ -193,11 +193,10 @@ class AutomaticFrames final : public FrameMaker {
       const double wanted = fine.scene.options.frame_accuracy, reached = error_reached(fine);
       if (reached <= wanted) break;
       if (level_ + 1 == level_count()) {
-        hard_ = true;
+        level_ = levels.size();  // the next scene may be an easier one
         return StripLevels::tell_inaccurate(fine, reached);
       }
     }
-    if (std::exchange(hard_, false)) level_ = levels.size();
     if (!beyond_bounds_ && missed_corners_) {
       fine.host.caveat(Status::inaccurate,
                        "frames: the curvature of a profile jumps near the end of the contact, and the peak of pressure "
@@ -581,7 +580,6 @@ class AutomaticFrames final : public FrameMaker {
   const char* beyond_bounds_ = nullptr;  ///< text for a contact that reaches the bounds
   std::int64_t shapes_ = 0;              ///< number of shapes found so far
   std::size_t level_ = levels.size();    ///< levels.size(): none yet
-  bool hard_ = false;  ///< no level was enough for the last scene; one for which the finest is starts again from few
   double asked_ = 0;
   Made made_;
   std::int64_t placed_on_ = -1;  ///< revision of the axes of the last placed frame
