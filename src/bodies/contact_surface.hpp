@@ -12,6 +12,7 @@ struct PairOfBodies {
   std::array<Pose, 2> pose{};
   double layer = 0;          ///< layer between them: tangential displacement per traction
   double speed = 0;          ///< rolling speed, of bodies that creep
+  bool losses = false;       ///< compliances of sections are those of make_losses()
   bool meshed() const;       ///< true if at least one body has a mesh
   bool creeps() const;       ///< true if the material of at least one relaxes
   bool half_spaces() const;  ///< true if they respond as half-spaces; one may be rigid

@@ -149,7 +149,7 @@ std::unique_ptr<Compliance> make_meshed_compliance(const Frame& frame, const Pai
   constexpr double least_depth = 2.6;  // no ratio of usual meshes: rounding decides there
   MeshedZone zone(frame, pair, which);
   const bool shape_functions =
-      zone.body.options().between_nodes == 1 ||
+      pair.losses || zone.body.options().between_nodes == 1 ||
       (zone.body.traits().smooth_difference && zone.on_body.of_faces() && zone.under.under_faces < least_depth);
   if (shape_functions) return std::make_unique<ByShapeFunctions>(std::move(zone), threads);
   return std::make_unique<BetweenNodes>(std::move(zone), accuracy, threads);

@@ -37,6 +37,7 @@ double rate_of(const Frame& frame, const PairOfBodies& pair, int which) {
 FrameOnBody laid_in_rolling(const Frame& frame, const PairOfBodies& pair, int which) {
   FrameOnBody on = lay_on_body(frame, *pair.body[at(which)], pair.pose[at(which)], which);
   on.rate = rate_of(frame, pair, which);
+  if (pair.losses) on.slope = on.rate / pair.speed;
   return on;
 }
 

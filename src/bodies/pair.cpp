@@ -47,12 +47,19 @@ std::vector<LaggingBody> lags_of(const PairOfBodies& pair, int which) {
 }
 
 // A lag of ratio f loses -f times the mean of the slope upstream.
-std::unique_ptr<Compliance> make_loss(const Frame& frame, const PairOfBodies& pair, double accuracy, int threads) {
-  std::vector<LaggingBody> bodies = lags_of(pair);
-  if (bodies.empty()) return nullptr;
+std::vector<std::unique_ptr<Compliance>> make_losses(const Frame& frame, const PairOfBodies& pair, double accuracy,
+                                                     int threads, int which) {
+  std::vector<std::unique_ptr<Compliance>> losses;
+  std::vector<LaggingBody> bodies = lags_of(pair, which);
   for (LaggingBody& body : bodies)
     for (Lag& lag : body.lag) lag = {-lag.ratio, lag.length, true};
-  return make_lagging_compliance(frame, {}, std::move(bodies), accuracy, threads);
+  if (!bodies.empty()) losses.push_back(make_lagging_compliance(frame, {}, std::move(bodies), accuracy, threads));
+  PairOfBodies losing = pair;
+  losing.losses = true;
+  for (int b = 0; b < 2; ++b)
+    if (const Body& body = *pair.body[at(b)]; body.creeps() && body.traits().section && (which < 0 || which == b))
+      losses.push_back(make_body_compliance(frame, losing, b, accuracy, threads));
+  return losses;
 }
 
 std::unique_ptr<Compliance> make_pair_compliance(const Frame& frame, const PairOfBodies& pair, double accuracy,

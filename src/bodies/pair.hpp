@@ -20,9 +20,10 @@ HalfspaceConstants half_spaces_of(const PairOfBodies& pair);
 /// Returns the lags of the bodies that creep, at the pair's speed; both in one where they creep alike. which: 0 or 1
 /// for one body alone.
 std::vector<LaggingBody> lags_of(const PairOfBodies& pair, int which = -1);
-/// Makes displacements whose work with the tractions is the power over the speed that bodies lose by creeping; null:
-/// they do not creep.
-std::unique_ptr<Compliance> make_loss(const Frame& frame, const PairOfBodies& pair, double accuracy, int threads);
+/// Makes displacements whose work with the tractions is the power over the speed that bodies lose by creeping: those of
+/// half-spaces together, and of each section. which: as for lags_of().
+std::vector<std::unique_ptr<Compliance>> make_losses(const Frame& frame, const PairOfBodies& pair, double accuracy,
+                                                     int threads, int which = -1);
 /// Makes the part of body `which` (0 or 1) in u1 - u2; null for a rigid body.
 std::unique_ptr<Compliance> make_body_compliance(const Frame& frame, const PairOfBodies& pair, int which,
                                                  double accuracy, int threads);

@@ -88,6 +88,8 @@ MeshOnFrame look_under(const BodyMesh& mesh, std::span<const std::int64_t> eleme
     const auto [area, opposite] = look_through(surface, all, e);
     sum += area * (opposite ? std::min(most, opposite->distance / std::sqrt(area)) : most);
     areas += area;
+    found.spacing +=
+        std::sqrt(area) / (is_quadratic(surface.type[i]) ? 2.0 : 1.0) / static_cast<double>(element.size());
     if (opposite && held[static_cast<std::size_t>(opposite->element)] != 0)
       found.glued = std::min(found.glued, opposite->distance);
     if (mesh.origin.empty() || !opposite) continue;

@@ -118,10 +118,8 @@ class Solver {
   double error_estimate();
   /// Returns the compliance of body 1 or 2 alone.
   const Compliance& compliance_of(std::int32_t body);
-  /// Returns the power that a section loses by creeping in each harmonic, from 0 on; empty: it is another body.
+  /// Returns the power that a section loses by creeping in each harmonic, from 0 on.
   std::vector<double> power_lost(std::int32_t body);
-  /// Returns the force of rolling resistance of both bodies: the power that they lose by creeping over the speed.
-  double rolling_resistance();
   /// Makes the dense operators where they are missing, as in the monolithic form.
   void require_operators();
 

@@ -1,5 +1,7 @@
 /// Reads results of the last solve.
 
+#include <numeric>
+
 #include "bodies/body.hpp"
 #include "contact/estimate/error_estimate.hpp"
 #include "contact/estimate/few_nodes.hpp"
@@ -115,17 +117,12 @@ std::vector<double> Solver::power_lost(std::int32_t body) {
   const auto& lambda = solution_.iterate.lambda;
   std::vector<double> traction(3 * lambda[0].size());
   for (std::size_t k = 0; k < traction.size(); ++k) traction[k] = lambda[k % 3][k / 3];
-  if (const Body& own = *bodies().body[at(body - 1)]; own.creeps() && own.traits().section)
-    compliance.everywhere(traction.data(), state);
+  compliance.everywhere(traction.data(), state);
+  // Tractions between nodes flatten waves; the sum at nodes does not know of that.
+  const double sum = std::accumulate(state.power.begin(), state.power.end(), 0.0);
+  const double lost = solution_.prepared->speed * rolling_resistance(solution_, body - 1);
+  for (double& power : state.power) power *= sum > 0 ? lost / sum : 0;
   return std::move(state.power);
-}
-
-double Solver::rolling_resistance() {
-  double force = rollcon::rolling_resistance(solution_);
-  for (const std::int32_t body : {1, 2})
-    if (!bodies().body[at(body - 1)]->rigid())
-      for (const double power : power_lost(body)) force += power / solution_.prepared->speed;
-  return force;
 }
 
 void Solver::tell(Status status) const {

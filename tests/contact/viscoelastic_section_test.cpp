@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <numeric>
 
+#include "contact/prepared.hpp"
 #include "contact/scene_fixture.hpp"
+#include "contact/solver.hpp"
 #include "support/section_bodies.hpp"
 
 namespace rollcon {
@@ -23,6 +26,7 @@ struct Rolled {
   int deep = 8, stations = 6000;
   int lattice = 0;  ///< intervals of a lattice each way; 0: the faces
   double depth = 20, reach = 3, bulge = 0, mu = 0, way = 1;
+  Status status = Status::ok;  ///< that the ring ends with
 };
 
 struct Rolling {
@@ -104,7 +108,7 @@ std::unique_ptr<Rolling> make(const Rolled& r, bool half_space = false) {
   scene.set_friction("coulomb", 1, &r.mu);
   scene.set_speed(r.speed);
   scene.prescribe(3, 2, r.load);
-  EXPECT_EQ(made->contact->solve(), Status::ok);
+  EXPECT_EQ(made->contact->solve(), half_space ? Status::ok : r.status);
   made->contact->resultant(InAxes::local, made->load.data(), made->load.data() + 3);
   return made;
 }
@@ -125,30 +129,55 @@ TEST(viscoelastic_section, large_ring_rolls_as_a_half_space) {
     const double resistance = ring->resistance() / half_space->resistance() - 1,
                  offset = ring->offset() / half_space->offset() - 1,
                  pressure = ring->contact->stat("max_pressure") / half_space->contact->stat("max_pressure") - 1;
-    std::printf(
-        "V %3.0f: offset %+.1e, largest pressure %+.1e off a half-space's (bound 1e-2), power of harmonics %+.1e "
-        "(2e-2)\n",
-        speed, offset, pressure, resistance);
-    EXPECT_LT(std::abs(resistance), 2e-2) << "faces miss a part of what a lattice loses";
+    std::printf("V %3.0f: offset %+.1e, largest pressure %+.1e, resistance %+.1e off a half-space's (bound 1e-2)\n",
+                speed, offset, pressure, resistance);
+    EXPECT_LT(std::abs(resistance), 1e-2);
     EXPECT_LT(std::abs(offset), 1e-2);
     EXPECT_LT(std::abs(pressure), 1e-2);
+    const std::vector<double> power = ring->contact->body_power(1);
+    EXPECT_NEAR(std::accumulate(power.begin(), power.end(), 0.0), speed * ring->resistance(), 1e-9 * speed);
   }
 }
 
+// Pressures drive the body about its axis where they act: at points that are displaced along the way.
 TEST(viscoelastic_section, harmonics_lose_what_the_pressures_drive) {
   for (const double speed : {30.0, 300.0}) {
-    const Rolled r{.speed = speed, .radius = 2000, .y = {-0.5, 0.5}, .stations = 280000, .reach = 2.6};
+    const Rolled r{.speed = speed, .stations = 12000};
     const auto ring = make(r);
-    const double driven = ring->load[4] / r.radius * speed, lost = ring->contact->stat("body_power");
+    const Contact& contact = *ring->contact;
+    const SurfaceMesh frame = faces(r);
+    std::vector<double> xy, u(3 * frame.node.size()), traction(u.size());
+    for (const Vec3& x : frame.node) xy.insert(xy.end(), {x[0], x[1]});
+    contact.displacements_at(1, frame.nodes(), xy.data(), u.data());
+    contact.tractions(InAxes::local, frame.nodes(), traction.data());
+    const std::vector<double>& weight = contact.solver->solution().prepared->problem.weight;
+    double driven = ring->load[4] / r.radius * speed;
+    for (std::size_t k = 0; k < weight.size(); ++k)
+      driven -= weight[k] * traction[3 * k + 2] * u[3 * k] / r.radius * speed;
+    const double lost = contact.stat("body_power");
     double sum = 0, least = INFINITY;
-    for (const double power : ring->contact->body_power(1)) sum += power, least = std::min(least, power);
-    std::printf("V %3.0f: %.6e lost in harmonics, %.6e by the moment of pressures: %+.1e (bound 1e-3)\n", speed, lost,
-                driven, lost / driven - 1);
+    for (const double power : contact.body_power(1)) sum += power, least = std::min(least, power);
+    std::printf("V %3.0f: %.6e lost in harmonics, %.6e driven by pressures: %+.1e (bound 1e-3)\n", speed, lost, driven,
+                lost / driven - 1);
     EXPECT_GT(driven, 0);
     EXPECT_NEAR(lost, driven, 1e-3 * driven);
     EXPECT_NEAR(sum, lost, 1e-12 * lost);
     EXPECT_GE(least, -1e-12 * lost) << "no harmonic gains power";
   }
+}
+
+TEST(viscoelastic_section, coarse_faces_are_told) {
+  const std::vector<double> y{-16, -7, -4.5, -3, -1.8, -0.6, 0.6, 1.8, 3, 4.5, 7, 16};
+  const Rolled r{.radius = 400,
+                 .load = 0.25,
+                 .y = y,
+                 .deep = 4,
+                 .stations = 4200,
+                 .lattice = 16,
+                 .reach = 2.6,
+                 .bulge = 0.5 / 400,
+                 .status = Status::inaccurate};
+  EXPECT_LT(make(r)->resistance(), 0.95 * make(r, true)->resistance());
 }
 
 TEST(viscoelastic_section, rolling_the_other_way_is_the_mirror_image) {

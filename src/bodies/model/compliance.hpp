@@ -62,6 +62,7 @@ struct MeshOnFrame {
   const Condensed* response = nullptr;  ///< null: the body has no mesh
   double under_faces = 0;   ///< thickness over length of faces (square root of the area), mean by area; at most 10
   double glued = INFINITY;  ///< least thickness where the other side is held
+  double spacing = 0;       ///< distance between nodes of faces, mean by number of faces
   /// Least depth of volume elements, half of it if quadratic, where the body has fewer than four layers of them.
   double element = INFINITY;
   bool between_nodes = false;  ///< true: displacements between nodes are a half-space's

@@ -11,7 +11,7 @@
 namespace rollcon {
 
 bool LoadedSurface::operator==(const LoadedSurface& other) const {
-  return rate == other.rate && face == other.face && row == other.row && layer.node == other.layer.node &&
+  return rate == other.rate && slope == other.slope && face == other.face && row == other.row && layer.node == other.layer.node &&
          layer.type == other.layer.type && layer.connectivity == other.layer.connectivity;
 }
 

@@ -29,6 +29,7 @@ template <class Archive>
 void kept_content(Archive& ar, auto& surface, auto& rows) {
   ar(surface.face);
   ar(surface.rate);
+  ar(surface.slope);
   ar(surface.layer.node);
   ar(surface.layer.type);
   ar(surface.layer.connectivity);

@@ -23,6 +23,8 @@ struct LoadedSurface {
   /// elements that touch them.
   std::vector<std::int32_t> row;
   double rate = 0;  ///< angle per time at which a section that creeps passes by; else 0
+  /// Asks for so many times the derivative by the angle of displacements that lag; 0: for displacements.
+  double slope = 0;
   bool of_faces() const { return !face.empty(); }
   bool operator==(const LoadedSurface& other) const;
 };

@@ -242,7 +242,14 @@ void System::respond(const LoadedSurface& surface, SurfaceRows& rows, int thread
   const BlasThreads blas(threads);
   ++statistics_.condensations;
   const Acted acted = act(surface, rows);
-  answer(response(surface.rate, threads), acted.face, acted.node, acted.traction, rows);
+  Response wanted = response(surface.rate, threads);
+  // Rows hold n times the response of a sample n.
+  for (std::int64_t s = 0; surface.slope != 0 && !wanted.lags.empty() && s < wanted.part.rows(); ++s) {
+    const double by_angle = -surface.slope * harmonics_.samples()[at(s)];
+    for (std::int64_t k = 0; k < wanted.part.columns(); ++k) wanted.part.row(s)[k] = by_angle * wanted.lags.row(s)[k];
+  }
+  if (surface.slope != 0) wanted.lags.release();
+  answer(wanted, acted.face, acted.node, acted.traction, rows);
 }
 
 System::Acted System::act(const LoadedSurface& surface, SurfaceOutline& outline) const {

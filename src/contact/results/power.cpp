@@ -125,21 +125,21 @@ std::vector<double> displacements_by(const Solution& s, const Compliance& compli
 }
 
 /// Returns the power over the speed that bodies lose by creeping under all tractions, or the pressures alone.
-double lost_in_bodies(const Solution& s, bool pressures_alone) {
+double lost_in_bodies(const Solution& s, bool pressures_alone, int which) {
   const Prepared& on = *s.prepared;
-  const std::unique_ptr<Compliance> loss = make_loss(on.frame, on.pair, on.accuracy, 1);
-  if (!loss) return 0;
-  const std::vector<double> u = displacements_by(s, *loss, pressures_alone);
   double sum = 0;
-  for (std::size_t k = 0; k < u.size(); ++k)
-    if (!pressures_alone || k % 3 == 2) sum += on.problem.weight[k / 3] * s.iterate.lambda[k % 3][k / 3] * u[k];
+  for (const auto& loss : make_losses(on.frame, on.pair, on.accuracy, 1, which)) {
+    const std::vector<double> u = displacements_by(s, *loss, pressures_alone);
+    for (std::size_t k = 0; k < u.size(); ++k)
+      if (!pressures_alone || k % 3 == 2) sum += on.problem.weight[k / 3] * s.iterate.lambda[k % 3][k / 3] * u[k];
+  }
   return sum;
 }
 
 /// Returns what bodies that creep do not lose of what is put in, over -V. What pressures alone do and what they lose is
 /// the same, and far more than friction takes: it is left out of both.
 double work_beside_creep(const Solution& s) {
-  double work = work_of_rigid_slip(s) + lost_in_bodies(s, false) - lost_in_bodies(s, true);
+  double work = work_of_rigid_slip(s) + rolling_resistance(s) - lost_in_bodies(s, true, -1);
   if (s.prepared->problem.op->coupled) {
     const std::vector<double> alone = displacements_by(s, *s.prepared->compliance, true);
     work += work_of_pressures(s) - work_of_pressures(s, &alone);
@@ -180,8 +180,8 @@ double power_put_in(const Solution& s) {
   return -s.prepared->speed * (work_of_pressures(s) + work_of_rigid_slip(s));
 }
 
-double rolling_resistance(const Solution& s) {
-  return lost_in_bodies(s, false);
+double rolling_resistance(const Solution& s, int which) {
+  return lost_in_bodies(s, false, which);
 }
 
 bool power_is_balanced(const Solution& s) {

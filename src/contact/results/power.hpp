@@ -14,7 +14,8 @@ double power_at_nodes(const Solution& solution, Derived& derived);
 /// lose by creeping, without slip.
 double power_put_in(const Solution& solution);
 /// Returns the power over the speed that bodies lose by creeping, the force of rolling resistance; 0 for elastic ones.
-double rolling_resistance(const Solution& solution);
+/// which: 0 or 1 for one body alone.
+double rolling_resistance(const Solution& solution, int which = -1);
 /// Returns what slip takes in a time step, its sum over nodes corrected by the balance. preparation: may be null.
 double power_in_step(const Solution& solution, Derived& derived, Preparation* preparation);
 /// Says whether power_put_in() is what slip takes: steady rolling of half-spaces or rigid bodies within the frame.
