@@ -27,6 +27,7 @@ using rolling_cases::poisson;
 using rolling_cases::shear;
 using rolling_cases::steel;
 constexpr const char* steel_on_steel = "steel on steel";
+constexpr const char* poissons_ratio = "Poisson's ratio";
 constexpr double pair_ratio = 5;  ///< greatest ratio of tables of a pair
 
 double cpu_seconds() {
@@ -87,11 +88,15 @@ void emit(Runner& runner, const char* method, const char* model, const std::stri
           const Times& times) {
   if (e.force.empty()) return;
   constexpr std::size_t parts = 400;
-  Record r{.case_name = std::string(model) == steel_on_steel ? "creep_table" : "creep_table_unlike", .method = method};
+  const bool steel_alone = std::string(model) == steel_on_steel, by_poisson = std::string(model) == poissons_ratio;
+  Record r{.case_name = steel_alone  ? "creep_table"
+                        : by_poisson ? "creep_table_poisson"
+                                     : "creep_table_unlike",
+           .method = method};
   r.model = model;
   r.mesh = region;
   r.quantity = "root mean square error of the force over mu Fn";
-  r.against = std::string(model) == steel_on_steel ? "finer strips" : "frames of the library";
+  r.against = steel_alone ? "finer strips" : by_poisson ? "strips as fine as the table's" : "frames of the library";
   r.value = r.error = rms(e.force);
   r.moment_error = rms(e.moment);
   r.seconds = times.forces;
@@ -239,6 +244,16 @@ void run_steel(Runner& runner, const rollcon_table* table, std::size_t count) {
   emit(runner, "FASTSIM, 50 x 50", model, "all", by_fastsim, {.forces = seconds / static_cast<double>(count)});
 }
 
+/// Compares the table at and beyond its Poisson's ratios with frames as fine as its own.
+void run_poisson(Runner& runner, const rollcon_table* table, std::size_t count) {
+  std::vector<RollingCase> drawn = rolling_cases::draw(count, 777, shear);
+  for (const double ratio : {0.24, 0.25, 0.28, 0.31, 0.33, 0.34}) {
+    for (RollingCase& d : drawn) d.input[1] = ratio;
+    const std::vector<Forces> exact = rolling_cases::solve_on_strips(drawn, 1, runner.threads);
+    emit(runner, "table", poissons_ratio, std::to_string(ratio), table_errors(table, drawn, exact, nullptr), {});
+  }
+}
+
 /// Makes a table of these two bodies alone: ellipses 1 : 5 to 5 : 1, one coefficient of friction.
 rollcon_table* table_of_pair(rollcon_context* context, const double (&young)[2], bool coarse) {
   const double poissons[2] = {poisson, poisson};
@@ -308,10 +323,15 @@ void run_pairs(Runner& runner) {
   with_standard(runner, 1000, [&](const rollcon_table* table, std::size_t count) { run_unlike(runner, table, count); });
 }
 
+void run_poissons(Runner& runner) {
+  with_standard(runner, 400, [&](const rollcon_table* table, std::size_t count) { run_poisson(runner, table, count); });
+}
+
 }  // namespace
 
 std::vector<Case> creep_table_cases() {
   return {{"creep_table", "creep-force tables and FASTSIM beside solved cases", run},
+          {"creep_table_poisson", "the standard table at and beyond its Poisson's ratios", run_poissons},
           {"creep_table_unlike", "creep-force tables of unlike bodies beside solved cases", run_pairs}};
 }
 

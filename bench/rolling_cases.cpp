@@ -91,13 +91,14 @@ Forces sliding(const RollingCase& c) {
 /// Holds two frames on one ellipse.
 class Strips {
  public:
-  Strips(const RollingCase& first, double finer) : coarse_(steel, steel), fine_(steel, steel) {
+  Strips(const RollingCase& first, double finer) : Strips(first, finer, {.shear = shear, .poisson = first.input[1]}) {}
+  Strips(const RollingCase& first, double finer, const Elastic& body) : coarse_(body, body), fine_(body, body) {
     // Long ellipses need many cells along their length.
     const double along = 12 * finer * std::clamp(std::pow(first.ratio, 0.2), 0.5, 1.35);
     const double across = 10 * finer * std::clamp(std::pow(first.ratio, -0.35), 0.8, 2.2);
     const auto nx = static_cast<std::int32_t>(std::lround(along)), ny = static_cast<std::int32_t>(std::lround(across));
     for (auto* pair : {&coarse_, &fine_}) {
-      set_hertz(*pair, first, closed_forms::effective_modulus(steel, steel));
+      set_hertz(*pair, first, closed_forms::effective_modulus(body, body));
       const std::int32_t times = pair == &fine_ ? 2 : 1;
       rollcon_contact_frame_ellipse(pair->handle(), times * nx, times * ny, first.input[3], first.input[4], 0);
     }

@@ -141,8 +141,8 @@ contains
   end subroutine
 
   !> Makes it a table of bodies of equal elastic constants, which a new one is, and sets its Poisson's ratios; it is
-  !> linear between two, cubic between more, and has none beyond. Call it before the first sample (else
-  !> ROLLCON_ERR_STATE).
+  !> linear between two and beyond them (by twice their distance and at most 0.04, up to 0.5), cubic between more. Call
+  !> it before the first sample (else ROLLCON_ERR_STATE).
   subroutine table_set_poissons(self, poissons, stat, errmsg)
     class(rc_table_plain), intent(inout) :: self
     real(rc_real), intent(in), contiguous :: poissons(:)

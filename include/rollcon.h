@@ -2916,7 +2916,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_load(rollcon_context *cont
     const char *path, rollcon_table **table);
 
 /*
- * Makes the table that comes with the library: steel on steel, Poisson's ratios 0.28 to 0.3,
+ * Makes the table that comes with the library: steel on steel, Poisson's ratios 0.24 to 0.34,
  * ratios of semi-axes 1/25 to 25. Its file steel.rct is looked for in the folder that the
  * environment variable ROLLCON_DATA names, in share/rollcon above the library, and where the
  * library was to be installed (else ROLLCON_ERR_IO).
@@ -2962,8 +2962,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_set_frame(rollcon_table *t
 
 /*
  * Makes it a table of bodies of equal elastic constants, which a new one is, and sets its
- * Poisson's ratios; it is linear between two, cubic between more, and has none beyond. Call it
- * before the first sample (else ROLLCON_ERR_STATE).
+ * Poisson's ratios; it is linear between two and beyond them (by twice their distance and at most
+ * 0.04, up to 0.5), cubic between more. Call it before the first sample (else ROLLCON_ERR_STATE).
  *   n         1 to 16
  *   poissons  [n]; ascending, -1 to 0.5
  * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE.

@@ -89,14 +89,16 @@ void CreepTable::check(const TableInput& in, std::int64_t entry) const {
   if (!(ratio >= grid_.least_ratio * (1 - rounding) && ratio <= grid_.greatest_ratio * (1 + rounding)))
     fail(Status::err_argument, "a / b of entry %lld is %.10g; the table has %.10g to %.10g",
          static_cast<long long>(entry), ratio, grid_.least_ratio, grid_.greatest_ratio);
-  const auto require_between = [&](const char* name, double value, const std::vector<double>& of, double margin) {
-    if (!(value >= of.front() - margin && value <= of.back() + margin))
+  const auto require_between = [&](const char* name, double value, const std::vector<double>& of, double beyond,
+                                   double margin) {
+    const double least = of.front() - beyond, most = of.back() + beyond;
+    if (!(value >= least - margin && value <= most + margin))
       fail(Status::err_argument, "%s of entry %lld is %.10g; the table has %.10g to %.10g", name,
-           static_cast<long long>(entry), value, of.front(), of.back());
+           static_cast<long long>(entry), value, least, most);
   };
   // The mean of unlike bodies comes from their constants, which callers may know to six digits.
-  require_between("poisson", in.poisson, grid_.poisson, grid_.unlike() ? 1e-6 : rounding);
-  if (grid_.unlike()) require_between("friction", in.friction, grid_.pair.friction, rounding);
+  require_between("poisson", in.poisson, grid_.poisson, grid_.beyond(), grid_.unlike() ? 1e-6 : rounding);
+  if (grid_.unlike()) require_between("friction", in.friction, grid_.pair.friction, 0, rounding);
 }
 
 namespace {

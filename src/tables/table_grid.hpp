@@ -39,6 +39,8 @@ struct TableGrid {
 
   bool unlike() const { return !pair.friction.empty(); }
   /// Returns where the table has planes of splines: coefficients of friction, or Poisson's ratios of like bodies.
+  /// Returns how far beyond two Poisson's ratios of like bodies the table serves: forces are nearly linear in it.
+  double beyond() const;
   const std::vector<double>& planes() const { return unlike() ? pair.friction : poisson; }
   /// Returns for each harmonic 1 where mirror images leave a sine or a cosine alone, 2 where they leave both.
   std::int64_t parities() const { return unlike() ? 2 : 1; }

@@ -1293,8 +1293,9 @@ class TablePlain:
 
     def set_poissons(self, poissons: ArrayLike) -> None:
         """Makes it a table of bodies of equal elastic constants, which a new one is, and sets its
-        Poisson's ratios; it is linear between two, cubic between more, and has none beyond. Call
-        it before the first sample (else ERR_STATE).
+        Poisson's ratios; it is linear between two and beyond them (by twice their distance and at
+        most 0.04, up to 0.5), cubic between more. Call it before the first sample (else
+        ERR_STATE).
 
         poissons: ascending, -1 to 0.5.
         """

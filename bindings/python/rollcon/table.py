@@ -42,7 +42,7 @@ class Table(TablePlain, Handle):
 
     @classmethod
     def standard(cls, context: Context) -> Table:
-        """Returns the table of steel on steel, Poisson's ratios 0.28 to 0.3, ratios of semi-axes 1/25 to 25."""
+        """Returns the table of steel on steel, Poisson's ratios 0.24 to 0.34, ratios of semi-axes 1/25 to 25."""
         made = ctypes.c_void_p()
         check(lib.rollcon_table_standard(context.handle, byref(made)))
         return cls(context, made)
