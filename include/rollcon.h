@@ -1214,7 +1214,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_fields_at(const rollcon
 /*
  * Writes the elements of a body of finite or boundary elements with displacements, smoothed
  * stresses (xx, yy, zz, xy, yz, xz, in ParaView's order) and von Mises's stress at the nodes as a
- * VTU file for ParaView and meshio. The call is otherwise like rollcon_body_get_node_stresses.
+ * VTU file for ParaView and meshio. A section is written as the elements that its part of option
+ * sector sweeps. The call is otherwise like rollcon_body_get_node_stresses.
  *   path   name of the file; an existing one is replaced
  *   nodes  as many as the body has
  *   u      [nodes][3]; displacements of the nodes; NULL: those of rollcon_body_get_displacements
@@ -2073,7 +2074,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_body_power(
  * Writes the elements of a body of finite or boundary elements, or a block of a half-space around
  * the contact, three times as long and wide, with displacements, smoothed stresses (xx, yy, zz,
  * xy, yz, xz, in ParaView's order) and von Mises's stress at the nodes, under the tractions of
- * the last solve and the body's own loads, as a VTU file for ParaView and meshio. The call is
+ * the last solve and the body's own loads, as a VTU file for ParaView and meshio. A section is
+ * written as the elements that its part of option sector sweeps, around the contact. The call is
  * otherwise like rollcon_contact_get_fields_at.
  *   which    ROLLCON_BODY1 or ROLLCON_BODY2
  *   path     name of the file; an existing one is replaced

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include "bodies/body_results.hpp"
 #include "io/vtu.hpp"
+#include "mesh/swept_volume.hpp"
 #include "support/index.hpp"
 #include "support/input_checks.hpp"
 #include "support/stress_invariants.hpp"
@@ -106,8 +108,30 @@ void write_fields(const char* path, const SurfaceMesh& surface, const VolumeElem
 
 namespace {
 
-void write_fields(const Body& body, const std::vector<double>& u, std::vector<double> stress, const char* path) {
-  write_fields(path, body.mesh().surface, on_surface_alone(body) ? nullptr : &body.mesh().volume, u, std::move(stress));
+/// Writes fields at the nodes of the mesh, of which displacements are given; sections write a sector, around an angle.
+void write_fields(const Body& body, const BodyFields& fields, std::vector<double> u, double middle, const char* path) {
+  const double sector = static_cast<double>(body.get_int("sector")) * SweptSection::pi / 180;
+  if (!body.traits().section || sector == 0)
+    return write_fields(path, body.mesh().surface, on_surface_alone(body) ? nullptr : &body.mesh().volume, u,
+                        node_stresses(body, fields));
+  const SweptVolume swept = sweep_volume(body.mesh().section, middle, sector);
+  const std::int64_t nodes = swept.surface.nodes();
+  std::vector<double> stress(6 * at(nodes));
+  u.resize(3 * at(nodes));
+  fields_at(body, fields, nodes, swept.surface.node.front().data(), u.data(), stress.data());
+  write_fields(path, swept.surface, &swept.volume, u, std::move(stress));
+}
+
+/// Returns the angle along a section's way around which forces act on its surface.
+double middle_of(const SweptSection& section, std::span<const double> force) {
+  const std::size_t of_stretch = 9 * section.profile().size();
+  const std::int64_t per_face = section.quadratic() ? 2 : 1;
+  std::complex<double> sum = 0;
+  for (std::size_t k = 0; k < force.size(); ++k) {
+    const auto first = static_cast<double>(section.station(per_face * static_cast<std::int64_t>(k / of_stretch)));
+    sum += std::polar(std::abs(force[k]), section.step() * (first + 0.5 * static_cast<double>(per_face)));
+  }
+  return std::arg(sum);
 }
 
 }  // namespace
@@ -137,8 +161,7 @@ void body_fields_at(const Body& body, const NodalDisplacements& given, std::int6
 }
 
 void write_body(const Body& body, const NodalDisplacements& given, const char* path) {
-  const auto fields = fields_of(body, given);
-  write_fields(body, displacements_of(body, given), node_stresses(body, *fields), path);
+  write_fields(body, *fields_of(body, given), displacements_of(body, given), 0, path);
 }
 
 std::vector<double> body_displacements(const Body& body, SurfaceState state) {
@@ -155,8 +178,9 @@ void body_fields_at(const Body& body, SurfaceState state, std::int64_t n, const 
 }
 
 void write_body(const Body& body, SurfaceState state, const char* path) {
-  const std::vector<double> u = body_displacements(body, state);
-  write_fields(body, u, node_stresses(body, *fields_of(body, std::move(state))), path);
+  std::vector<double> u = state.loads_alone ? std::vector<double>{} : body_displacements(body, state);
+  const double middle = body.traits().section ? middle_of(body.mesh().section, state.layer_traction) : 0;
+  write_fields(body, *fields_of(body, std::move(state)), std::move(u), middle, path);
 }
 
 }  // namespace rollcon

@@ -25,6 +25,9 @@ const SettingTable<BodyOptions>& body_option_table() {
       {"stations", &BodyOptions::stations, 0, 1e6,
        "Sections: nodes of the surface once round, or over a period, made even. 0: half as many again for a length "
        "as the section's contact edges have on the average."},
+      {"sector", &BodyOptions::sector, 0, 360,
+       "Sections: degrees of the way, with the contact in their middle, that rollcon_contact_write_body and "
+       "rollcon_body_write show with their inside; 360: all of it, 0: the surface alone."},
       {"smooth_slices", &BodyOptions::smooth_slices, 0, 1,
        "Profiles that vary. 0: splines lead through all slices; 1: they come near to each, by two thirds of its "
        "distance "

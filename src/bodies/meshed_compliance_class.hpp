@@ -52,13 +52,13 @@ class ByShapeFunctions : public Compliance {
   virtual void add_local(const Group& /*group*/, std::size_t /*points*/, ExpandedCompliance& /*out*/) const {}
 
   const SurfaceOutline& outline() const;
+  std::vector<Group> groups(Points points) const;
 
   MeshedZone zone_;
   int threads_;
   mutable RowMatrix<double> response_;  ///< (3 rows) x (3 frame nodes), local components; made on first use
 
  private:
-  std::vector<Group> groups(Points points) const;
   /// Makes what block and apply need of the body, which factorises and condenses for it.
   void require_response() const;
   const SurfaceLoads* require_loads() const;
@@ -81,6 +81,7 @@ class BetweenNodes final : public ByShapeFunctions {
 
   void find_meshes(std::array<MeshOnFrame, 2>& found) const override;
   bool resolves_frame() const override { return true; }
+  bool near_halfspaces(Points points, NearHalfspaces& out) const override;
   void set_threads(int threads) override;
   std::int64_t kernel_evaluations() const override;
   std::size_t bytes() const override {

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "bodies/halfspace/halfspace.hpp"
+#include "bodies/halfspace/near_halfspaces.hpp"
 #include "linalg/lapack.hpp"
 #include "mesh/turned_over.hpp"
 #include "support/index.hpp"
@@ -70,6 +70,7 @@ class RemainderCompliance final : public Compliance {
   bool couples() const override { return on_layer_->couples(); }
   void block(Points points, const ComplianceBlock& out) const override;
   void apply(Points points, const double* traction, double* displacement) const override;
+  bool near_halfspaces(Points points, NearHalfspaces& out) const override;
   void set_threads(int threads) override {
     on_layer_->set_threads(threads);
     on_faces_->set_threads(threads);
@@ -99,6 +100,15 @@ void RemainderCompliance::block(Points points, const ComplianceBlock& out) const
       if (out.a[i][j])
         dgemm_("N", "N", &layer, &count, &faces, &minus, rows_.seen.data(), &layer, felt.row(i, j, 0), &faces, &one,
                out.a[i][j], &stride);
+}
+
+bool RemainderCompliance::near_halfspaces(Points points, NearHalfspaces& out) const {
+  if (!on_layer_->near_halfspaces(points, out)) return false;
+  ExpandedCompliance on_faces;
+  add_direct(*on_faces_, points, on_faces);
+  for (std::int64_t k = 0; k < on_faces.direct.rows() * on_faces.direct.columns(); ++k) on_faces.direct.data()[k] *= -1;
+  out.part.push_back({std::move(on_faces.direct), rows_.seen});
+  return true;
 }
 
 void RemainderCompliance::apply(Points points, const double* traction, double* displacement) const {

@@ -29,6 +29,10 @@ class SumCompliance final : public Compliance {
   bool expand(Points points, ExpandedCompliance& out) const override {
     return std::all_of(parts_.begin(), parts_.end(), [&](const auto& part) { return part->expand(points, out); });
   }
+  bool near_halfspaces(Points points, NearHalfspaces& out) const override {
+    return std::all_of(parts_.begin(), parts_.end(),
+                       [&](const auto& part) { return part->near_halfspaces(points, out); });
+  }
   void find_meshes(std::array<MeshOnFrame, 2>& found) const override {
     for (const auto& part : parts_) part->find_meshes(found);
   }

@@ -134,7 +134,7 @@ class Contact {
  private:
   friend class OwnFramesSolver;
   Status solve_unless_cancelled();
-  SurfaceState surface_state(std::int32_t body) const;
+  SurfaceState surface_state(std::int32_t body, bool loads_alone) const;
   StressesInside stresses_inside(std::int32_t body) const;
   Status solve_on_own_frames(const CaseList& cases, const CaseResults& results);
   const Body& body(std::int32_t which) const { return which == 1 ? *body1_ : *body2_; }

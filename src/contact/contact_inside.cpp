@@ -80,10 +80,11 @@ void Contact::displacements_at(std::int32_t body, std::int64_t n, const double* 
     for (std::size_t k = 0; k < 3 * points; ++k) u[k] = -u[k];
 }
 
-SurfaceState Contact::surface_state(std::int32_t body) const {
+SurfaceState Contact::surface_state(std::int32_t body, bool loads_alone) const {
   solver->require_solution();
   require_elements(this->body(body), body);
   SurfaceState state;
+  state.loads_alone = loads_alone && this->body(body).traits().section;
   solver->compliance_of(body).everywhere(tractions_by_node(solver->solution()).data(), state);
   return state;
 }
@@ -97,7 +98,7 @@ std::int64_t Contact::body_displacements(std::int32_t body, double* u) const {
   const Body& which = this->body(body);
   require_elements(which, body);
   if (!u) return 3 * which.mesh().surface.nodes();
-  const std::vector<double> moved = rollcon::body_displacements(which, surface_state(body));
+  const std::vector<double> moved = rollcon::body_displacements(which, surface_state(body, false));
   std::copy(moved.begin(), moved.end(), u);
   return std::ssize(moved);
 }
@@ -116,7 +117,8 @@ std::vector<double> Contact::body_power(std::int32_t body) const {
 void Contact::write_body(std::int32_t body, const char* path) const {
   solver->require_solution();
   const Body& which = this->body(body);
-  if (!which.traits().half_space) return rollcon::write_body(which, surface_state(body), path);
+  if (!which.traits().half_space)
+    return rollcon::write_body(which, surface_state(body, which.get_int("sector") > 0), path);
   const BlockInside block(solver->solution(), body);
   const std::vector<Vec3>& node = block.surface.node;
   SurfaceMesh placed = block.surface;
@@ -167,7 +169,7 @@ void Contact::fields_at(std::int32_t body, bool in_body, std::int64_t n, const d
   }
   if (turned) xyz = moved.data();
   if (of_elements)
-    rollcon::body_fields_at(this->body(body), surface_state(body), n, xyz, u, stress);
+    rollcon::body_fields_at(this->body(body), surface_state(body, true), n, xyz, u, stress);
   else
     stresses_inside(body).find({n, xyz}, stress, u);
   for (std::int64_t i = 0; turned && i < n; ++i) {

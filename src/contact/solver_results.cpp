@@ -112,7 +112,7 @@ const Compliance& Solver::compliance_of(std::int32_t body) {
 
 std::vector<double> Solver::power_lost(std::int32_t body) {
   SurfaceState state;
-  state.power_alone = true;
+  state.loads_alone = true;
   const Compliance& compliance = compliance_of(body);
   const auto& lambda = solution_.iterate.lambda;
   std::vector<double> traction(3 * lambda[0].size());

@@ -88,6 +88,95 @@ class Rings(unittest.TestCase):
         np.testing.assert_allclose(again.tractions(), contact.tractions(), rtol=1e-6, atol=1e-6)
 
 
+class Pictures(unittest.TestCase):
+    """Files show the whole ring, a sector around the contact or the surface alone, with the displacements inside."""
+
+    def picture(self, sector):
+        context = rc.Context()
+        body = ring(context, 3)
+        body.set("sector", sector)
+        contact = rc.Contact(context, body, rc.Body(context, "rigid"))
+        # The ring touches 0.6 radian away from where the section is drawn.
+        sine, cosine = np.sin(0.6), np.cos(0.6)
+        contact.set_axes([50 * sine, 0, 50 * cosine], [cosine, 0, -sine], [sine, 0, cosine])
+        x, y = np.linspace(-1.2, 1.2, 7), np.linspace(-4, 4, 5)
+        contact.frame_nodes([[50 * sine + a * cosine, b, 50 * cosine - a * sine] for a in x for b in y])
+        number = np.arange(35).reshape(7, 5)
+        quads = np.stack([number[:-1, :-1], number[1:, :-1], number[1:, 1:], number[:-1, 1:]], -1)
+        contact.frame_add_elements("quad4", quads.reshape(-1, 4))
+        contact.set_gap([a * a / 100 for a in x for b in y])
+        contact.set_friction(0)
+        contact.prescribe("normal", "force", 1000)
+        contact.solve()
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "ring.vtu")
+            contact.write_body(1, path)
+            try:
+                import meshio
+            except ImportError:
+                raise unittest.SkipTest("no meshio")
+            return contact, meshio.read(path)
+
+    def test_whole_and_sector(self):
+        for sector in (360, 50):
+            contact, mesh = self.picture(sector)
+            self.assertEqual([block.type for block in mesh.cells], ["hexahedron20"])
+            corner = mesh.points[mesh.cells[0].data[:, :8]]
+            volume = sum(np.einsum("ij,ij->i", np.cross(corner[:, a] - corner[:, 0], corner[:, b] - corner[:, 0]),
+                                   corner[:, 6] - corner[:, 0]) / 6
+                         for a, b in ((1, 2), (2, 3), (3, 7), (7, 4), (4, 5), (5, 1)))
+            self.assertGreater(volume.min(), 0)
+            share = volume.sum() / (np.pi * (50 ** 2 - 25 ** 2) * 8 * sector / 360)
+            self.assertLess(abs(share - 0.99), 0.01, "elements have straight sides here")
+            angle = np.degrees(np.arctan2(mesh.points[:, 0], mesh.points[:, 2]) - 0.6)
+            if sector < 360:
+                self.assertLess(abs(np.abs(angle).max() - sector / 2), 0.5)
+            moved, stress = contact.fields_at(1, mesh.points[::50], "body")
+            np.testing.assert_allclose(mesh.point_data["displacement"][::50], moved, atol=1e-9 * np.abs(moved).max())
+            most = np.argmax(np.abs(mesh.point_data["displacement"]).sum(axis=1))
+            self.assertLess(abs(angle[most]), 2)
+
+    def test_surface_alone(self):
+        _, mesh = self.picture(0)
+        self.assertEqual([block.type for block in mesh.cells], ["quad9"])
+
+
+class Lattice(unittest.TestCase):
+    """A coarse section under a fine regular frame: half-spaces by FFT and a correction, beside matrices."""
+
+    def solve(self, operators):
+        context = rc.Context()
+        nodes, quads = plane(np.array([-40, -25, -12, -4, 4, 12, 25, 40.]), 100 - np.array([60, 40, 25, 14, 7, 3, 0.]))
+        wheel = rc.Body(context, "section")
+        wheel.set_nodes(nodes)
+        wheel.add_elements("quad8", quads, 0)
+        wheel.set_elastic(2e5, 0.3)
+        wheel.tag_faces_of_nodes(np.where(np.abs(nodes[:, 2] - 100) < 1e-9)[0], 2)
+        wheel.set_contact_faces([2])
+        wheel.set_support(np.where(np.abs(nodes[:, 2] - 40) < 1e-9)[0], 7)
+        wheel.revolve([0, 0, 0], [0, 1, 0])
+        contact = rc.Contact(context, wheel, rc.Body(context, "rigid"))
+        contact.set_axes([0, 0, 100], [1, 0, 0], [0, 0, 1])
+        x, y = (lay_frame(contact, 3, 3, 34, 34, 100) for _ in range(2))
+        contact.set_gap([a * a / 200 + (b - 0.2) ** 2 / 100 for a in x for b in y])
+        contact.set_friction(0.3)
+        contact.set_creep(-1e-3, 4e-4, 0)
+        contact.set("operators", operators)
+        contact.prescribe("normal", "force", 6000)
+        self.assertEqual(contact.solve(), 0)
+        return contact
+
+    def test_corrected_lattice_has_the_answers_of_matrices(self):
+        corrected, dense = self.solve("auto"), self.solve("dense")
+        self.assertGreater(corrected.stat("operator_applications"), 0)
+        self.assertLess(corrected.stat("operator_bytes"), 0.5 * dense.stat("operator_bytes"))
+        scale = np.abs(dense.tractions()).max()
+        np.testing.assert_allclose(corrected.tractions(), dense.tractions(), rtol=0, atol=1e-4 * scale)
+        np.testing.assert_allclose(corrected.resultant()[0], dense.resultant()[0], rtol=1e-5)
+        self.assertLess(abs(corrected.motion()[0] / dense.motion()[0] - 1), 1e-6)
+        self.assertLess(abs(corrected.stat("error_estimate") / dense.stat("error_estimate") - 1), 0.01)
+
+
 class Files(unittest.TestCase):
     """The tube of Lame, its section from files of Abaqus and Gmsh."""
 
@@ -183,6 +272,51 @@ class Hertz(unittest.TestCase):
         contact.set_axes([0, 0, 0], [1, 0, 0], [0, 0, 1])
         error = self.press(contact)
         self.assertLess(abs(error), 0.01)
+
+
+class Rail(unittest.TestCase):
+    """A rail of foot, web and head on a foundation, beside a beam on Winkler's foundation that shears."""
+
+    def test_deflection_far_from_the_load(self):
+        young, poisson, foundation, period, force = 210000, 0.3, 60, 9000, 50000
+        z = np.array([-172, -163, -154, -148, -140, -105, -70, -52, -44, -38, -20, 0.])
+        half = np.array([75, 75, 70, 20, 8.25, 8.25, 8.25, 9, 25, 36, 36, 36])
+        nodes, quads = plane(np.linspace(-1, 1, 5), z)
+        nodes[:, 1] *= np.interp(nodes[:, 2], z, half)
+        context = rc.Context()
+        rail = rc.Body(context, "section")
+        rail.set_nodes(nodes)
+        rail.add_elements("quad8", quads, 0)
+        rail.set_elastic(young, poisson)
+        rail.tag_faces_of_nodes(np.where(nodes[:, 2] > -1e-9)[0], 2)
+        rail.set_contact_faces([2])
+        rail.tag_faces_of_nodes(np.where(nodes[:, 2] < -171.99)[0], 3)
+        rail.set_springs(3, [1e-6, foundation / 150, foundation / 150])
+        rail.extrude([0, 0, 0], [1, 0, 0], period)
+        contact = rc.Contact(context, rail, rc.Body(context, "rigid"))
+        contact.set_axes([0, 0, 0], [1, 0, 0], [0, 0, 1])
+        lay_frame(contact, 15, 15, 4, 4, 0)
+        contact.set_gap(np.zeros(25))
+        contact.set_friction(0)
+        contact.prescribe("normal", "force", force)
+        contact.solve()
+
+        fine = np.linspace(z[0], z[-1], 20001)
+        width, step = 2 * np.interp(fine, z, half), fine[1] - fine[0]
+        area = width.sum() * step
+        middle = (width * fine).sum() * step / area
+        inertia = (width * (fine - middle) ** 2).sum() * step
+        first = np.cumsum(width * (fine - middle)) * step
+        bends = young * inertia
+        shears = young / 2 / (1 + poisson) * inertia ** 2 / ((first ** 2 / width).sum() * step)
+        wave = 2 * np.pi * np.arange(20000) / period
+        part = np.where(wave == 0, 1, 2) * force / period * (1 + bends * wave ** 2 / shears) / (
+            bends * wave ** 4 + foundation * bends * wave ** 2 / shears + foundation)
+        place = [300, 500, 800, 1200, 2000]
+        moved, _ = contact.fields_at(1, [[x, 0, middle] for x in place], "body")
+        for x, u in zip(place, moved[:, 2]):
+            error = (-u - (part * np.cos(wave * x)).sum()) / part.sum()
+            self.assertLess(abs(error), 0.01, f"at {x} mm")
 
 
 if __name__ == "__main__":

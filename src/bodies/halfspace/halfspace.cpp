@@ -11,6 +11,7 @@
 #include "bodies/halfspace/far_field.hpp"
 #include "bodies/halfspace/halfspace_kernel.hpp"
 #include "bodies/halfspace/kernels.hpp"
+#include "bodies/halfspace/near_halfspaces.hpp"
 #include "bodies/halfspace/strip_compliance.hpp"
 #include "bodies/halfspace/unrolled.hpp"
 #include "quadrature/near_field.hpp"
@@ -66,6 +67,10 @@ class HalfspaceCompliance final : public Compliance {
   std::int64_t nodes() const override { return nodes_; }
   bool couples() const override { return c_.ck != 0; }
   std::shared_ptr<const TranslationKernel> translation() const override { return kernel_; }
+  bool near_halfspaces(Points /*points*/, NearHalfspaces& out) const override {
+    out.constants = {out.constants.cn + c_.cn, out.constants.cv + c_.cv, out.constants.ck + c_.ck};
+    return true;
+  }
   std::unique_ptr<Compliance> on_part(const Frame& part) const override {
     return std::make_unique<HalfspaceCompliance>(part, c_, tolerance_, 1);
   }

@@ -108,6 +108,7 @@ struct BodyOptions {
   std::int64_t hex8 = 0;           ///< "hex8": 0 enhanced, 1 B-bar
   std::int64_t prepare = 1;        ///< "prepare": 0 checks only, 1 factorises what is known to be needed
   std::int64_t stations = 0;       ///< "stations": nodes of a section's surface all along its way; 0: by the section's
+  std::int64_t sector = 360;       ///< "sector", degrees: part of a section's way that pictures show
   std::int64_t smooth_slices = 0;  ///< "smooth_slices": 0 splines through the slices of a profile, 1 near to them
   std::int64_t cache_bytes = std::int64_t{1} << 28U;  ///< "cache_bytes": most bytes of responses kept
 };

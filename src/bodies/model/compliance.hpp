@@ -19,6 +19,7 @@ namespace rollcon {
 class Condensed;
 struct Frame;
 class TranslationKernel;
+struct NearHalfspaces;  // bodies/halfspace/near_halfspaces.hpp
 
 /// Names points of the contact surface by their coordinates in the plane of the frame's axes (t1, t2): on a curved
 /// frame, the points of the surface above them. x.size() == y.size().
@@ -96,6 +97,8 @@ class Compliance {
   /// Returns the kernel of displacements that depend on the offset alone, under the frame's own shape functions; null:
   /// they depend on the place.
   virtual std::shared_ptr<const TranslationKernel> translation() const { return nullptr; }
+  /// Adds half-spaces that give most of the displacements of points, and what is left of them. False: has no such form.
+  virtual bool near_halfspaces(Points /*points*/, NearHalfspaces& /*out*/) const { return false; }
   /// Returns the compliance of the same bodies under some elements of the frame, a frame in the same axes, which must
   /// outlive it; null: not known. It uses one thread.
   virtual std::unique_ptr<Compliance> on_part(const Frame& /*part*/) const { return nullptr; }

@@ -16,9 +16,9 @@ struct SurfaceState {
   std::vector<double> traction;
   SurfaceMesh layer;
   std::vector<double> layer_traction;  ///< sections: forces on the stretches of their surface
+  bool loads_alone = false;            ///< true: sections need not find displacements
   // Sections that creep:
   double rate = 0;            ///< angle per time at which they pass by
-  bool power_alone = false;   ///< true: nothing else is wanted
   std::vector<double> power;  ///< power lost in each harmonic, from 0 on
 };
 

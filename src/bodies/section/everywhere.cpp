@@ -47,10 +47,24 @@ StationWeights System::at_stations(bool slopes) const {
   return station_weights(harmonics_, half, offset, slopes);
 }
 
+std::vector<double> System::local_forces(std::span<const double> force, std::int64_t stretch,
+                                         std::size_t function) const {
+  const std::int64_t per_face = section_.quadratic() ? 2 : 1, more[3] = {0, per_face, 1};
+  const std::size_t width = section_.profile().size();
+  const auto axes =
+      section_.axes(static_cast<double>(section_.station(stretch * per_face) + more[function]) * section_.step()).all();
+  std::vector<double> local;
+  for (std::size_t i = 0; i < width; ++i) {
+    const double* given = force.data() + 3 * ((at(stretch) * width + i) * 3 + function);
+    for (const Vec3& axis : axes) local.push_back(given[0] * axis[0] + given[1] * axis[1] + given[2] * axis[2]);
+  }
+  return local;
+}
+
 std::vector<double> System::sampled(std::span<const double> force, double angle, bool slopes,
                                     const StationWeights* known, std::int64_t station) const {
   const std::size_t width = section_.profile().size(), samples = harmonics_.samples().size();
-  const std::int64_t per_face = section_.quadratic() ? 2 : 1, more[3] = {0, per_face, 1}, round = section_.stations();
+  const std::int64_t per_face = section_.quadratic() ? 2 : 1, round = section_.stations();
   const double half = 0.5 * static_cast<double>(per_face) * section_.step();
   std::vector<double> out(12 * width * samples, 0.0), offset;
   std::vector<std::int64_t> stretch, place;  // place: row of the weights
@@ -68,13 +82,7 @@ std::vector<double> System::sampled(std::span<const double> force, double angle,
   const std::int64_t count = known ? round : std::ssize(stretch);
   for (std::size_t k = 0; k < stretch.size(); ++k)
     for (std::size_t f = 0; f < (section_.quadratic() ? 3 : 2); ++f) {
-      const auto axes =
-          section_.axes(static_cast<double>(section_.station(stretch[k] * per_face) + more[f]) * section_.step()).all();
-      std::vector<double> local;  // forces along e1, the way and e2 of each profile node
-      for (std::size_t i = 0; i < width; ++i) {
-        const double* given = force.data() + 3 * ((at(stretch[k]) * width + i) * 3 + f);
-        for (const Vec3& axis : axes) local.push_back(given[0] * axis[0] + given[1] * axis[1] + given[2] * axis[2]);
-      }
+      const std::vector<double> local = local_forces(force, stretch[k], f);
       const std::array<double, 3> coefficient = along_the_way(section_.quadratic(), f);
       for (std::size_t s = 0; s < samples; ++s)
         for (std::size_t v = 0; v < (slopes ? 4 : 2); ++v) {
@@ -108,11 +116,11 @@ std::vector<double> System::sample_everywhere(std::size_t s, int /*threads*/) co
 void System::find_power(SurfaceState& state, const Response& response) const {
   const std::vector<double>& force = state.layer_traction;
   const std::size_t columns = 3 * section_.profile().size(), functions = section_.quadratic() ? 3 : 2;
-  const std::int64_t per_face = section_.quadratic() ? 2 : 1, more[3] = {0, per_face, 1};
+  const std::int64_t per_face = section_.quadratic() ? 2 : 1;
   const double half = 0.5 * static_cast<double>(per_face) * section_.step();
   struct Acting {
     double angle;
-    std::vector<double> of[3];  ///< forces of each shape function along e1, the way and e2 of each profile node
+    std::vector<double> of[3];  ///< local_forces() of each shape function
   };
   std::vector<Acting> acting;
   for (std::int64_t k = 0; 3 * at(k + 1) * columns <= force.size(); ++k) {
@@ -121,14 +129,7 @@ void System::find_power(SurfaceState& state, const Response& response) const {
     const std::int64_t first = section_.station(k * per_face);
     Acting& own = acting.emplace_back();
     own.angle = static_cast<double>(first) * section_.step() + half;
-    for (std::size_t f = 0; f < functions; ++f) {
-      const auto axes = section_.axes(static_cast<double>(first + more[f]) * section_.step()).all();
-      for (std::size_t i = 0; i < columns / 3; ++i)
-        for (const Vec3& axis : axes) {
-          const double* there = given + 3 * (3 * i + f);
-          own.of[f].push_back(there[0] * axis[0] + there[1] * axis[1] + there[2] * axis[2]);
-        }
-    }
+    for (std::size_t f = 0; f < functions; ++f) own.of[f] = local_forces(force, k, f);
   }
   const LineRule rule = gauss_legendre(20);
   state.power.assign(at(harmonics_.most()) + 1, 0.0);
@@ -167,7 +168,7 @@ void System::solve_everywhere(std::span<double> load, SurfaceState& state, int t
   if (creeping_.empty()) lock.unlock();
   state.layer_traction.assign(load.begin(), load.end());
   if (!creeping_.empty()) find_power(state, response);
-  if (state.power_alone) return;
+  if (state.loads_alone) return;
   state.u.assign(3 * at(surface_.nodes()), 0.0);
   const std::size_t width = section_.profile().size();
   const StationWeights known = at_stations(false);

@@ -14,6 +14,17 @@
 namespace rollcon::section {
 namespace {
 
+/// Says whether a point is as near to the middle of an element's nodes as one of the element can be.
+bool may_have(const SweptSection& section, std::int64_t e, double p, double q) {
+  const auto nodes = section.plane().element(e);
+  double sum[2] = {0, 0}, farthest = 0;
+  for (const std::int32_t k : nodes)
+    for (std::size_t c = 0; c < 2; ++c) sum[c] += section.place(k)[c] / static_cast<double>(nodes.size());
+  for (const std::int32_t k : nodes)
+    farthest = std::max(farthest, std::hypot(section.place(k)[0] - sum[0], section.place(k)[1] - sum[1]));
+  return std::hypot(p - sum[0], q - sum[1]) <= 1.5 * farthest;
+}
+
 /// Finds the reference point of an element over a point of the section's plane. False: it is outside, by more than a
 /// millionth.
 bool find_reference(const SweptSection& section, std::int64_t e, double p, double q, double& xi, double& eta) {
@@ -39,77 +50,90 @@ SectionFields::Place SectionFields::find(const Vec3& x, double& angle) const {
   const Vec3 d = x - s.path().origin;
   const double q = dot(d, e2), p = s.revolved() ? std::hypot(dot(d, e1), dot(d, along)) : dot(d, e1);
   angle = s.revolved() ? std::atan2(dot(d, along), dot(d, e1)) : dot(d, along) / s.way(0);
+  constexpr double digits = 1e12;  // points of one station have one angle
+  angle = std::round(angle * digits) / digits;
   Place place;
   for (; place.element < s.plane().elements(); ++place.element)
-    if (find_reference(s, place.element, p, q, place.xi, place.eta)) return place;
+    if (may_have(s, place.element, p, q) && find_reference(s, place.element, p, q, place.xi, place.eta)) return place;
   fail(Status::err_argument, "the point (%.9g, %.9g, %.9g) is outside the body", x[0], x[1], x[2]);
 }
 
-std::vector<SectionFields::Angle> SectionFields::by_angle(std::vector<double> angle,
-                                                          const std::vector<Place>& place) const {
-  std::map<double, Angle> found;
+SectionFields::Stations SectionFields::by_angle(const std::vector<double>& angle,
+                                                const std::vector<Place>& place) const {
+  std::map<double, std::vector<std::int64_t>> found;
+  Stations all;
   for (std::size_t k = 0; k < angle.size(); ++k) {
-    Angle& a = found[angle[k]];
-    a.angle = angle[k];
-    a.point.push_back(static_cast<std::int64_t>(k));
+    found[angle[k]].push_back(static_cast<std::int64_t>(k));
     const auto nodes = system_.section().plane().element(place[k].element);
-    a.node.insert(a.node.end(), nodes.begin(), nodes.end());
+    all.node.insert(all.node.end(), nodes.begin(), nodes.end());
   }
-  std::vector<Angle> all;
-  for (auto& [key, a] : found) {
-    std::sort(a.node.begin(), a.node.end());
-    a.node.erase(std::unique(a.node.begin(), a.node.end()), a.node.end());
-    a.moved.assign(6 * a.node.size(), 0.0);
-    for (std::size_t i = 0; i < 3 * a.node.size() && !own_.empty(); ++i)
-      a.moved[2 * i] = own_[3 * at(a.node[i / 3]) + i % 3];
-    all.push_back(std::move(a));
-  }
+  std::sort(all.node.begin(), all.node.end());
+  all.node.erase(std::unique(all.node.begin(), all.node.end()), all.node.end());
+  for (auto& [key, points] : found) all.angle.push_back(key), all.point.push_back(std::move(points));
+  const auto rows = 2 * std::ssize(all.angle), nodes = std::ssize(all.node);
+  all.moved[0].resize(rows, 2 * nodes), all.moved[1].resize(rows, nodes);
+  for (std::int64_t r = 0; r < rows && !own_.empty(); r += 2)
+    for (std::int64_t i = 0; i < nodes; ++i) {
+      const double* own = own_.data() + 3 * at(all.node[at(i)]);
+      double* across = all.moved[0].row(r) + 2 * i;
+      across[0] = own[0], across[1] = own[2], all.moved[1].row(r)[i] = own[1];
+    }
   return all;
 }
 
-void SectionFields::sum(std::vector<Angle>& angles, int threads) const {
+// Displacements across the way go with the cosine of forces across it and with the sine, of opposite sign, of forces
+// along it; those along the way with the others.
+void SectionFields::sum(Stations& all, int threads) const {
   if (force_.empty()) return;
   const BlasThreads blas(threads);
-  const std::size_t width = 3 * system_.section().profile().size();
-  // By angle, sample and column (kernel, profile node, component): the value, and its derivative.
-  std::vector<std::vector<double>> acting(angles.size());
-  parallel_for(std::ssize(angles), 1, threads,
-               [&](std::int64_t k, int) { acting[at(k)] = system_.sampled(force_, angles[at(k)].angle, true); });
+  const auto width = 3 * std::ssize(system_.section().profile()), nodes = std::ssize(all.node),
+             angles = std::ssize(all.angle);
+  // By angle, sample and column (profile node, component, kernel): the value, and its derivative.
+  std::vector<std::vector<double>> acting(at(angles));
+  parallel_for(angles, 1, threads,
+               [&](std::int64_t k, int) { acting[at(k)] = system_.sampled(force_, all.angle[at(k)], true); });
+  RowMatrix<double> force[2], response[2];
+  for (auto& f : force) f.resize(2 * angles, width);
+  response[0].resize(width, 2 * nodes), response[1].resize(width, nodes);
   for (std::size_t s = 0; s < system_.samples(); ++s) {
     const std::vector<double> everywhere = system_.sample_everywhere(s, threads);  // [column][3 * node + c]
-    const std::size_t rows = everywhere.size() / width;
-    parallel_for(std::ssize(angles), 8, threads, [&](std::int64_t k, int) {
-      Angle& a = angles[at(k)];
-      const double* q = acting[at(k)].data() + 4 * width * s;
-      for (std::size_t b = 0; b < width; ++b) {
-        const double* x = everywhere.data() + b * rows;
-        for (std::size_t i = 0; i < 3 * a.node.size(); ++i) {
-          const double u = x[3 * at(a.node[i / 3]) + i % 3];
-          const bool odd = (i % 3 == 1) != (b % 3 == 1);
-          const double sign = odd && b % 3 == 1 ? -1 : 1;
-          a.moved[2 * i] += sign * u * q[4 * b + (odd ? 1 : 0)];
-          a.moved[2 * i + 1] += sign * u * q[4 * b + (odd ? 3 : 2)];
-        }
+    const std::int64_t rows = std::ssize(everywhere) / width;
+    for (std::int64_t b = 0; b < width; ++b) {
+      const double* x = everywhere.data() + b * rows;
+      for (std::int64_t i = 0; i < nodes; ++i) {
+        const double* here = x + 3 * at(all.node[at(i)]);
+        double* across = response[0].row(b) + 2 * i;
+        across[0] = here[0], across[1] = here[2], response[1].row(b)[i] = here[1];
       }
-    });
+      const bool along = b % 3 == 1;
+      for (std::int64_t r = 0; r < 2 * angles; ++r) {
+        const double* q = acting[at(r / 2)].data() + 4 * (width * static_cast<std::int64_t>(s) + b) + 2 * (r % 2);
+        force[0].row(r)[b] = along ? -q[1] : q[0];
+        force[1].row(r)[b] = along ? q[0] : q[1];
+      }
+    }
+    for (std::size_t c = 0; c < 2; ++c) add_product(force[c], response[c], all.moved[c]);
   }
 }
 
-void SectionFields::evaluate(const Angle& angle, const Place& place, Vec3* moved, double* stress) const {
+void SectionFields::evaluate(const Stations& all, std::size_t k, const Place& place, Vec3* moved,
+                             double* stress) const {
   const SweptSection& s = system_.section();
   const auto nodes = s.plane().element(place.element);
   const PlanePoint here = plane_point(s, place.element, place.xi, place.eta);
   double u[3] = {}, by_angle[3] = {}, g[3][3] = {};  // g: derivative of component c along axis d
   for (std::size_t a = 0; a < nodes.size(); ++a) {
-    const auto i = at(std::lower_bound(angle.node.begin(), angle.node.end(), nodes[a]) - angle.node.begin());
+    const auto i = std::lower_bound(all.node.begin(), all.node.end(), nodes[a]) - all.node.begin();
     for (std::size_t c = 0; c < 3; ++c) {
-      const double value = angle.moved[2 * (3 * i + c)];
+      const RowMatrix<double>& part = all.moved[c % 2];
+      const std::int64_t row = 2 * static_cast<std::int64_t>(k), column = c == 1 ? i : 2 * i + (c == 2);
+      const double value = part.row(row)[column];
       u[c] += here.value[a] * value;
-      by_angle[c] += here.value[a] * angle.moved[2 * (3 * i + c) + 1];
+      by_angle[c] += here.value[a] * part.row(row + 1)[column];
       g[c][0] += here.dp[a] * value, g[c][2] += here.dq[a] * value;
     }
   }
-  const auto axes = s.axes(angle.angle).all();
+  const auto axes = s.axes(all.angle[k]).all();
   if (moved) *moved = u[0] * axes[0] + u[1] * axes[1] + u[2] * axes[2];
   if (!stress) return;
   const double wave = 1 / s.way(std::max(here.p, 1e-12 * s.way(1))), curve = s.revolved() ? wave : 0;
@@ -126,8 +150,8 @@ void SectionFields::evaluate(const Angle& angle, const Place& place, Vec3* moved
       for (std::size_t x = 0; x < 3; ++x)
         for (std::size_t y = 0; y < 3; ++y) t[x][y] += axes[a][x] * local * axes[b][y];
     }
-  const double all[6] = {t[0][0], t[1][1], t[2][2], t[0][1], t[0][2], t[1][2]};
-  std::copy(all, all + 6, stress);
+  const double found[6] = {t[0][0], t[1][1], t[2][2], t[0][1], t[0][2], t[1][2]};
+  std::copy(found, found + 6, stress);
 }
 
 void SectionFields::at_points(std::int64_t n, const double* xyz, double* displacement, double* stress,
@@ -136,12 +160,12 @@ void SectionFields::at_points(std::int64_t n, const double* xyz, double* displac
   std::vector<Place> place;
   for (std::int64_t k = 0; k < n; ++k)
     place.push_back(find({xyz[3 * k], xyz[3 * k + 1], xyz[3 * k + 2]}, angle[at(k)]));
-  std::vector<Angle> angles = by_angle(std::move(angle), place);
-  sum(angles, threads);
-  for (const Angle& a : angles)
-    for (const std::int64_t k : a.point) {
+  Stations all = by_angle(angle, place);
+  sum(all, threads);
+  for (std::size_t a = 0; a < all.angle.size(); ++a)
+    for (const std::int64_t k : all.point[a]) {
       Vec3 moved;
-      evaluate(a, place[at(k)], &moved, stress ? stress + 6 * k : nullptr);
+      evaluate(all, a, place[at(k)], &moved, stress ? stress + 6 * k : nullptr);
       if (displacement) std::copy(moved.begin(), moved.end(), displacement + 3 * k);
     }
 }
@@ -169,13 +193,13 @@ void SectionFields::at_nodes(double* stress, int threads) const {
       }
     }
   }
-  std::vector<Angle> angles = by_angle(std::move(angle), place);
-  sum(angles, threads);
+  Stations all = by_angle(angle, place);
+  sum(all, threads);
   std::fill_n(stress, 6 * width * stations, 0.0);
-  for (const Angle& a : angles)
-    for (const std::int64_t k : a.point) {
+  for (std::size_t a = 0; a < all.angle.size(); ++a)
+    for (const std::int64_t k : all.point[a]) {
       double own[6];
-      evaluate(a, place[at(k)], nullptr, own);
+      evaluate(all, a, place[at(k)], nullptr, own);
       for (std::size_t c = 0; c < 6; ++c) stress[6 * target[at(k)] + c] += own[c] / count[target[at(k)] % width];
     }
 }

@@ -24,19 +24,19 @@ class SectionFields final : public BodyFields {
     std::int64_t element = 0;
     double xi = 0, eta = 0;
   };
-  /// Holds the points asked for at one angle, and their answers: displacements of plane nodes along e1, the way and e2,
-  /// each with its derivative by the angle, from [2 * (3 * i + c)] on.
-  struct Angle {
-    double angle = 0;
-    std::vector<std::int64_t> point;
+  /// Holds the points asked for by their angles, ascending, and displacements of plane nodes there: at each angle a row
+  /// of values, and one of derivatives by the angle.
+  struct Stations {
+    std::vector<double> angle;
+    std::vector<std::vector<std::int64_t>> point;
     std::vector<std::int32_t> node;  ///< ascending
-    std::vector<double> moved;
+    RowMatrix<double> moved[2];      ///< along e1 and e2, in turn; along the way
   };
-  void sum(std::vector<Angle>& angles, int threads) const;
-  /// Returns stress[6] in the body's axes and the displacement.
-  void evaluate(const Angle& angle, const Place& place, Vec3* moved, double* stress) const;
+  void sum(Stations& all, int threads) const;
+  /// Returns stress[6] in the body's axes and the displacement at the angle of number k.
+  void evaluate(const Stations& all, std::size_t k, const Place& place, Vec3* moved, double* stress) const;
   Place find(const Vec3& x, double& angle) const;
-  std::vector<Angle> by_angle(std::vector<double> angle, const std::vector<Place>& place) const;
+  Stations by_angle(const std::vector<double>& angle, const std::vector<Place>& place) const;
 
   const System& system_;
   std::vector<double> force_, own_;

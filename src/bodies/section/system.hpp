@@ -91,6 +91,9 @@ class System final : public ResponseCache {
   void solve_creeping(Response& response, int threads);
   void find_power(SurfaceState& state, const Response& response) const;
   OwnLoads solve_own_load(const BodyMesh& loaded) const;
+  /// Returns forces, numbered as load() does, of one shape function on a stretch along e1, the way and e2 of each
+  /// profile node.
+  std::vector<double> local_forces(std::span<const double> force, std::int64_t stretch, std::size_t function) const;
   std::vector<std::int64_t> profile_unknowns() const;
   void find_sources(std::span<const std::int64_t> face, std::span<const std::int32_t> node,
                     const RowMatrix<double>& traction, std::vector<Source>& source, RowMatrix<double>& acting) const;

@@ -156,7 +156,7 @@ void estimate(const Solution& s, ErrorEstimate& e) {
   // A comparison of two discretisations of an edge says nothing about a contact.
   if (too_few_nodes(s)) return;
   if (s.prepared->problem.op->on_lattice()) return estimate_on_lattice(s, e);
-  if (s.prepared->problem.op->all_at_once()) return estimate_on_large_frame(s, e);
+  if (applies_half_spaces(s)) return estimate_on_large_frame(s, e);
   const Sums whole = sums_of(s, solution);
   const bool characteristic = s.prepared->scheme == Scheme::characteristic;
 

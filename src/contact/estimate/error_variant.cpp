@@ -113,9 +113,13 @@ void Variant::move_given_slip(const Solution& s) {
   }
 }
 
+bool applies_half_spaces(const Solution& s) {
+  return s.prepared->problem.op->all_at_once() && s.prepared->compliance->translation() != nullptr;
+}
+
 void Variant::assemble(const Solution& s, bool tangential) {
   frictionless_ = !tangential;
-  if (s.prepared->problem.op->all_at_once()) {
+  if (applies_half_spaces(s)) {
     compliance_ = s.prepared->compliance->on_part(space_->frame);
     problem_.op = std::make_shared<HierarchicalOperator>(space_->frame, *compliance_, problem_.convection, tangential,
                                                          good_enough * tolerance, 1);
@@ -123,8 +127,9 @@ void Variant::assemble(const Solution& s, bool tangential) {
     return set_scales(problem_);
   }
   const auto op = std::make_shared<DenseOperators>();
-  // A monolithic solve has no rows to take.
-  if (s.prepared->problem.op->normal) take_normal_rows(*s.prepared->problem.op, *space_, *op);
+  // A monolithic solve has no rows to take, and neither have corrected lattices.
+  const Operators& rows = *s.prepared->problem.op;
+  if (rows.normal && !rows.all_at_once()) take_normal_rows(rows, *space_, *op);
   assemble_operators(space_->frame, *compliance_, problem_.convection, tangential, *op);
   op->loosen_held_tangents(problem_.used, !problem_.convection.ahead.empty());
   if (tangential && s.prepared->scheme != Scheme::time_step) move_given_slip(s);

@@ -11,6 +11,9 @@ namespace rollcon {
 
 struct Solution;
 
+/// Says whether the solution's operators are those of half-spaces whose rows are not formed.
+bool applies_half_spaces(const Solution& solution);
+
 class Variant {
  public:
   /// Keeps the solution's nodes in contact alone, with tangential rows by the characteristic scheme. tangential: false

@@ -6,6 +6,7 @@
 
 #include "contact/newton/nested_start.hpp"
 #include "contact/operators/hierarchical/hierarchical_operator.hpp"
+#include "contact/operators/lattice/corrected_lattice.hpp"
 #include "contact/operators/lattice/lattice_dense.hpp"
 #include "contact/operators/lattice/lattice_operator.hpp"
 #include "contact/prepare/preparation.hpp"
@@ -21,6 +22,8 @@ namespace {
 constexpr std::int64_t fft_from = 400;
 // Hierarchical operators take less time than matrices from so many nodes on (docs/speed.md).
 constexpr std::int64_t hierarchical_from = 4000;
+// Matrices of bodies that are nearly half-spaces take less time up to here (docs/sections.md).
+constexpr std::int64_t corrected_from = 1000;
 
 // Says why a table of one node's influence does not serve for all; null: it does.
 const char* obstacle_to_table(const Prepared& on) {
@@ -71,6 +74,31 @@ std::shared_ptr<const Operators> make_hierarchical(const Prepared& on, int threa
                                                 on.accuracy, threads);
 }
 
+// Says whether the frame is a lattice on which bodies may be half-spaces with a correction.
+bool may_be_corrected(const Preparation& preparation, const std::string& asked) {
+  const Prepared& on = *preparation.made;
+  const Procedure& procedure = preparation.procedure;
+  return asked == "auto" && has_fft() && !on.compliance->translation() && on.frame.nodes() >= corrected_from &&
+         on.lattice && on.lattice->has_inner_node() && !on.frame.curved() && on.scheme != Scheme::time_step &&
+         !procedure.monolithic && procedure.standard() && procedure.linear != LinearMethod::lu;
+}
+
+// Returns null where the bodies have no such form.
+std::shared_ptr<const Operators> make_corrected(const Prepared& on) {
+  const Convection& convection = on.problem.convection;
+  std::vector<double> x = on.frame.x, y = on.frame.y;
+  for (std::size_t k = 0; k < convection.ahead.size(); ++k)
+    x.push_back(on.frame.x[k] + convection.ahead[k]), y.push_back(on.frame.y[k]);
+  NearHalfspaces near;
+  if (!on.compliance->near_halfspaces({x, y}, near)) return nullptr;
+  const double delta = convection.ahead.empty() ? 0 : characteristic_step * on.lattice->spacing_along_flow();
+  auto half_spaces = std::make_shared<LatticeOperator>(
+      *on.lattice, make_halfspace_compliance(on.frame, near.constants, on.accuracy, 1)->translation(), delta,
+      convection.rows);
+  half_spaces->tangential = !on.frictionless;
+  return std::make_shared<CorrectedLattice>(std::move(half_spaces), near, convection, on.accuracy);
+}
+
 // Forgets rows that are of another kind than is needed now.
 void forget_rows(Preparation& preparation) {
   forget_operators(preparation);
@@ -113,6 +141,19 @@ void build_lattice_operators(Preparation& preparation, const Options& options) {
       !fft && !no_hierarchy && (asked == "hierarchical" || (any && on.frame.nodes() >= hierarchical_from));
   choose_table(preparation, !fft && !hierarchy && !no_table && (any || asked == "table"));
   const bool formed = preparation.dense != nullptr;
+  const bool corrected = !fft && !hierarchy && may_be_corrected(preparation, asked);
+  if (corrected && !formed && (on.problem.op->tangential || on.frictionless)) return;
+  if (corrected && (!formed || !preparation.dense->normal)) {
+    const Stopwatch watch(preparation.timings.compliance);
+    if (auto op = make_corrected(on)) {
+      forget_rows(preparation);
+      on.problem.op = std::move(op);
+      preparation.dense.reset();
+      preparation.changes.images = true;
+      ++preparation.rows;
+      return;
+    }
+  }
   if (!fft && !hierarchy) return formed ? void() : forget_rows(preparation);
   const bool kept = !formed && on.problem.op->on_lattice() == fft;
   if (kept && (on.problem.op->tangential || on.frictionless)) return;
@@ -199,6 +240,8 @@ std::string describe_lattice(const Prepared& on) {
            "integrals" +
            describe_flaws(on);
   const Operators& op = *on.problem.op;
+  if (op.all_at_once() && !on.compliance->translation())
+    return "operators: half-spaces on a regular grid, applied by FFT, and a correction of low rank for the bodies";
   if (op.all_at_once() && !op.on_lattice()) {
     char text[200];
     std::snprintf(text, sizeof text,
