@@ -45,7 +45,7 @@ rollcon_belongs("bodies/bem/" BEM)
 rollcon_stands_for(bodies/bem_absent.cpp BEM)
 
 # Both kinds of elastic bodies with a mesh use these; rigid ones need none of it.
-rollcon_belongs("bodies/(meshed_|remainder_|frame_on_body|model/(response_cache|saved_responses|supports))" FEM BEM)
+rollcon_belongs("bodies/(displacement_beside|meshed_|remainder_|frame_on_body|model/(response_cache|saved_responses|supports))" FEM BEM)
 rollcon_stands_for(bodies/meshed_absent.cpp FEM BEM)
 
 rollcon_belongs("procedures/" PROCEDURES)

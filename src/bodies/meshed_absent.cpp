@@ -1,6 +1,7 @@
 /// Stands for what elastic bodies with a mesh share in a build without finite and boundary elements. No call gets here:
 /// there is no such body. Rigid bodies with a mesh need none of it.
 
+#include "bodies/displacement_beside.hpp"
 #include "bodies/meshed_compliance.hpp"
 #include "bodies/model/supports.hpp"
 #include "support/error.hpp"
@@ -18,6 +19,11 @@ namespace {
 
 std::unique_ptr<Compliance> make_meshed_compliance(const Frame& /*frame*/, const PairOfBodies& /*pair*/, int /*which*/,
                                                    double /*accuracy*/, int /*threads*/) {
+  refuse();
+}
+
+Vec3 displacement_beside(const Frame& /*frame*/, const PairOfBodies& /*pair*/, int /*which*/,
+                         std::span<const double> /*traction*/, const Vec3& /*x*/) {
   refuse();
 }
 

@@ -111,7 +111,7 @@ void PatchContact::solve_contact(const Fineness& fineness) {
   now_.on_strips = may_fit && solve_on_strips(fineness);
   if (now_.on_strips) return;
   now_.place = place();
-  put_frame(fineness.lattice, now_.place);
+  put_frame(contact_->scene, fineness.lattice, now_.place, false);
   contact_->solver->forget_all_but_tractions();
   now_.status = contact_->solver->solve();
 }
@@ -150,7 +150,7 @@ Status PatchContact::show() const {
   if (!now_.on_strips || shown_) return now_.status;
   shown_ = true;
   if (now_.status != Status::no_contact) return strips_->show(*contact_->solver, strips_->seconds());
-  put_frame(now_.lattice, place());
+  put_frame(contact_->scene, now_.lattice, place(), false);
   return contact_->solver->solve();
 }
 
@@ -245,7 +245,7 @@ void PatchContact::return_to(const Kept& kept) {
   now_.solves = ++solves_;
   shown_ = false;
   if (now_.whole) {
-    solve_whole(now_.normal);
+    solve_whole(now_.normal, now_.alone);
     return;
   }
   if (now_.on_strips) {
@@ -266,7 +266,7 @@ void PatchContact::return_to(const Kept& kept) {
   }
   stand(now_.motion);
   prescribe(now_.give_way, now_.friction);
-  put_frame(kept.state.lattice, kept.state.place);
+  put_frame(contact_->scene, kept.state.lattice, kept.state.place, false);
   contact_->solver->return_to(kept.solution);
 }
 
@@ -339,12 +339,11 @@ void PatchContact::place_bodies(Scene& scene, const std::array<Pose, 2>& place) 
   set_velocity(scene, 2, now_.axes, motion.rail);
 }
 
-void PatchContact::put_frame(const LatticeSize& size, const FramePlace& place) const {
-  Scene& scene = contact_->scene;
+void PatchContact::put_frame(Scene& scene, const LatticeSize& size, const FramePlace& place, bool given) {
   scene.options.set_int("conformal", size.conformal ? 1 : 0);
   scene.set_made_frame(rectangle_mesh({}, ElementType::quad4, size.along, size.across,
                                       {-place.length, place.length, -place.width, place.width}),
-                       true, false);
+                       true, given);
 }
 
 // Returns the box of the overlap about the middle of the axes.

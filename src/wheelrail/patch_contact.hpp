@@ -76,10 +76,13 @@ class PatchContact {
   Status solve(const OverlapPatch& patch, const WheelMotion& motion, const PatchFriction& friction,
                const Fineness& fineness, double give_way);
   /// Solves the contact of the whole bodies under a normal force, about where solve() found the half-spaces, on a frame
-  /// that fits it. The results are this contact's then. Starts from nothing.
-  Status solve_whole(double normal);
+  /// that fits it. The results are this contact's then. Starts from nothing. alone: no other patch is near, and the
+  /// frame may be an automatic one; else it is a lattice over the overlap.
+  Status solve_whole(double normal, bool alone);
   /// Returns how much farther than the overlap the whole bodies have come together along the normal.
   double farther() const { return now_.farther; }
+  /// Returns how far the forces of solve_whole() move the bodies apart at another patch, along its normal.
+  double parts(const OverlapPatch& there) const;
   void reset();  ///< forgets everything solved before
 
   /// Holds everything that a later solve or result depends on.
@@ -158,6 +161,7 @@ class PatchContact {
     Status status = Status::ok;
     bool by_table = false, hertzian = false;
     bool whole = false;              ///< solve_whole() has solved last
+    bool alone = true;               ///< what it was told
     double normal = 0, farther = 0;  ///< force that it was given, and what it found
     double hertzian_pressure = 0, hertzian_area = 0;
     double table_power = 0;       ///< power of friction by the table
@@ -172,7 +176,7 @@ class PatchContact {
   Contact& solved() const { return now_.whole ? *whole_ : *contact_; }
   void stand(const WheelMotion& motion);
   bool take_hertzian_results(const PatchFriction& friction, double give_way);
-  void put_frame(const LatticeSize& size, const FramePlace& place) const;
+  static void put_frame(Scene& scene, const LatticeSize& size, const FramePlace& place, bool given);
   FramePlace place() const;
   Rectangle box() const;
   void stand_nearby(const Nearby& nearby);

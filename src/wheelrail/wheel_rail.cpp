@@ -135,7 +135,7 @@ Status WheelRail::solve_at(double z) {
   else if (deepest > too_deep * radius_)
     worst = Status::too_deep;
   for (const OverlapPatch& patch : found_) active_.push_back(&slot_for(patch));
-  if (active_.size() == 1) active_.front()->give_way = 0;
+  if (active_.size() == 1 && !has_sections()) active_.front()->give_way = 0;
   // A few rounds settle what patches give way under each other, a small part of their overlap.
   constexpr int most_rounds = 30;
   constexpr double settled = 1e-6;
@@ -146,7 +146,7 @@ Status WheelRail::solve_at(double z) {
     }
     for (std::size_t i = 0; i < active_.size() && !cancelled(); ++i) solve_patch(*active_[i], found_[i], motion);
     double change = 0;
-    if (active_.size() > 1)
+    if (active_.size() > 1 && !has_sections())
       for (Slot* slot : active_) {
         const double now = give_way_under_others(*slot);
         change = std::max(change, std::abs(now - slot->give_way) / slot->contact.overlap().overlap);
@@ -267,8 +267,7 @@ Status WheelRail::meet_force() {
 }
 
 Status WheelRail::find_height() {
-  if (!has_sections()) return find_height_of_half_spaces();
-  return in_.by_force ? solve_sections(find_height_of_half_spaces()) : meet_height_of_sections();
+  return has_sections() ? find_height_of_sections() : find_height_of_half_spaces();
 }
 
 Status WheelRail::find_height_of_half_spaces() {

@@ -212,8 +212,23 @@ class WheelRail {
   bool has_sections() const { return given_wheel_->traits().section || given_rail_->traits().section; }
   WholeBodies whole_bodies() const;
   void refuse_for_sections() const;
-  Status meet_height_of_sections();
-  Status solve_sections(Status half_spaces);
+  /// Holds what the forces of each patch, over its normal force, move each patch apart beyond its half-spaces:
+  /// apart[i * slots + j] is patch i under patch j.
+  struct Flexibility {
+    std::vector<Slot*> slot;
+    std::vector<double> apart;
+  };
+  /// Holds changes of the half-spaces' depths, and how much lower than these the wheelset is then.
+  struct DepthStep {
+    bool solved = false;
+    std::vector<double> deeper;
+    double down = 0, largest = 0;
+  };
+  std::vector<Slot*> pressed() const;
+  Status find_height_of_sections();
+  Status solve_sections(Flexibility& found);
+  DepthStep step_of_depths(const Flexibility& flexibility) const;
+  double take(const DepthStep& step, const Flexibility& flexibility) const;
   Status find_pitch_rate();
   Status find_deflection();
   void tell(Status status) const;

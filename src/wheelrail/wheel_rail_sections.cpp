@@ -1,33 +1,41 @@
 /// Solves wheels and rails by a section. Half-spaces say where the wheel touches once the bodies have given way and how
-/// hard it presses there; the bodies then carry that force and say how far they gave way (docs/wheelrail.md).
+/// hard it presses there; the bodies then carry these forces and say how far they gave way (docs/wheelrail.md).
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "bodies/displacement_beside.hpp"
+#include "contact/solver.hpp"
 #include "support/error.hpp"
-#include "wheelrail/false_position.hpp"
+#include "support/index.hpp"
+#include "support/small_system.hpp"
 #include "wheelrail/wheel_rail.hpp"
 
 namespace rollcon {
 namespace {
 
 constexpr int most = 20;  // solves for a force or a height
+constexpr std::size_t most_patches = 8;
 
-/// Returns the x with x + given (x / sink)^1.5 = depth: forces of half-spaces grow about so.
-double next_sink(double sink, double given, double depth) {
-  const auto beyond = [&](double x) { return x + given * std::pow(x / sink, 1.5) - depth; };
-  return false_position(0.0, -depth, 2 * depth, beyond(2 * depth), beyond,
-                        [&](double v) { return std::abs(v) <= 1e-9 * depth; });
+/// Returns how much nearer the patch's surfaces come for a length that the wheelset sinks.
+double rise_of(const OverlapPatch& patch) {
+  return -patch.normal[2];
 }
 
 }  // namespace
 
-Status PatchContact::solve_whole(double normal) {
+Status PatchContact::solve_whole(double normal, bool alone) {
   now_.solves = ++solves_;
   now_.normal = normal;
   now_.on_strips = shown_ = false;
   now_.whole = true;
+  now_.alone = alone;
   whole_->reset();
+  if (alone)
+    whole_->scene.forget_frame();
+  else
+    put_frame(whole_->scene, now_.lattice, place(), true);
   place_bodies(whole_->scene, whole_place_);
   give_friction(whole_->scene);
   whole_->scene.prescribe(static_cast<std::int32_t>(Direction::normal), static_cast<std::int32_t>(How::by_force),
@@ -39,6 +47,32 @@ Status PatchContact::solve_whole(double normal) {
   whole_->motion(&now_.farther, nullptr);
   take_results(force, moment);
   return now_.status;
+}
+
+double PatchContact::parts(const OverlapPatch& there) const {
+  const Solution& on = whole_->solver->solution();
+  const Frame& frame = on.prepared->frame;
+  std::vector<double> traction(3 * frame.x.size());
+  for (std::size_t k = 0; k < traction.size(); ++k) traction[k] = on.iterate.lambda[k % 3][k / 3];
+  const auto turned = [this](const Vec3& v) {
+    return Vec3{dot(v, now_.axes.t1), dot(v, now_.axes.t2), dot(v, now_.axes.n)};
+  };
+  const Vec3 place = turned(there.reference - now_.axes.origin), normal = turned(there.normal);
+  double apart = 0;
+  for (const int b : {0, 1}) {
+    Vec3 moved{0, 0, 0};
+    if (on.prepared->pair.body[at(b)]->meshed()) {
+      moved = displacement_beside(frame, on.prepared->pair, b, traction, place);
+    } else {
+      const Vec3 d = place - frame.axes.origin;
+      const double xy[2] = {dot(d, frame.axes.t1), dot(d, frame.axes.t2)};
+      Vec3 local;
+      whole_->displacements_at(b + 1, 1, xy, local.data());
+      moved = local[0] * frame.axes.t1 + local[1] * frame.axes.t2 + local[2] * frame.axes.n;
+    }
+    apart += (b == 0 ? 1 : -1) * dot(moved, normal);
+  }
+  return apart;
 }
 
 // A section has y of its profile, and z: from the axle, or of the rail's profile.
@@ -73,61 +107,134 @@ void WheelRail::refuse_for_sections() const {
          radius_, least * own, largest * own, own);
 }
 
-Status WheelRail::solve_sections(Status half_spaces) {
-  Slot* pressed = nullptr;
-  int patches = 0;
-  for (Slot* slot : active_)
-    if (slot->contact.status() != Status::no_contact) pressed = slot, ++patches;
-  if (patches == 0 || half_spaces == Status::cancelled || half_spaces == Status::not_converged ||
-      half_spaces == Status::too_deep)
-    return half_spaces;
-  if (patches > 1)
+// Solves the whole bodies under the forces of the half-spaces. They carry the vertical force together.
+Status WheelRail::solve_sections(Flexibility& found) {
+  constexpr double tolerance = 1e-6;
+  found.slot = pressed();
+  const std::size_t n = found.slot.size();
+  if (n > most_patches)
     fail(Status::err_unsupported,
          "the wheel touches its rail in %d patches (z of the half-spaces is %g), but the wheel or the rail is a "
-         "section; "
-         "allowed: one patch",
-         patches, z_);
-  PatchContact& patch = pressed->contact;
-  const double up = patch.overlap().share * -patch.overlap().normal[2];
-  constexpr double tolerance = 1e-6;
-  double normal = dot(patch.force(), patch.overlap().normal);
+         "section; allowed: 1 to %d patches",
+         static_cast<int>(n), z_, static_cast<int>(most_patches));
+  std::vector<double> normal;
+  for (const Slot* slot : found.slot) normal.push_back(dot(slot->contact.force(), slot->contact.overlap().normal));
   Status status = Status::ok;
   for (int i = 0; i < most; ++i) {
-    status = patch.solve_whole(normal);
+    status = Status::ok;
+    double carried = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      PatchContact& patch = found.slot[k]->contact;
+      status = worse(status, patch.solve_whole(normal[k], n == 1));
+      if (status == Status::cancelled) return status;
+      carried += patch.overlap().share * rise_of(patch.overlap()) * normal[k];
+    }
     const double off = in_.load - vertical_force();
-    if (!in_.by_force || status == Status::cancelled || std::abs(off) <= tolerance * in_.load) break;
-    normal += off / up;
+    if (!in_.by_force || std::abs(off) <= tolerance * in_.load) break;
+    for (double& force : normal) force *= 1 + off / carried;
   }
-  z_ += patch.farther() / up;
-  return half_spaces == Status::coarse || half_spaces == Status::inaccurate ? status : worse(half_spaces, status);
+  found.apart.assign(n * n, 0.0);
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t i = 0; i < n; ++i) {
+      const PatchContact &there = found.slot[i]->contact, &own = found.slot[j]->contact;
+      const double apart =
+          i == j ? own.farther() + found.slot[i]->give_way : own.overlap().share * own.parts(there.overlap());
+      found.apart[i * n + j] = apart / normal[j];
+    }
+  return status;
 }
 
-// Takes the bodies' own compliance from the last force, and finds the half-spaces' height that belongs to it. Frames
-// that fit a little otherwise move heights by 1e-6 of the depth.
-Status WheelRail::meet_height_of_sections() {
-  constexpr double tolerance = 2e-5, little = 1e-4;
-  const double z = in_.position.z, touch = z + search_->first_touch(motion_at(z).pose), depth = z - touch;
-  on_lattices_ = false;
-  if (!(depth > 0)) return solve_at(z);
-  double sink = std::min(0.25 * depth, little * radius_);
-  Status status = solve_at(touch + sink);
-  for (int i = 0; i < most; ++i) {
-    const double force = vertical_force();
-    status = solve_sections(status);
-    if (!(force > 0) || status == Status::too_deep) return solve_at(z);
-    if (status == Status::cancelled || std::abs(z_ - z) <= tolerance * depth) {
-      z_ = z;
-      return status;
+std::vector<WheelRail::Slot*> WheelRail::pressed() const {
+  std::vector<Slot*> slots;
+  for (Slot* slot : active_)
+    if (slot->contact.status() != Status::no_contact) slots.push_back(slot);
+  return slots;
+}
+
+// Forces grow with the depth to the power 3/2, and the bodies give way by what the flexibility says: a step of Newton's
+// method for the depths of all patches, and for the wheelset's height under a vertical force.
+WheelRail::DepthStep WheelRail::step_of_depths(const Flexibility& flexibility) const {
+  const std::size_t n = flexibility.slot.size();
+  std::array<std::array<double, most_patches + 1>, most_patches + 1> a{};
+  std::array<double, most_patches + 1> b{}, x{}, normal{}, slope{};
+  for (std::size_t i = 0; i < n; ++i) {
+    const Slot& slot = *flexibility.slot[i];
+    normal[i] = dot(slot.contact.force(), slot.contact.overlap().normal);
+    slope[i] = 1.5 * normal[i] / (slot.contact.overlap().overlap - slot.give_way);
+  }
+  const double down = in_.position.z - z_;
+  for (std::size_t i = 0; i < n; ++i) {
+    const OverlapPatch& patch = flexibility.slot[i]->contact.overlap();
+    a[i][i] = 1;
+    b[i] = flexibility.slot[i]->give_way;
+    for (std::size_t j = 0; j < n; ++j) {
+      a[i][j] += flexibility.apart[i * n + j] * slope[j];
+      b[i] -= flexibility.apart[i * n + j] * normal[j];
     }
-    const double compliance = (z_ - touch - sink) / force;
-    double given = compliance * force;
-    for (int k = 0; k < most && std::abs(sink + given - depth) > 0.1 * tolerance * depth; ++k) {
-      sink = next_sink(sink, given, depth);
-      status = solve_at(touch + sink);
-      given = compliance * vertical_force();
+    a[i][n] = -rise_of(patch);
+    a[n][i] = in_.by_force ? patch.share * rise_of(patch) * slope[i] : 0;
+  }
+  if (!in_.by_force) a[n][n] = 1, b[n] = down;
+  DepthStep step;
+  if (!solve_small(n + 1, a, b, x)) return step;
+  step.solved = true;
+  step.down = x[n];
+  for (std::size_t i = 0; i < n; ++i) {
+    const Slot& slot = *flexibility.slot[i];
+    step.deeper.push_back(std::max(x[i], -0.8 * (slot.contact.overlap().overlap - slot.give_way)));
+    step.largest = std::max(step.largest, std::abs(x[i]));
+  }
+  return step;
+}
+
+// Sinks the half-spaces so far that none of them has to come nearer than its overlap.
+double WheelRail::take(const DepthStep& step, const Flexibility& flexibility) const {
+  double down = -INFINITY;
+  for (std::size_t i = 0; i < step.deeper.size(); ++i) {
+    const Slot& slot = *flexibility.slot[i];
+    down = std::max(down, (step.deeper[i] - slot.give_way) / rise_of(slot.contact.overlap()));
+  }
+  for (std::size_t i = 0; i < step.deeper.size(); ++i) {
+    Slot& slot = *flexibility.slot[i];
+    slot.give_way = std::max(0.0, slot.give_way - step.deeper[i] + rise_of(slot.contact.overlap()) * down);
+  }
+  return z_ + down;
+}
+
+// Takes the bodies' own flexibility from the last forces, and finds the half-spaces' depths that belong to it. Frames
+// that fit a little otherwise move heights by 1e-6 of the depth.
+Status WheelRail::find_height_of_sections() {
+  constexpr double tolerance = 2e-5, within = 0.1, little = 1e-4;
+  const double z = in_.position.z;
+  for (const auto& slot : slot_) slot->give_way = 0;
+  on_lattices_ = false;
+  const double depth = in_.by_force ? 0 : -search_->first_touch(motion_at(z).pose);
+  if (!in_.by_force && !(depth > 0)) return solve_at(z);
+  Status half_spaces =
+      in_.by_force ? find_height_of_half_spaces() : solve_at(z - depth + std::min(0.25 * depth, little * radius_));
+  Flexibility flexibility;
+  for (int i = 0; i < most; ++i) {
+    const bool answer = half_spaces != Status::not_converged && half_spaces != Status::too_deep && !pressed().empty();
+    if (!answer || half_spaces == Status::cancelled)
+      return in_.by_force || half_spaces == Status::cancelled ? half_spaces : solve_at(z);
+    const Status status = solve_sections(flexibility);
+    if (status == Status::cancelled) return status;
+    double deepest = 0;
+    for (const Slot* slot : flexibility.slot) deepest = std::max(deepest, slot->contact.overlap().overlap);
+    DepthStep step = step_of_depths(flexibility);
+    if (step.solved && step.largest <= tolerance * std::max(depth, deepest)) {
+      z_ = in_.by_force ? z_ + step.down : z;
+      return half_spaces == Status::coarse || half_spaces == Status::inaccurate ? status : worse(half_spaces, status);
+    }
+    for (int k = 0; k < most && step.solved; ++k) {
+      const double sunk = take(step, flexibility);
+      half_spaces = in_.by_force ? find_height_of_half_spaces() : solve_at(sunk);
+      if (pressed() != flexibility.slot) break;
+      step = step_of_depths(flexibility);
+      if (step.largest <= within * tolerance * std::max(depth, deepest)) break;
     }
   }
-  context_->caveat(Status::not_converged, "z is %.10g for %.10g: no height of the half-spaces was nearer", z_, z);
+  context_->caveat(Status::not_converged, "z is %.10g: no heights of half-spaces were found that fit the sections", z_);
   return Status::not_converged;
 }
 

@@ -319,5 +319,46 @@ class Rail(unittest.TestCase):
             self.assertLess(abs(error), 0.01, f"at {x} mm")
 
 
+class Wheel(unittest.TestCase):
+    """A wheel that touches a rail in two places."""
+
+    def test_two_patches(self):
+        context = rc.Context()
+        y = np.linspace(-50, 50, 201)
+        rail = rc.Body(context, "halfspace")
+        rail.set_elastic(210000, 0.3)
+        rail.set_profile(np.stack([y, np.minimum((y + 22) ** 2 / 600, (y - 22) ** 2 / 500)], 1))
+        forces, heights = [], []
+        for kind in ("halfspace", "section"):
+            wheel = rc.Body(context, kind)
+            wheel.set_elastic(210000, 0.3)
+            if kind == "halfspace":
+                wheel.set_profile([[-50, 0], [50, 0]])
+            else:
+                # The wheel is so thick and wide that it is nearly a half-space.
+                line = [-130, -80, -48, -34, -26, -22, -18, -9, 9, 18, 22, 26, 34, 48, 80, 130]
+                nodes, quads = plane(np.array(line, float), 460 - np.array([360, 200, 110, 60, 30, 14, 6, 0.]))
+                wheel.set_nodes(nodes)
+                wheel.add_elements("quad8", quads, 0)
+                wheel.tag_faces_of_nodes(np.where(nodes[:, 2] > 459.99)[0], 2)
+                wheel.set_contact_faces([2])
+                wheel.set_support(np.where(nodes[:, 2] < 100.01)[0], 7)
+                wheel.revolve([0, 0, 0], [0, 1, 0])
+            handle = rc.WheelRail(context, wheel, rail, "right")
+            handle.set_track(1435, 0, 0)
+            handle.set_wheelset(1435, 0, 460)
+            handle.set_friction(0.3)
+            handle.set_position([0, 0, 0, 0, 0, 0])
+            handle.set_velocity([20000, 0, 0, 0, 0, -20010 / 460])
+            handle.prescribe_vertical("by_force", 120000)
+            self.assertEqual(handle.solve(), 0)
+            self.assertEqual(handle.patch_count, 2)
+            forces.append([handle.patch_stat(k, "normal_force") for k in range(2)])
+            heights.append(handle.stat("z"))
+        self.assertAlmostEqual(sum(forces[1]) / 120000, 1, places=5)
+        np.testing.assert_allclose(forces[1], forces[0], rtol=0.02)
+        self.assertLess(abs(heights[1] / heights[0] - 1), 0.03)
+
+
 if __name__ == "__main__":
     unittest.main()
