@@ -228,6 +228,25 @@ TEST(TimeStep, first_step_from_rest_presses_before_it_shifts) {
   }
 }
 
+// A steady solve after a step in which particles touched is that of a contact without steps.
+TEST(TimeStep, steady_rolling_after_a_growing_contact) {
+  KalkerSpheres stepped(16), fresh(16);
+  for (KalkerSpheres* s : {&stepped, &fresh}) {
+    s->scene().options.set_real("tolerance", 1e-10);
+    s->scene().set_creep(-1e-3, 3e-4, 0);
+  }
+  stepped.scene().set_step(shift_step, 1);
+  for (const double part : {0.2, 1.0}) {
+    stepped.scene().prescribe(3, 2, part * stepped.load);
+    ASSERT_TRUE(is_answer(stepped.contact().solve()));
+  }
+  stepped.scene().set_step(0, 0);
+  for (KalkerSpheres* s : {&stepped, &fresh}) ASSERT_EQ(s->contact().solve(), Status::ok);
+  const double off = largest_difference(fresh.pair.tractions(), stepped.pair.tractions());
+  std::printf("tractions differ by %.1e (bound 1e-6)\n", off);
+  EXPECT_LT(off, 1e-6);
+}
+
 // Rolling steps tell what part of a circle's area rolled in, 2 d / (pi a).
 TEST(TimeStep, area_that_rolls_in) {
   KalkerSpheres s(34);

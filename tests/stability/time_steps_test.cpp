@@ -37,7 +37,7 @@ void walk(const extremes::Scene& base, std::uint32_t seed, int steps, Walk& to) 
   const double h = spacing_of(base.given.frame);
   double distance = 0;
   bool any = false;  // a step was made
-  std::vector<double> before;
+  std::vector<double> before, gap;
   std::function<std::vector<double>(double)> past = [](double) { return std::vector<double>(); };
   for (int k = 0; k < steps; ++k) {
     extremes::Scene scene = base;
@@ -55,7 +55,7 @@ void walk(const extremes::Scene& base, std::uint32_t seed, int steps, Walk& to) 
     ASSERT_EQ(rollcon_contact_set_step(pair->handle(), shift ? ROLLCON_SHIFT_STEP : ROLLCON_ROLLING_STEP, dt), 0);
     // The tractions of the last step that was solved remain the contact's only until the next solve.
     if (any) before = laws::displacements_before(pair->handle(), base.given, distance);
-    scene.given.in_time = laws::TimeStep{distance, dt, before};
+    scene.given.in_time = laws::TimeStep{distance, dt, before, gap};
     const extremes::Ending e = extremes::solve(*pair, scene, false, 300);
     ++to.count[e.status];
     EXPECT_TRUE(e.honest(law_bound)) << "seed " << seed << ", step " << k << ": " << e.law.worst_name() << " "
@@ -72,6 +72,12 @@ void walk(const extremes::Scene& base, std::uint32_t seed, int steps, Walk& to) 
     to.worst = std::max(to.worst, e.law.worst());
     to.iterations += e.iterations;
     to.fallbacks += e.fallbacks;
+    gap.clear();
+    if (e.status == ROLLCON_NO_CONTACT) continue;
+    gap.resize(base.given.frame.node.size());
+    std::int64_t count = 0;
+    const auto room = static_cast<std::int64_t>(gap.size());
+    ASSERT_EQ(rollcon_contact_get_field(pair->handle(), ROLLCON_FIELD_GAP, ROLLCON_LOCAL, room, gap.data(), &count), 0);
   }
 }
 

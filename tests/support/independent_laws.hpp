@@ -20,6 +20,7 @@ namespace rollcon::laws {
 struct TimeStep {
   double distance = 0, dt = 1;
   std::vector<double> before;  ///< what displacements_before() returned; empty: the bodies were at rest
+  std::vector<double> gap;     ///< field GAP after the step before, on the same nodes; empty: not known
 };
 
 /// Holds all that defines a contact except its bodies. Directions are in the order of ROLLCON_LONGITUDINAL, ...

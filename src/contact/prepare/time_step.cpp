@@ -119,13 +119,13 @@ void begin_step(StepHistory& h, const Solution& s, const Scene& scene) {
 }
 
 void carry_past(StepHistory& h, Preparation& preparation, const Scene& scene) {
+  preparation.made->problem.before_touch.clear();
   if (scene.step_kind() == StepKind::steady) return;
   Prepared& on = *preparation.made;
   Problem& p = on.problem;
   const std::size_t n = on.frame.x.size();
   const bool none = !h.last.loaded || on.frictionless, moved = !none && !lies_on(h.last, on, scene);
   for (auto& v : h.carried) v.resize(n);
-  p.before_touch.clear();
   if (!none) {
     if (moved)
       carry_between_frames(h, on, preparation.threads);
