@@ -16,7 +16,7 @@ namespace rollcon {
 namespace {
 
 /// Version, raised whenever a section or the order of unknowns and equations changes.
-constexpr std::uint32_t body_format = 4;
+constexpr std::uint32_t body_format = 5;
 
 constexpr FileKind body_file{{0x89, 'R', 'C', 'B', '\r', '\n', 0x1a, '\n'},
                              "a saved body of rollcon",

@@ -206,14 +206,18 @@ class Checker {
   /// beginning times traction over pressure, and a ratio of tangential to normal compliance. The bodies are isotropic.
   void count_from_touch(std::size_t k, Slip& s) {
     if (!given_.in_time || given_.in_time->distance > 0 || given_.in_time->gap.empty()) return;
-    constexpr double least_ratio = 0.25, most_ratio = 4, certain = 1e-6;
+    constexpr double least_ratio = 0.5, most_ratio = 2, certain = 1e-6;
     const double gap = given_.in_time->gap[k], q1 = result_.traction[3 * k], q2 = result_.traction[3 * k + 1];
     const double square = q1 * q1 + q2 * q2;
     if (!(gap > 0) || !(square > 0)) return;
     const double d1 = result_.slip[2 * k] / velocity() - s.rigid[0] - s.elastic[0];
     const double d2 = result_.slip[2 * k + 1] / velocity() - s.rigid[1] - s.elastic[1];
     const double part = (d1 * q1 + d2 * q2) / square, per = gap / pressure(k);
-    if (gap > certain * u0_ && (part < least_ratio * per || part > most_ratio * per)) laws_.stick = 1;
+    // The ratio shows where that slip is well above rounding of all slip.
+    const double all = std::hypot(s.rigid[0] + s.elastic[0], s.rigid[1] + s.elastic[1]);
+    if (gap > certain * u0_ && per * std::sqrt(square) > certain * all &&
+        (part < least_ratio * per || part > most_ratio * per))
+      laws_.stick = 1;
     s.elastic[0] += part * q1;
     s.elastic[1] += part * q2;
   }

@@ -109,9 +109,10 @@ class LaggingRows final : public LatticeRows {
   void row(std::int64_t j, std::int64_t first, std::int64_t count, double* const (&u)[3][3]) const override;
 
  private:
-  /// Points of a part of a cell or of a panel, with both ends; on lines away from the source every second one will do.
-  static constexpr std::size_t points = 9, few_points = 5;
-  static constexpr double away = 6;  ///< distance of such lines, in cells
+  /// Points of a part of a cell or of a panel, with both ends; on lines away from the source every second one will do,
+  /// far away every fourth.
+  static constexpr std::size_t points = 9, levels = 3;
+  static constexpr double away[levels - 1] = {6, 36};  ///< distances of such lines, in cells
   static constexpr double accuracy = 1e-11;
   /// Keeps so much of the mean ahead, and adds values at the points with these weights.
   struct Step {
@@ -120,7 +121,7 @@ class LaggingRows final : public LatticeRows {
   };
   struct Filter {
     double ratio;
-    std::vector<Step> part, part_away, panel;
+    std::vector<Step> part[levels], panel;
   };
   struct Filtered {
     HalfspaceConstants c;
@@ -133,8 +134,9 @@ class LaggingRows final : public LatticeRows {
   };
   static Step make_step(const Lag& lag, double length, std::size_t n);
   Samples sample(std::int64_t j, std::int64_t low, std::size_t n, int terms) const;
-  void filter_line(const Filter& f, int integral, const Samples& from, std::size_t n, std::int64_t count,
+  void filter_line(const Filter& f, int integral, const Samples& from, std::size_t level, std::int64_t count,
                    double* sum) const;
+  static std::size_t points_of(std::size_t level) { return 1 + ((points - 1) >> level); }
 
   HalfspaceConstants c_;
   int terms_;
@@ -175,11 +177,10 @@ LaggingRows::LaggingRows(HalfspaceConstants c, const std::vector<LaggingBody>& b
   for (const LaggingBody& body : bodies) {
     body_.push_back({body.c, {}});
     for (const Lag& lag : body.lag) {
-      Filter f{lag.ratio, {}, {}, {}};
-      for (std::size_t k = 0; k + 1 < part_.size(); ++k) {
-        f.part.push_back(make_step(lag, part_[k + 1] - part_[k], points));
-        f.part_away.push_back(make_step(lag, part_[k + 1] - part_[k], few_points));
-      }
+      Filter f{lag.ratio, {}, {}};
+      for (std::size_t k = 0; k + 1 < part_.size(); ++k)
+        for (std::size_t level = 0; level < levels; ++level)
+          f.part[level].push_back(make_step(lag, part_[k + 1] - part_[k], points_of(level)));
       for (std::size_t k = 0; k + 1 < panel_.size(); ++k)
         f.panel.push_back(make_step(lag, panel_[k + 1] - panel_[k], points));
       body_.back().filter.push_back(std::move(f));
@@ -213,7 +214,7 @@ LaggingRows::Samples LaggingRows::sample(std::int64_t j, std::int64_t low, std::
 }
 
 /// Adds the filtered integral, times the ratio, for `count` observers from the first sample on.
-void LaggingRows::filter_line(const Filter& f, int integral, const Samples& from, std::size_t n, std::int64_t count,
+void LaggingRows::filter_line(const Filter& f, int integral, const Samples& from, std::size_t level, std::int64_t count,
                               double* sum) const {
   double mean = 0;  // the mean of what lies ahead of a point that walks from the last panel to the first observer
   for (std::size_t k = f.panel.size(); k-- > 0;) {
@@ -221,8 +222,8 @@ void LaggingRows::filter_line(const Filter& f, int integral, const Samples& from
     for (std::size_t q = 0; q < points; ++q)
       mean += f.panel[k].weight[q] * from.panel.integral[integral][k * points + q];
   }
-  const std::vector<Step>& part = n == points ? f.part : f.part_away;
-  const std::size_t parts = part.size(), inner = n - 1;
+  const std::vector<Step>& part = f.part[level];
+  const std::size_t parts = part.size(), inner = points_of(level) - 1;
   const auto cells = static_cast<std::int64_t>(from.part[0].memory.size() / integral_count) - 1;
   for (std::int64_t m = cells - 1; m >= 0; --m)
     for (std::size_t k = parts; k-- > 0;) {
@@ -240,13 +241,14 @@ void LaggingRows::row(std::int64_t j, std::int64_t first, std::int64_t count, do
   const int terms = terms_ & terms_for(u);
   here_.row(j, first, count, line.integral, terms);
   displacements(c_, line, at(count), u, false);
-  const std::size_t n = std::abs(static_cast<double>(j)) * cells_across_ < away ? points : few_points;
-  const Samples from = sample(j, first + shifted_, n, terms);
+  const double apart = std::abs(static_cast<double>(j)) * cells_across_;
+  const auto level = static_cast<std::size_t>(std::upper_bound(away, away + levels - 1, apart) - away);
+  const Samples from = sample(j, first + shifted_, points_of(level), terms);
   for (const Filtered& body : body_) {
     LineIntegrals lagging(at(count));
     for (int i = 0; i < integral_count; ++i) {
       if ((terms & integral_terms(i)) != integral_terms(i)) continue;
-      for (const Filter& f : body.filter) filter_line(f, i, from, n, count, lagging.integral[i]);
+      for (const Filter& f : body.filter) filter_line(f, i, from, level, count, lagging.integral[i]);
     }
     displacements(body.c, lagging, at(count), u, true);
   }

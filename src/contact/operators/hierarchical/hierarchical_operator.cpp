@@ -375,8 +375,10 @@ void HierarchicalOperator::apply(Components wanted, Components columns, std::spa
   gather_moments(columns, lambda, w);
   for (int r = wanted.first; r <= wanted.last; ++r)
     w.series[r].assign(static_cast<std::size_t>(series_.points()) * leaf_.size(), 0.0);
-  parallel_for(threads_, 1, threads_,
-               [&](std::int64_t share, int) { transfer(wanted, columns, static_cast<int>(share), threads_, w); });
+  // Products of matrices round by their sizes: the same shares for any number of threads give the same sums.
+  constexpr int shares = 8;
+  parallel_for(shares, 1, threads_,
+               [&](std::int64_t share, int) { transfer(wanted, columns, static_cast<int>(share), shares, w); });
   hand_down(wanted, w);
   parallel_for(static_cast<std::int64_t>(leaf_.size()), 4, threads_, [&](std::int64_t k, int) {
     if (w.wanted[at(k)] && !leaf_[at(k)].row.empty()) spread(wanted, columns, at(k), lambda, image, w);
