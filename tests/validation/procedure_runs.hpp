@@ -65,7 +65,9 @@ inline void compare_procedures(const std::string& scene, RollingPair& pair, std:
   Procedure{}.apply(pair);
   pair.option("max_iterations", most_iterations);
   pair.reset();
-  ASSERT_EQ(pair.solve(), ROLLCON_OK) << scene << ": the standard procedure";
+  // Bodies of few layers of elements are told, whatever the procedure.
+  const std::int32_t usual = pair.solve();
+  ASSERT_TRUE(usual == ROLLCON_OK || usual == ROLLCON_INACCURATE) << scene << ": the standard procedure";
   const Solution reference = pair.solution();
   std::printf("%s: %zu nodes, %g in contact, %g of them stick; bound %.0e\n", scene.c_str(), reference.nodes(),
               pair.stat("nodes_contact"), pair.stat("nodes_stick"), bound);
@@ -77,10 +79,10 @@ inline void compare_procedures(const std::string& scene, RollingPair& pair, std:
     const double error = traction_difference(pair.solution(), reference);
     std::printf("  %-58s error %8.1e, %3.0f iterations, %5.0f of Krylov, %6.3f s  %s\n", p.name().c_str(), error,
                 pair.stat("iterations"), pair.stat("linear_iterations"), pair.stat("seconds_total"),
-                status == ROLLCON_OK ? "" : "NOT CONVERGED");
+                status == usual ? "" : "NOT CONVERGED");
     const bool listed = std::any_of(failing.begin(), failing.end(), [&](const Failing& f) { return f.covers(p); });
-    EXPECT_EQ(status, listed ? ROLLCON_NOT_CONVERGED : ROLLCON_OK) << scene << ": " << p.name();
-    if (status != ROLLCON_OK) continue;
+    EXPECT_EQ(status, listed ? ROLLCON_NOT_CONVERGED : usual) << scene << ": " << p.name();
+    if (status != usual) continue;
     EXPECT_LE(error, bound) << scene << ": " << p.name();
     worst = std::max(worst, error);
   }
