@@ -33,9 +33,9 @@ std::vector<RollingCase> draw(std::size_t count, std::uint32_t seed, double shea
 std::vector<Forces> solve(const std::vector<RollingCase>& drawn, const closed_forms::Elastic& body1,
                           const std::optional<closed_forms::Elastic>& body2, double accuracy, int threads);
 
-/// Returns the forces of bodies of steel's shear modulus and each case's Poisson's ratio by two frames of strips on the known ellipse, `finer` and twice `finer` times
-/// as fine as those of the standard table, extrapolated. Their error under full sliding, which has an integral, is
-/// taken off times s^3.
+/// Returns the forces of bodies of steel's shear modulus and each case's Poisson's ratio by two frames of strips on the
+/// known ellipse, `finer` and twice `finer` times as fine as those of the standard table, extrapolated. Their error
+/// under full sliding, which has an integral, is taken off times s^3.
 std::vector<Forces> solve_on_strips(const std::vector<RollingCase>& drawn, double finer, int threads);
 
 }  // namespace rolling_cases

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "framing/strips/field_sum.hpp"
 #include "framing/strips/strip_results.hpp"
 #include "linalg/blas_threads.hpp"
 #include "support/clock.hpp"
@@ -227,41 +228,15 @@ Rates StripFrames::rates(const StripParameter& by) {
   return rates_of(rate);
 }
 
-namespace {
-
-/// Takes differences of two fields over a distance; a field that is not there is 0.
-struct FieldRate : PlaneField {
-  const PlaneField *before = nullptr, *behind = nullptr;
-  double distance = 1;
-  mutable std::vector<double> one;
-  mutable std::vector<Vec2> one_slope;
-
-  void at(std::span<const Vec2> point, double* value, Vec2* slope) const override {
-    std::fill_n(value, point.size(), 0.0);
-    if (slope) std::fill_n(slope, point.size(), Vec2{});
-    one.resize(point.size());
-    one_slope.resize(point.size());
-    for (const auto& [field, sign] : {std::pair{before, -1.0}, {behind, 1.0}}) {
-      if (!field) continue;
-      field->at(point, one.data(), slope ? one_slope.data() : nullptr);
-      for (std::size_t i = 0; i < point.size(); ++i) {
-        value[i] += sign / distance * one[i];
-        if (slope) slope[i] = slope[i] + (sign / distance) * one_slope[i];
-      }
-    }
-  }
-};
-
-}  // namespace
-
 Rates StripFrames::rates(const StripGivens& before, const StripGivens& behind, double distance) {
   const StripScene &a = before.scene(), &b = behind.scene();
   StripParameter by;
-  FieldRate gap, slip[2], friction;
-  const auto set = [&](FieldRate& rate, const PlaneField* from, const PlaneField* to) {
-    rate.before = from;
-    rate.behind = to;
-    rate.distance = distance;
+  FieldSum gap, slip[2], friction;
+  const auto set = [&](FieldSum& rate, const PlaneField* from, const PlaneField* to) {
+    rate.field[0] = from;
+    rate.field[1] = to;
+    rate.factor[0] = -1 / distance;
+    rate.factor[1] = 1 / distance;
     return from || to ? &rate : nullptr;
   };
   by.gap = set(gap, a.gap, b.gap);

@@ -11,8 +11,9 @@
 namespace rollcon {
 
 bool LoadedSurface::operator==(const LoadedSurface& other) const {
-  return rate == other.rate && slope == other.slope && face == other.face && row == other.row && layer.node == other.layer.node &&
-         layer.type == other.layer.type && layer.connectivity == other.layer.connectivity;
+  return rate == other.rate && slope == other.slope && face == other.face && row == other.row &&
+         layer.node == other.layer.node && layer.type == other.layer.type &&
+         layer.connectivity == other.layer.connectivity;
 }
 
 void ResponseCache::set_outline(const LoadedSurface& surface, SurfaceOutline& outline) const {

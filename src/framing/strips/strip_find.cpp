@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "framing/hertz.hpp"
+#include "framing/strips/field_sum.hpp"
 
 namespace rollcon::strips {
 namespace {
@@ -312,32 +313,6 @@ StripReport StripFinder::find(const StripScene& scene, const Rectangle& box, Str
   return report;
 }
 
-namespace {
-
-/// Gives a field plus a multiple of another one; fields that are not there are 0.
-struct ShiftedField : PlaneField {
-  const PlaneField *field = nullptr, *rate = nullptr;
-  double step = 0;
-  mutable std::vector<double> more;
-  mutable std::vector<Vec2> more_slope;
-
-  void at(std::span<const Vec2> point, double* value, Vec2* slope) const override {
-    std::fill_n(value, point.size(), 0.0);
-    if (slope) std::fill_n(slope, point.size(), Vec2{});
-    if (field) field->at(point, value, slope);
-    if (!rate) return;
-    more.resize(point.size());
-    more_slope.resize(point.size());
-    rate->at(point, more.data(), more_slope.data());
-    for (std::size_t i = 0; i < point.size(); ++i) {
-      value[i] += step * more[i];
-      if (slope) slope[i] = slope[i] + step * more_slope[i];
-    }
-  }
-};
-
-}  // namespace
-
 bool StripFinder::rates(const StripScene& scene, const StripState& state, std::span<const StripParameter> parameter,
                         std::span<StripTotals> rate, std::span<double> share_rate) {
   if (!solver_.rates(scene, state, parameter, rate, share_rate)) return false;
@@ -361,11 +336,11 @@ bool StripFinder::rates(const StripScene& scene, const StripState& state, std::s
     for (const int k : {0, 1}) {
       const double step = (k == 0 ? -little : little) / moved;
       StripScene there = scene;
-      ShiftedField gap, friction, slip[2];
-      const auto shift = [&](ShiftedField& to, const PlaneField*& field, const PlaneField* by) {
-        to.field = field;
-        to.rate = by;
-        to.step = step;
+      FieldSum gap, friction, slip[2];
+      const auto shift = [&](FieldSum& to, const PlaneField*& field, const PlaneField* by) {
+        to.field[0] = field;
+        to.field[1] = by;
+        to.factor[1] = step;
         if (by) field = &to;
       };
       shift(gap, there.gap, p.gap);
