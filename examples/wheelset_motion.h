@@ -157,7 +157,8 @@ static void wheelset_settle(wheelset* set, double* q) {
   double z[wheels];
   int n, i, j, k;
   for (i = 0; i < wheels; ++i)
-    wheelset_must(rollcon_wheelrail_prescribe_vertical(set->wheel[i], ROLLCON_BY_FORCE, wheelset_weight / wheels));
+    wheelset_must(
+        rollcon_wheelrail_prescribe_vertical(set->wheel[i], ROLLCON_BY_FORCE, wheelset_weight / (double)wheels));
   wheelset_must(wheelset_solve(set, q));
   for (i = 0; i < wheels; ++i) {
     wheelset_must(rollcon_wheelrail_get_stat(set->wheel[i], "z", &z[i]));
