@@ -158,8 +158,8 @@ class AutomaticFrames final : public FrameMaker {
     if (shape_.outline.empty() && dundurs_beta(fine.pair()) == 0)
       area = std::numbers::pi * shape_.place.length * shape_.place.width;
     const std::optional<Status> found = strips_.solve(fine, shape_.box, area);
-    missed_corners_ = !found && strips_.missed_corners();
-    return found;
+    missed_corners_ = strips_.missed_corners();
+    return found == Status::ok && missed_corners_ ? tell_missed_corner(fine) : found;
   }
 
   /// Says whether a body ends where the contact does, and its end is not rounded by much more than bodies overlap.
@@ -174,6 +174,13 @@ class AutomaticFrames final : public FrameMaker {
       return end && gap_at_(x, *end) - least < much * overlap;
     };
     return !(overlap > 0) || ends(y - 2 * width) || ends(y + 2 * width);
+  }
+
+  static Status tell_missed_corner(const Solver& fine) {
+    fine.host.caveat(Status::inaccurate,
+                     "frames: the curvature of a profile jumps near the end of the contact, and the peak of pressure "
+                     "there is narrower than the frame resolves: the largest pressure is too low");
+    return Status::inaccurate;
   }
 
   Status solve_on_levels(Solver& fine) {
@@ -197,13 +204,7 @@ class AutomaticFrames final : public FrameMaker {
         return StripLevels::tell_inaccurate(fine, reached);
       }
     }
-    if (!beyond_bounds_ && missed_corners_) {
-      fine.host.caveat(Status::inaccurate,
-                       "frames: the curvature of a profile jumps near the end of the contact, and the peak of pressure "
-                       "there is narrower than the frame resolves: the largest pressure is too low");
-      return Status::inaccurate;
-    }
-    if (!beyond_bounds_) return Status::ok;
+    if (!beyond_bounds_) return missed_corners_ ? tell_missed_corner(fine) : Status::ok;
     fine.host.caveat(Status::rim_contact, (std::string("frames: ") + beyond_bounds_).c_str());
     return Status::rim_contact;
   }
