@@ -17,6 +17,7 @@
 #include "contact/scene/known_gap.hpp"
 #include "contact/solver.hpp"
 #include "contact/statistics.hpp"
+#include "framing/fitted_meshes.hpp"
 #include "framing/hertz.hpp"
 #include "framing/hertz_friction.hpp"
 #include "framing/makers.hpp"
@@ -42,23 +43,6 @@ constexpr std::array levels{Level{6, 4, 0.012},    Level{8, 6, 0.0053},   Level{
 /// matrices.
 constexpr std::size_t usual_levels = levels.size() - 1;
 
-/// Tells what frames are made for.
-struct Shape {
-  /// Hertz's ellipse, a stretched disc.
-  FramePlace place;
-  double load = 0;  ///< Hertz's load
-  /// Outlines, one for each patch; empty: the ellipse alone.
-  std::vector<Outline> outline;
-  /// Factor by which strips are longer than the outlines or the ellipse.
-  double stretch = 1;
-  AtBodyEnds at_body_ends = AtBodyEnds::closer;
-  /// True: one regular lattice lies over all outlines, because strips do not follow their shapes.
-  bool lattice = false;
-  /// True: a half-space or rigid body ends at the contact, where pressures have no bound; lattices are finer across.
-  bool sharp = false;
-  Rectangle box{};  ///< around all of the contact, a little wider
-};
-
 using Tilts = std::array<double, 2>;
 
 /// Says whether what ends over the contact deforms there: all surfaces are meshes of elastic bodies.
@@ -67,31 +51,105 @@ bool surfaces_deform(const PairOfBodies& pair) {
                      [](const Body* body) { return !body->has_surface() || (body->meshed() && !body->rigid()); });
 }
 
-Rectangle box_of(const Shape& shape) {
-  constexpr double wider = 1.15;
-  if (shape.outline.empty()) {
-    const double x = wider * std::hypot(shape.place.length, shape.place.shear), y = wider * shape.place.width;
-    return {-x, x, -y, y};
-  }
-  Rectangle all{INFINITY, -INFINITY, INFINITY, -INFINITY};
-  for (const Outline& outline : shape.outline) {
-    const Rectangle b = outline.box();
-    all = {std::min(all.x_least, b.x_least), std::max(all.x_greatest, b.x_greatest), std::min(all.y_least, b.y_least),
-           std::max(all.y_greatest, b.y_greatest)};
-  }
-  const double x = 0.5 * (all.x_least + all.x_greatest), y = 0.5 * (all.y_least + all.y_greatest),
-               half_x = 0.5 * wider * (all.x_greatest - all.x_least),
-               half_y = 0.5 * wider * (all.y_greatest - all.y_least);
-  return {x - half_x, x + half_x, y - half_y, y + half_y};
-}
-
 class AutomaticFrames final : public FrameMaker {
  public:
   /// Solves until the tilts that moments ask for, which move the contact along the bodies, fit the frames. Frames are
   /// made for the tilts found last, until these change by little compared with the bodies' flattening.
   Status solve(Solver& fine) override {
     missed_corners_ = false;
+    conformal_ = fine.scene.options.conformal;
+    try {
+      return solve_within(fine);
+    } catch (const Error& error) {
+      // Frames that follow surfaces are not made on slopes beyond 60 degrees.
+      if (error.status() != Status::err_mesh || conformal_ != 0 || !shape_.conformal) throw;
+      conformal_ = -1;
+      return solve_within(fine);
+    }
+  }
+
+  void end_step(Status status) override {
+    if (coarse_) coarse_->end_step(status);
+  }
+  void repeat_step() override {
+    if (coarse_) coarse_->repeat_step();
+  }
+
+  void reset() override {
+    level_ = levels.size();
+    tilts_known_ = false;
+    if (coarse_) coarse_->reset();
+    strips_.forget();
+  }
+
+ private:
+  Status solve_within(Solver& fine) {
     if (const std::optional<Status> found = solve_on_strips(fine)) return *found;
+    find_shape(fine);
+    if (!shape_.conformal) return solve_on_fitting_levels(fine);
+    const FollowSurfaces following(fine.scene.options);
+    return solve_on_fitting_levels(fine);
+  }
+
+  /// Sets the option conformal for a solve.
+  class FollowSurfaces {
+   public:
+    explicit FollowSurfaces(Options& options) : options_(options), before_(options.conformal) { options.conformal = 1; }
+    ~FollowSurfaces() { options_.conformal = before_; }
+    FollowSurfaces(const FollowSurfaces&) = delete;
+    FollowSurfaces& operator=(const FollowSurfaces&) = delete;
+
+   private:
+    Options& options_;
+    std::int64_t before_;
+  };
+
+  /// Says whether frames may follow the bodies' surfaces where patches are inclined.
+  bool may_follow(Solver& fine) const {
+    const PairOfBodies pair = fine.pair();
+    return conformal_ == 0 && !fine.scene.has_gap() && !pair.meshed() && !pair.creeps() &&
+           fine.scene.step_kind() == StepKind::steady && (pair.body[0]->surface() || pair.body[1]->surface());
+  }
+
+  /// Holds slopes of the patches against the plane of the axes.
+  struct Inclination {
+    Vec2 mean{}, turned{};  ///< mean slopes, and their root mean square differences from them
+    double within = 0;      ///< that of slopes across from the means of their own patches
+    double off() const { return off_by_plane(std::atan(length(mean)), std::atan(length(turned))); }
+    double off_across() const { return off_by_plane(std::atan(mean[1]), std::atan(turned[1])); }
+    double bent() const { return off_by_plane(0, std::atan(within)); }
+  };
+
+  /// Takes slopes at the middles of patches and half way to their ends.
+  void find_inclination(const Patches& patches) {
+    double all = 0, of_means = 0;
+    Vec2 sum{}, square{};
+    for (const Outline& outline : patches.outline) {
+      const Rectangle b = outline.box();
+      const double x = 0.5 * (b.x_least + b.x_greatest), y = 0.5 * (b.y_least + b.y_greatest);
+      double count = 0;
+      Vec2 here{};
+      for (const double part : {-0.5, 0.0, 0.5}) {
+        Heights h;
+        if (!gap_->heights(x, y + part * (b.y_greatest - y), h)) continue;
+        const Vec2 slope = 0.5 * (h.slope[0] + h.slope[1]);
+        ++count;
+        here = here + slope;
+        square = square + Vec2{slope[0] * slope[0], slope[1] * slope[1]};
+      }
+      if (count > 0) of_means += here[1] * here[1] / count;
+      all += count;
+      sum = sum + here;
+    }
+    if (all == 0) return;
+    const auto root = [](double of) { return std::sqrt(std::max(0.0, of)); };
+    const Vec2 mean = (1 / all) * sum;
+    inclination_.mean = mean;
+    inclination_.turned = {root(square[0] / all - mean[0] * mean[0]), root(square[1] / all - mean[1] * mean[1])};
+    inclination_.within = root((square[1] - of_means) / all);
+  }
+
+  Status solve_on_fitting_levels(Solver& fine) {
     constexpr int most_rounds = 8;
     constexpr double little = 0.02;
     for (int round = 1;; ++round) {
@@ -111,21 +169,6 @@ class AutomaticFrames final : public FrameMaker {
     }
   }
 
-  void end_step(Status status) override {
-    if (coarse_) coarse_->end_step(status);
-  }
-  void repeat_step() override {
-    if (coarse_) coarse_->repeat_step();
-  }
-
-  void reset() override {
-    level_ = levels.size();
-    tilts_known_ = false;
-    if (coarse_) coarse_->reset();
-    strips_.forget();
-  }
-
- private:
   /// Holds what the outlines of patches were found from.
   struct Found {
     std::int64_t gap = -1;
@@ -135,7 +178,9 @@ class AutomaticFrames final : public FrameMaker {
     double speed = 0;  ///< speed of bodies that creep; else 0
     std::array<std::int64_t, 2> pose{-1, -1};
     std::int64_t axes = -1;
-    bool conformal = false;
+    /// Option conformal, and the accuracy by which it is chosen.
+    std::int64_t conformal = -1;
+    double accuracy = 0;
     bool tilted = false;
     Tilts tilts{};
     bool operator==(const Found&) const = default;
@@ -152,7 +197,7 @@ class AutomaticFrames final : public FrameMaker {
     find_shape(fine);
     const bool sharp =
         std::any_of(shape_.outline.begin(), shape_.outline.end(), [&](const Outline& o) { return ends_sharply(o); });
-    if (beyond_bounds_ || sharp) return std::nullopt;
+    if (beyond_bounds_ || sharp || shape_.conformal) return std::nullopt;
     fine.scale_tangential_loads(1);
     std::optional<double> area;
     if (shape_.outline.empty() && dundurs_beta(fine.pair()) == 0)
@@ -204,7 +249,13 @@ class AutomaticFrames final : public FrameMaker {
         return StripLevels::tell_inaccurate(fine, reached);
       }
     }
-    if (!beyond_bounds_) return missed_corners_ ? tell_missed_corner(fine) : Status::ok;
+    if (!beyond_bounds_) {
+      if (missed_corners_) return tell_missed_corner(fine);
+      // Frames that follow surfaces do so across the rolling direction.
+      Vec2 mean = inclination_.mean, turned = inclination_.turned;
+      if (shape_.conformal) mean[1] = turned[1] = 0;
+      return tell_inclined(fine, std::atan(length(mean)), std::atan(length(turned)));
+    }
     fine.host.caveat(Status::rim_contact, (std::string("frames: ") + beyond_bounds_).c_str());
     return Status::rim_contact;
   }
@@ -231,6 +282,8 @@ class AutomaticFrames final : public FrameMaker {
     PairOfBodies pair = fine.bodies();
     if (const auto quadratic = scene.quadratic_gap();
         quadratic && !pair.meshed() && pair.half_spaces() && !scene.tilts()) {
+      shape_.conformal = false;
+      inclination_ = {};
       if (pair.creeps()) return find_creeping(fine, {(*quadratic)[0], (*quadratic)[1], (*quadratic)[2]});
       shape_.outline.clear();
       const HertzContact hertz =
@@ -238,7 +291,7 @@ class AutomaticFrames final : public FrameMaker {
       shape_.place = place_of_disc(hertz.larger, hertz.smaller, hertz.angle);
       shape_.load = hertz.load;
       shape_.stretch = stretch_by_friction(dundurs_beta(fine.pair()), scene.friction(0, 0));
-      shape_.box = box_of(shape_);
+      shape_.find_box();
       beyond_bounds_ = nullptr;
       return;
     }
@@ -253,11 +306,12 @@ class AutomaticFrames final : public FrameMaker {
            "rollcon_contact_frame_ellipse, rollcon_contact_frame_nodes or rollcon_contact_frame_from_body");
     pair = fine.pair();
     Found now = found_now(fine);
-    now.conformal = scene.options.conformal != 0 && !scene.has_gap() && !pair.meshed();
     if (!scene.has_gap() || pair.meshed()) {
       now.pose = scene.revision.pose;
       now.axes = scene.revision.axes;
     }
+    now.conformal = scene.has_gap() || pair.meshed() ? -1 : conformal_;
+    now.accuracy = now.conformal >= 0 ? scene.options.frame_accuracy : 0;
     now.tilted = scene.tilts();
     if (now.tilted) now.tilts = tilts_for(fine);
     if (!shape_.outline.empty() && now == found_) return;
@@ -266,9 +320,26 @@ class AutomaticFrames final : public FrameMaker {
     const auto gap = [this, now](double x, double y) {
       return gap_at_(x, y) - (now.tilted ? now.tilts[0] * y - now.tilts[1] * x : 0);
     };
-    const Patches patches = search_.find(fine, {gap, gap_->bounds(), now.modulus, now.speed, now.how == How::by_force,
-                                                now.value, !scene.has_gap() && !pair.meshed()});
+    const PatchScene on{gap,
+                        gap_->bounds(),
+                        now.modulus,
+                        now.speed,
+                        now.how == How::by_force,
+                        now.value,
+                        !scene.has_gap() && !pair.meshed()};
+    Patches patches = search_.find(fine, on);
+    inclination_ = {};
+    if (!scene.has_gap() && !pair.meshed()) find_inclination(patches);
+    const double wanted = scene.options.frame_accuracy;
+    const bool bent = inclination_.bent() > wanted;
+    shape_.conformal = now.conformal > 0 || (may_follow(fine) && !bent && inclination_.off_across() > wanted);
+    if (shape_.conformal && !bent)
+      patches = search_.find_inclined(fine, on, [this](double x, double y) {
+        Heights h;
+        return gap_->heights(x, y, h) ? 1 / std::hypot(1.0, 0.5 * (h.slope[0][1] + h.slope[1][1])) : 1.0;
+      });
     take_outlines(fine, patches, now);
+    shape_.lattice = shape_.lattice || (shape_.conformal && bent);
     beyond_bounds_ = patches.at_bounds ? gap_->beyond_bounds() : nullptr;
   }
 
@@ -302,14 +373,13 @@ class AutomaticFrames final : public FrameMaker {
   void take_outlines(Solver& fine, const Patches& patches, const Found& now) {
     const PairOfBodies pair = fine.bodies();
     shape_.outline = patches.outline;
-    shape_.box = box_of(shape_);
+    shape_.find_box();
     constexpr double too_hollow = 0.1;
-    // A conformal contact ends elsewhere than its outline in the plane of the axes; half-spaces that creep are fast on
-    // lattices.
-    shape_.lattice = now.conformal || (now.speed != 0 && pair.half_spaces()) ||
+    // Half-spaces that creep are fast on lattices.
+    shape_.lattice = (now.speed != 0 && pair.half_spaces()) ||
                      std::any_of(shape_.outline.begin(), shape_.outline.end(),
                                  [](const Outline& outline) { return outline.hollow() > too_hollow; });
-    shape_.stretch = usual_stretch;
+    shape_.stretch = FrameShape::usual_stretch;
     shape_.at_body_ends = surfaces_deform(pair) ? AtBodyEnds::even : AtBodyEnds::closer;
     shape_.sharp = !pair.meshed() && !fine.scene.has_gap() &&
                    std::any_of(shape_.outline.begin(), shape_.outline.end(),
@@ -394,6 +464,12 @@ class AutomaticFrames final : public FrameMaker {
     const Status below = coarse_->solve();
     if (below != Status::ok) return below;
     fine.extrapolate_from(*coarse_, family(fine));
+    // Peaks of half-spaces on strips have errors of second order, too: nodes of the coarser frame are nodes of the
+    // finer.
+    if (!shape_.lattice && fine.bodies().half_spaces()) {
+      const double peak = find_statistic(fine, "max_pressure"), before = find_statistic(*coarse_, "max_pressure");
+      fine.derived().largest_pressure = peak + (peak - before) / 3;
+    }
     return status;
   }
 
@@ -439,7 +515,7 @@ class AutomaticFrames final : public FrameMaker {
           find_statistic(on, "nodes_contact") == static_cast<double>((2 * l.along - 1) * (2 * l.across - 1));
       return {2, 1 / (filled ? shape_.stretch * shape_.stretch : shape_.stretch), 0};
     }
-    if (!shape_.lattice) return {2, 1 / (usual_stretch * usual_stretch), 0};
+    if (!shape_.lattice) return {2, 1 / (FrameShape::usual_stretch * FrameShape::usual_stretch), 0};
     // These fit contacts of wheels and rails, 12 to 96 intervals across: the outline's place among the nodes is chance.
     constexpr double order = 1.5, off = 0.08;  // error over intervals
     return {order, 1, off / static_cast<double>(2 * levels[level_].across)};
@@ -450,17 +526,18 @@ class AutomaticFrames final : public FrameMaker {
     const bool elliptic = shape_.outline.empty();
     const FramePlace place{shape_.stretch * shape_.place.length, shape_.stretch * shape_.place.width,
                            shape_.stretch * shape_.place.shear};
-    const Made now{level_, fine.revision.mesh, elliptic ? -1 : fine.revision.axes, elliptic ? -1 : shapes_};
+    const Made now{level_, fine.revision.mesh, elliptic ? -1 : fine.revision.axes, elliptic ? -1 : shapes_,
+                   shape_.conformal};
     if (!(now == made_)) {
       if (elliptic) {
         fine.set_placed_frame(strips_mesh({}, strips_of_ellipse(1, 1, 0, 2 * l.across), 2 * l.along), place);
         coarse.set_placed_frame(strips_mesh({}, strips_of_ellipse(1, 1, 0, l.across), l.along), place);
       } else if (shape_.lattice) {
-        fine.set_made_frame(lattice_mesh(fine, 2 * l.along, 2 * l.across), false, false);
-        coarse.set_made_frame(lattice_mesh(coarse, l.along, l.across), false, false);
+        fine.set_made_frame(lattice_over(shape_, gap_at_, fine.axes(), 2 * l.along, 2 * l.across), false, false);
+        coarse.set_made_frame(lattice_over(shape_, gap_at_, coarse.axes(), l.along, l.across), false, false);
       } else {
-        fine.set_made_frame(mesh_of_patches(fine, 2 * l.along, 2 * l.across), true, false);
-        coarse.set_made_frame(mesh_of_patches(coarse, l.along, l.across), true, false);
+        fine.set_made_frame(strips_over(shape_, gap_at_, fine.axes(), 2 * l.along, 2 * l.across), true, false);
+        coarse.set_made_frame(strips_over(shape_, gap_at_, coarse.axes(), l.along, l.across), true, false);
       }
       made_ = now;
       made_.mesh = fine.revision.mesh;
@@ -471,98 +548,10 @@ class AutomaticFrames final : public FrameMaker {
     placed_on_ = fine.revision.axes;
   }
 
-  SurfaceMesh mesh_of_patches(const Scene& scene, std::int64_t along, std::int64_t across) const {
-    std::vector<std::vector<Strip>> patch;
-    for (const Outline& outline : shape_.outline) {
-      patch.push_back(outline.strips(across, shape_.stretch, shape_.at_body_ends));
-      keep_on_body(patch.back());
-      for (Strip& strip : patch.back()) cut_where_body_ends(strip);
-    }
-    return strips_mesh(scene.axes(), patch, along);
-  }
-
-  /// Makes so many intervals over the smallest patch each way, and one more beyond all, up to where a body ends.
-  SurfaceMesh lattice_mesh(const Scene& scene, std::int64_t along, std::int64_t across) const {
-    Rectangle all{INFINITY, -INFINITY, INFINITY, -INFINITY};
-    double hx = INFINITY, hy = INFINITY;
-    for (const Outline& outline : shape_.outline) {
-      const Rectangle b = outline.box();
-      all = {std::min(all.x_least, b.x_least), std::max(all.x_greatest, b.x_greatest), std::min(all.y_least, b.y_least),
-             std::max(all.y_greatest, b.y_greatest)};
-      hx = std::min(hx, (b.x_greatest - b.x_least) / static_cast<double>(along));
-      hy = std::min(hy, (b.y_greatest - b.y_least) / (outline.more_strips() * static_cast<double>(across)));
-    }
-    // Contacts are wider near a sharp end, over a length like their width.
-    constexpr double longest = 2;  // cells
-    constexpr std::int64_t most = 32;
-    if (shape_.sharp) {
-      hy = std::min(hy, std::max(longest * hx, (all.y_greatest - all.y_least) / static_cast<double>(most * along)));
-      const double wider = 0.15 * (all.x_greatest - all.x_least);
-      all.x_least -= wider;
-      all.x_greatest += wider;
-    }
-    const double x = 0.5 * (all.x_least + all.x_greatest), y = 0.5 * (all.y_least + all.y_greatest);
-    const auto nx = intervals(all.x_least, all.x_greatest, hx, [&](double at) { return gap_at_(at, y); }),
-               ny = intervals(all.y_least, all.y_greatest, hy, [&](double at) { return gap_at_(x, at); });
-    return rectangle_mesh(scene.axes(), ElementType::quad4, nx, ny, all);
-  }
-
-  /// Counts intervals of a stretched range with one more on either side, or up to where a body ends before.
-  std::int64_t intervals(double& low, double& high, double size, const std::function<double(double)>& gap) const {
-    const double more = size + 0.5 * (shape_.stretch - 1) * (high - low), middle = 0.5 * (low + high);
-    // Ends of tilted bodies are slightly curved.
-    const double before = 1e-4 * size;
-    const auto first = end_of_body(gap, middle, low - more), last = end_of_body(gap, middle, high + more);
-    low = first ? *first + before : low - more;
-    high = last ? *last - before : high + more;
-    return std::max<std::int64_t>(to_index(std::round((high - low) / size)), 2);
-  }
-
-  /// Returns the last place between both that has a gap; none if all have or if that inside has none.
-  static std::optional<double> end_of_body(const std::function<double(double)>& gap, double inside, double outside) {
-    constexpr int halvings = 50;
-    if (std::isfinite(gap(outside)) || !std::isfinite(gap(inside))) return std::nullopt;
-    for (int i = 0; i < halvings; ++i) {
-      const double x = 0.5 * (inside + outside);
-      (std::isfinite(gap(x)) ? inside : outside) = x;
-    }
-    return inside;
-  }
-
-  /// Draws outermost strips back that leave the body in their middle or at their ends, and all strips between them and
-  /// the middle.
-  void keep_on_body(std::vector<Strip>& strip) const {
-    const std::size_t half = strip.size() / 2;
-    for (const bool upper : {false, true}) {
-      const Strip last = upper ? strip.back() : strip.front();
-      const double inside = strip[half].y;
-      const auto gap = [&](double y) {
-        return std::max({(*gap_)(last.from, y), (*gap_)(0.5 * (last.from + last.to), y), (*gap_)(last.to, y)});
-      };
-      const auto end = end_of_body(gap, inside, last.y);
-      if (!end) continue;
-      constexpr double rounding = 1e-6;
-      const double part = (1 - rounding) * (*end - inside) / (last.y - inside);
-      for (std::size_t i = upper ? half + 1 : 0; i < (upper ? strip.size() : half); ++i)
-        strip[i].y = inside + part * (strip[i].y - inside);
-    }
-  }
-
-  /// Cuts strips that would end a little before or beyond where a body does end there.
-  void cut_where_body_ends(Strip& strip) const {
-    const double middle = 0.5 * (strip.from + strip.to), before = 0.05 * (strip.to - strip.from);
-    const auto gap = [&](double x) { return (*gap_)(x, strip.y); };
-    for (double* const end : {&strip.from, &strip.to})
-      *end = end_of_body(gap, middle, *end + std::copysign(before, *end - middle)).value_or(*end);
-  }
-
-  /// Factor on outlines, which are too short by up to 3 parts in a thousand. Strips that are too short by 2 % cost 1.5
-  /// % of the force, too long by as much up to 0.2 %.
-  static constexpr double usual_stretch = 1.004;
-
   struct Made {
     std::size_t level = levels.size();
     std::int64_t mesh = -1, axes = -1, shape = -1;
+    bool conformal = false;
     bool operator==(const Made&) const = default;
   };
 
@@ -570,9 +559,11 @@ class AutomaticFrames final : public FrameMaker {
   std::unique_ptr<Solver> coarse_;
   bool coarse_solved_ = false;  // the last pair solved it
   bool missed_corners_ = false;
+  std::int64_t conformal_ = 0;  ///< option for this solve
+  Inclination inclination_;
   PatchSearch search_;
   std::unique_ptr<HertzFriction> hertz_friction_;  ///< made when it is asked for
-  Shape shape_;
+  FrameShape shape_;
   Found found_;
   Tilts tilts_{};                        ///< tilts for which frames were made last
   bool tilts_known_ = false;             ///< tilts come from a solve or a guess

@@ -102,8 +102,8 @@ std::vector<Strip> strips_of_ellipse(double semi1, double semi2, double angle, s
   return strip;
 }
 
-SurfaceMesh rectangle_mesh(const Axes& axes, ElementType type, std::int64_t nx, std::int64_t ny, const Rectangle& r) {
-  Builder mesh(axes);
+static void add_rectangle(Builder& mesh, ElementType type, const RectangleCells& cells) {
+  const auto& [r, nx, ny] = cells;
   const std::int64_t step = is_quadratic(type) ? 2 : 1, lines = step * nx + 1, rows = step * ny + 1;
   std::vector<std::int32_t> number(at(lines * rows), -1);
   const auto place = [](double from, double to, std::int64_t i, std::int64_t n) {
@@ -145,6 +145,16 @@ SurfaceMesh rectangle_mesh(const Axes& axes, ElementType type, std::int64_t nx, 
           }
       }
     }
+}
+
+SurfaceMesh rectangle_mesh(const Axes& axes, ElementType type, std::int64_t nx, std::int64_t ny, const Rectangle& r) {
+  const RectangleCells cells{r, nx, ny};
+  return rectangles_mesh(axes, type, {&cells, 1});
+}
+
+SurfaceMesh rectangles_mesh(const Axes& axes, ElementType type, std::span<const RectangleCells> rectangle) {
+  Builder mesh(axes);
+  for (const RectangleCells& cells : rectangle) add_rectangle(mesh, type, cells);
   return mesh.take();
 }
 

@@ -34,4 +34,13 @@ std::vector<Strip> strips_of_ellipse(double semi1, double semi2, double angle, s
 /// come line by line from the least y.
 SurfaceMesh rectangle_mesh(const Axes& axes, ElementType type, std::int64_t nx, std::int64_t ny, const Rectangle& r);
 
+/// Holds a rectangle and its counts of elements along and across.
+struct RectangleCells {
+  Rectangle box{};
+  std::int64_t along = 0, across = 0;
+};
+
+/// Makes a mesh of several rectangles that do not touch, each as above, one after the other.
+SurfaceMesh rectangles_mesh(const Axes& axes, ElementType type, std::span<const RectangleCells> rectangle);
+
 }  // namespace rollcon

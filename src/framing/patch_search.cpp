@@ -14,6 +14,7 @@ namespace rollcon {
 namespace {
 
 constexpr std::int64_t usual_intervals = 32, most_intervals = 128;
+constexpr std::int64_t enough = 12;  // nodes across the smallest patch
 
 struct Extent {
   double least = INFINITY, greatest = -INFINITY;
@@ -245,16 +246,10 @@ SearchGrid PatchSearch::close_in(Solver& contact, const PatchScene& scene) {
   return next;
 }
 
-Patches PatchSearch::find(Solver& contact, const PatchScene& scene) {
-  if (!half_space_ || modulus_ != scene.modulus || speed_ != scene.speed) {
-    half_space_ = contact.make_half_space(scene.modulus);
-    modulus_ = scene.modulus;
-    speed_ = scene.speed;
-    const double none = 0;
-    half_space_->scene.set_friction("coulomb", 1, &none);
-  }
+// Closes in on the contact on finer lattices until its smallest patch has enough nodes; returns the edges of all
+// patches.
+std::vector<PatchEdge> PatchSearch::look(Solver& contact, const PatchScene& scene) {
   SearchGrid lattice = close_in(contact, scene);
-  Patches found;
   std::vector<PatchEdge> edge;
   for (int round = 0;; ++round) {
     press(scene);
@@ -265,7 +260,6 @@ Patches PatchSearch::find(Solver& contact, const PatchScene& scene) {
       all.insert(all.end(), e.point.begin(), e.point.end());
       least = std::min(least, e.least_nodes_across);
     }
-    constexpr std::int64_t enough = 12;
     if (edge.empty() || round == 2) break;
     // The next lattice covers the contact alone, as fine as its smallest patch needs.
     SearchGrid next =
@@ -279,29 +273,104 @@ Patches PatchSearch::find(Solver& contact, const PatchScene& scene) {
     lattice = next;
     lay(lattice, scene);
   }
-  if (contact.pair().meshed() && !edge.empty()) {
-    const std::vector<PatchEdge> of_half_spaces = edge;
-    const SearchGrid before = lattice_;
-    if (!press_bodies(contact, scene, edge)) {
-      edge = of_half_spaces;
-      lattice_ = before;
-    }
-  }
-  const EdgePoint cell = lattice_.cell();
+  return edge;
+}
+
+void PatchSearch::add_outlines(const std::vector<PatchEdge>& edge, const EdgePoint& cell, const Rectangle& b,
+                               Patches& found) {
   for (const PatchEdge& e : edge)
     if (e.point.size() >= 4) {
       found.outline.emplace_back(e.point, e.load, cell);
       for (const EdgePoint& p : e.point) {
-        const Rectangle& b = scene.bounds;
         const double rounding = 1e-6 * std::max(cell.x, cell.y);
         found.at_bounds = found.at_bounds || p.x < b.x_least + rounding || p.x > b.x_greatest - rounding ||
                           p.y < b.y_least + rounding || p.y > b.y_greatest - rounding;
       }
     }
+}
+
+// The other patches widen the gap as their loads do from afar.
+PatchSearch::Inclined PatchSearch::inclined(const PatchScene& scene, std::size_t which,
+                                            const std::function<double(double x, double y)>& cosine) const {
+  const double area = lattice_.spacing_along() * lattice_.spacing_across();
+  const EdgePoint cell = lattice_.cell();
+  Inclined one;
+  one.scene = scene;
+  one.scene.no_inside = false;
+  std::vector<std::array<double, 3>> beside;
+  for (std::size_t k = 0; k < edge_.size(); ++k) {
+    Extent x, y;
+    for (const EdgePoint& p : edge_[k].point) x.take(p.x), y.take(p.y);
+    const double c = cosine(x.middle(), y.middle());
+    double load = 0;
+    for (const LoadAt& l : edge_[k].load) load += area * l.load / c;
+    if (k != which) {
+      beside.push_back({x.middle(), y.middle(), load});
+      continue;
+    }
+    one.middle = y.middle();
+    one.cosine = c;
+    // Patches in inclined planes are longer and wider than in that of the axes.
+    const double more_x = 2 * cell.x + (1 / c - 1) * x.half(), more_y = 2 * cell.y + (1 / c - 1) * y.half();
+    const Rectangle& b = scene.bounds;
+    const auto in_plane = [&](double at) { return one.middle + (at - one.middle) / c; };
+    one.scene.bounds = {std::max(b.x_least, x.least - more_x), std::min(b.x_greatest, x.greatest + more_x),
+                        in_plane(std::max(b.y_least, y.least - more_y)),
+                        in_plane(std::min(b.y_greatest, y.greatest + more_y))};
+    one.scene.value = scene.by_force ? load : c * scene.value;
+  }
+  one.scene.gap = [&scene, beside, at = one](double x, double y_in_plane) {
+    const double y = at.back(y_in_plane);
+    double gap = at.cosine * scene.gap(x, y);
+    for (const auto& [at_x, at_y, load] : beside)
+      gap += load / (std::numbers::pi * scene.modulus * std::hypot(x - at_x, y - at_y));
+    return gap;
+  };
+  return one;
+}
+
+Patches PatchSearch::find_inclined(Solver& contact, const PatchScene& scene,
+                                   const std::function<double(double x, double y)>& cosine) {
+  std::vector<Inclined> each;
+  for (std::size_t k = 0; k < edge_.size(); ++k) each.push_back(inclined(scene, k, cosine));
+  Patches found;
+  for (const Inclined& one : each) {
+    std::vector<PatchEdge> edge = look(contact, one.scene);
+    for (PatchEdge& e : edge) {
+      for (EdgePoint& p : e.point) p.y = one.back(p.y);
+      for (LoadAt& l : e.load) l.y = one.back(l.y);
+    }
+    EdgePoint cell = lattice_.cell();
+    cell.y *= one.cosine;
+    add_outlines(edge, cell, scene.bounds, found);
+  }
+  return found;
+}
+
+Patches PatchSearch::find(Solver& contact, const PatchScene& scene) {
+  if (!half_space_ || modulus_ != scene.modulus || speed_ != scene.speed) {
+    half_space_ = contact.make_half_space(scene.modulus);
+    modulus_ = scene.modulus;
+    speed_ = scene.speed;
+    const double none = 0;
+    half_space_->scene.set_friction("coulomb", 1, &none);
+  }
+  edge_ = look(contact, scene);
+  if (contact.pair().meshed() && !edge_.empty()) {
+    const std::vector<PatchEdge> of_half_spaces = edge_;
+    const SearchGrid before = lattice_;
+    if (!press_bodies(contact, scene, edge_)) {
+      edge_ = of_half_spaces;
+      lattice_ = before;
+    }
+  }
+  Patches found;
+  add_outlines(edge_, lattice_.cell(), scene.bounds, found);
   if (found.outline.empty()) {
     const auto nearest = std::min_element(gap_.begin(), gap_.end()) - gap_.begin();
     const auto row = nearest / lattice_.lines();
-    const EdgePoint p = lattice_.point(static_cast<double>(nearest - row * lattice_.lines()), static_cast<double>(row));
+    const EdgePoint cell = lattice_.cell(),
+                    p = lattice_.point(static_cast<double>(nearest - row * lattice_.lines()), static_cast<double>(row));
     constexpr double least = 1e-6;  // a fraction of what the gap is known on
     const Rectangle& b = scene.bounds;
     const double size = std::min(b.x_greatest - b.x_least, b.y_greatest - b.y_least);

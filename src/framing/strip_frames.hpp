@@ -75,7 +75,7 @@ class StripFrames final : public MovingFrame {
  private:
   bool within_bodies() const;
   /// Returns the strips or, where they do not fit, a neighbour without a neck.
-  const strips::StripState& peaked() const { return solution_.share > 0 ? solution_.strips : solution_.neighbour[1]; }
+  const strips::StripState& peaked() const { return solution_.share > 0 ? solution_.strips : solution_.neighbour[2]; }
   Rates rates(const strips::StripParameter& by);
   std::optional<strips::StripParameter> parameter_of(Parameter parameter) const;
 

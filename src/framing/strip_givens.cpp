@@ -13,7 +13,7 @@ using namespace strips;
 bool strips_may_fit(const Scene& scene, const PairOfBodies& pair) {
   const bool known = is_gap_known(scene, pair) || (scene.quadratic_gap() && !pair.meshed());
   return known && pair.half_spaces() && !pair.creeps() && !pair.meshed() && scene.step_kind() == StepKind::steady &&
-         !scene.tilts() && !(scene.options.conformal != 0 && !scene.has_gap()) &&
+         !scene.tilts() && !(scene.options.conformal > 0 && !scene.has_gap()) &&
          scene.options.convection == "characteristic" && choose_procedure(scene.options).standard();
 }
 

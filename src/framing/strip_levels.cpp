@@ -113,6 +113,11 @@ std::optional<StripLevels::Mixture> StripLevels::mix(const Scene& scene, Find fi
   }
 }
 
+double off_by_plane(double inclined, double turned) {
+  constexpr double off_by_turning = 0.55;
+  return 1 / std::cos(inclined) - 1 + off_by_turning * (1 / std::cos(turned) - 1);
+}
+
 std::optional<Status> StripLevels::solve(Solver& fine, const Rectangle& box, const std::optional<double>& area) {
   std::array<std::optional<Rates>, levels> found;
   const auto find = [&](std::size_t at) -> const Rates* {
@@ -123,6 +128,8 @@ std::optional<Status> StripLevels::solve(Solver& fine, const Rectangle& box, con
   const std::optional<Mixture> mixture = mix(fine.scene, find, levels - 1);
   if (!mixture) return std::nullopt;
   const auto& [sure, level, mixed, error] = *mixture;
+  const double wanted = fine.scene.options.frame_accuracy;
+  const auto [inclined, turned] = strips_[level].inclination();
   double seconds = 0;
   for (std::size_t i = 0; i <= level; ++i)
     if (found[i]) seconds += strips_[i].seconds();
@@ -140,7 +147,6 @@ std::optional<Status> StripLevels::solve(Solver& fine, const Rectangle& box, con
     last_ = level;
     if (!strips_[level].by_law()) fine.follow(*this);
   }
-  const double wanted = fine.scene.options.frame_accuracy;
   if (error.worst() > wanted) return tell_inaccurate(fine, error.worst());
   if (reached(error) > wanted) {
     char text[120];
@@ -149,19 +155,21 @@ std::optional<Status> StripLevels::solve(Solver& fine, const Rectangle& box, con
     fine.host.caveat(Status::inaccurate, text);
     return Status::inaccurate;
   }
-  // Pressures act along n of the axes: normals inclined by an angle carry 1 / cos(angle) times as much. Where they turn
-  // to both sides, forces of balls in grooves are off by this part of it beside conformal frames.
-  constexpr double off_by_turning = 0.55, degrees = 180 / std::numbers::pi;
-  const auto [inclined, turned] = strips_[level].inclination();
-  const double too_high = 1 / std::cos(inclined) - 1, off = too_high + off_by_turning * (1 / std::cos(turned) - 1);
-  derived.error_estimate.normal = std::max(derived.error_estimate.normal, off);
-  if (off <= wanted) return Status::ok;
+  derived.error_estimate.normal = std::max(derived.error_estimate.normal, off_by_plane(inclined, turned));
+  return tell_inclined(fine, inclined, turned);
+}
+
+Status tell_inclined(const Solver& fine, double inclined, double turned) {
+  const double off = off_by_plane(inclined, turned);
+  if (off <= fine.scene.options.frame_accuracy) return Status::ok;
+  constexpr double degrees = 180 / std::numbers::pi;
   char text[256];
-  if (too_high > 0.5 * off)
+  if (const double too_high = 1 / std::cos(inclined) - 1; too_high > 0.5 * off)
     std::snprintf(
         text, sizeof text,
         "the normals of the contact are inclined by %.3g degrees against n of the axes, so that pressures are "
-        "about %.2g %% too high: turn the axes (rollcon_contact_set_axes), or set the option conformal to 1",
+        "about %.2g %% too high: turn the axes (rollcon_contact_set_axes) or, up to 60 degrees, set the option "
+        "conformal to 1",
         inclined * degrees, 100 * too_high);
   else
     std::snprintf(

@@ -84,9 +84,10 @@ StressesInside::StressesInside(const Solution& state, std::int32_t body, double 
   const Body& which = *on.pair.body[at(body - 1)];
   require_halfspace(which, body);
   if (on.frame.section)
-    fail(Status::err_unsupported,
-         "stresses inside half-spaces are those under a contact in a plane, and this one is conformal (option "
-         "conformal is 1)");
+    fail(
+        Status::err_unsupported,
+        "stresses inside half-spaces are those under a contact in a plane, and this frame follows the surfaces (option "
+        "conformal, inclined patches)");
   const HalfspaceInterior::Material material{which.young() / (2 * (1 + which.poisson())), which.poisson()};
   fields_ = std::make_unique<Fields>(Fields{body, &which, threads, {}, {}, material, &on.frame, accuracy, {}});
   const double side = fields_->side();

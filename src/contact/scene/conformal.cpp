@@ -73,7 +73,7 @@ std::vector<double> distinct(std::vector<double> y) {
 }  // namespace
 
 bool is_conformal(const Scene& scene, const PairOfBodies& pair) {
-  return scene.options.conformal != 0 && !pair.meshed() && (pair.body[0]->surface() || pair.body[1]->surface());
+  return scene.options.conformal > 0 && !pair.meshed() && (pair.body[0]->surface() || pair.body[1]->surface());
 }
 
 void follow_section(Frame& frame, const PairOfBodies& pair) {

@@ -23,9 +23,9 @@ const SettingTable<Options>& table() {
       {"pressure_length", &Options::pressure_length, 0, 1e8,
        "Length along t2 over which the statistic max_pressure takes means; 0: none. At the sharp end of a half-space "
        "or rigid body pressures have no bound, and means have."},
-      {"conformal", &Options::conformal, 0, 1,
-       "1: frames on half-spaces with profiles follow these across the rolling direction, with normals that turn; 0: "
-       "they lie in the plane of the axes."},
+      {"conformal", &Options::conformal, -1, 1,
+       "1: frames on half-spaces with profiles follow these across the rolling direction, with normals that turn; -1: "
+       "they lie in the plane of the axes; 0: so they do but for inclined patches of frames that the library makes."},
       {"convection", &Options::convection, scheme_names().c_str(), "Scheme of the convective derivative in the slip."},
       {"linear_solver", &Options::linear_solver, "auto|lu|gmres|gmres_adaptive",
        "Solver of the linear systems; auto chooses by size. gmres_adaptive: tolerance by "

@@ -4,15 +4,25 @@
 #include <cmath>
 #include <utility>
 
+#include "framing/strips/field_sum.hpp"
 #include "framing/strips/strip_results.hpp"
 #include "linalg/blas_threads.hpp"
 
 namespace rollcon::strips {
 namespace {
 
-// Heights of the neighbours' bumps over the wall, and the weights of a cubic through them at no bump.
-constexpr double unit_height = 0.22;
-constexpr double heights[] = {-2, -1, 1, 2}, weights[] = {-1.0 / 6, 4.0 / 6, 4.0 / 6, -1.0 / 6};
+// Heights of the neighbours' bumps over the wall: where a neck is filled less, rows across it are hard to find, where
+// it is dug out more, one of its sides may lose contact.
+constexpr double heights[] = {-0.9, -0.45, 0.22, 0.44};
+
+/// Returns the weight of a neighbour in the cubic through all, at no bump.
+constexpr double weight(std::size_t which) {
+  double w = 1;
+  for (std::size_t i = 0; i < std::size(heights); ++i)
+    if (i != which) w *= -heights[i] / (heights[which] - heights[i]);
+  return w;
+}
+constexpr double weights[] = {weight(0), weight(1), weight(2), weight(3)};
 constexpr int samples = 120;
 
 void add(StripTotals& to, double w, const StripTotals& t) {
@@ -102,6 +112,44 @@ bool halves(const StripState& state, Vec2& first, Vec2& second) {
   return true;
 }
 
+/// Gives rates of gaps whose bumps move with the neck: those of the gap, and differences of bumps.
+class NeckRate {
+ public:
+  void set(const StripScene& scene, const PlaneField& rate, const StripSolution& solution) {
+    bump_[0].gap = &rate;
+    bump_[1].gap = &bump_[0];
+    const Neck& neck = solution.neck;
+    Vec2 first, second;
+    if (!halves(solution.neighbour[2], first, second)) return;
+    double at_neck = 0, at_first = 0, at_second = 0;
+    rate.at({&neck.place, 1}, &at_neck, nullptr);
+    rate.at({&first, 1}, &at_first, nullptr);
+    rate.at({&second, 1}, &at_second, nullptr);
+    const double most = std::max(std::abs(at_neck - at_first), std::abs(at_neck - at_second));
+    if (!(most > 0)) return;
+    constexpr double little = 1e-3;
+    const double step = little * neck.wall / most;
+    for (const int k : {0, 1}) {
+      FieldSum moved;
+      moved.field[0] = scene.gap;
+      moved.field[1] = &rate;
+      moved.factor[1] = k == 0 ? step : -step;
+      bump_[k].neck = neck_between(moved, first, second);
+      factor_[k] = (k == 0 ? 0.5 : -0.5) / step;
+      if (!(bump_[k].neck.wall > 0)) factor_[0] = factor_[1] = 0;
+    }
+  }
+  /// Takes the bump's height over the wall.
+  const PlaneField& of(double height) {
+    for (const int k : {0, 1}) bump_[k].height = factor_[k] * height * bump_[k].neck.wall;
+    return bump_[1];
+  }
+
+ private:
+  BridgedGap bump_[2];
+  double factor_[2] = {};
+};
+
 }  // namespace
 
 void BridgedGap::at(std::span<const Vec2> point, double* value, Vec2* slope) const {
@@ -122,15 +170,15 @@ bool StripContact::bridge(const StripScene& scene, const Rectangle& box, StripCo
   gap.neck = solution.neck;
   StripScene other = scene;
   other.gap = &gap;
-  const double unit = unit_height * solution.neck.wall;
+  const double wall = solution.neck.wall;
   const auto find = [&](std::size_t i, bool near) {
-    gap.height = heights[i] * unit;
+    gap.height = heights[i] * wall;
     return finder_.find(other, box, counts, solution.neighbour[i], near, patient).status == StripStatus::solved;
   };
   const auto reach = [&](std::size_t i, std::size_t from, int steps) {
     solution.neighbour[i] = solution.neighbour[from];
     for (int step = 1; step <= steps; ++step) {
-      gap.height = (heights[from] + (heights[i] - heights[from]) * step / steps) * unit;
+      gap.height = (heights[from] + (heights[i] - heights[from]) * step / steps) * wall;
       if (finder_.solver().solve(other, solution.neighbour[i], StripStart::solution).status != StripStatus::solved)
         return false;
     }
@@ -235,9 +283,15 @@ bool StripContact::rates(const StripScene& scene, const StripSolution& solution,
   StripScene other = scene;
   other.gap = &gap;
   StripTotals bridged;
+  std::vector<NeckRate> moving(parameter.size());
+  for (std::size_t k = 0; k < parameter.size(); ++k)
+    if (parameter[k].gap) moving[k].set(scene, *parameter[k].gap, solution);
+  std::vector<StripParameter> with_neck(parameter.begin(), parameter.end());
   for (std::size_t i = 0; i < solution.neighbour.size(); ++i) {
-    gap.height = heights[i] * unit_height * solution.neck.wall;
-    if (!solver.rates(other, solution.neighbour[i], parameter, part_rates_)) return false;
+    gap.height = heights[i] * solution.neck.wall;
+    for (std::size_t k = 0; k < parameter.size(); ++k)
+      if (parameter[k].gap) with_neck[k].gap = &moving[k].of(heights[i]);
+    if (!solver.rates(other, solution.neighbour[i], with_neck, part_rates_)) return false;
     for (std::size_t k = 0; k < parameter.size(); ++k) add(rate[k], (1 - solution.share) * weights[i], part_rates_[k]);
     add(bridged, weights[i], StripSolver::totals(solution.neighbour[i]));
   }

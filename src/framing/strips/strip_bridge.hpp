@@ -41,8 +41,7 @@ class StripContact {
   /// Says whether the last contact has peaks of pressure at corners that its strips miss.
   bool missed_corners() const { return finder_.missed_corners(); }
   static StripTotals totals(const StripSolution& solution);
-  /// Computes total derivatives of the totals, one for each parameter. Changes of the weight by the parameter count,
-  /// changes of the neck's place do not: they move what is interpolated by less than its error.
+  /// Computes total derivatives of the totals, one for each parameter; the weight and the neck move with it.
   bool rates(const StripScene& scene, const StripSolution& solution, std::span<const StripParameter> parameter,
              std::span<StripTotals> rate);
 

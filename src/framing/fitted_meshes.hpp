@@ -1,0 +1,51 @@
+#pragma once
+/// Makes meshes of frames that are laid on a contact before its pressures are known (docs/theory.md, section 4).
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "contact/scene/scene.hpp"
+#include "framing/contact_edge.hpp"
+#include "framing/makers.hpp"
+#include "framing/outline.hpp"
+
+namespace rollcon {
+
+/// Tells what frames are made for.
+struct FrameShape {
+  /// Factor on outlines, which are too short by up to 3 parts in a thousand. Strips that are too short by 2 % cost 1.5
+  /// % of the force, too long by as much up to 0.2 %.
+  static constexpr double usual_stretch = 1.004;
+
+  /// Hertz's ellipse, a stretched disc.
+  FramePlace place;
+  double load = 0;  ///< Hertz's load
+  /// Outlines, one for each patch; empty: the ellipse alone.
+  std::vector<Outline> outline;
+  /// Factor by which strips are longer than the outlines or the ellipse.
+  double stretch = 1;
+  AtBodyEnds at_body_ends = AtBodyEnds::closer;
+  /// True: one regular lattice lies over all outlines, because strips do not follow their shapes.
+  bool lattice = false;
+  bool conformal = false;  ///< frames follow the bodies' surfaces
+  /// True: a half-space or rigid body ends at the contact, where pressures have no bound; lattices are finer across.
+  bool sharp = false;
+  Rectangle box{};  ///< around all of the contact, a little wider
+
+  /// Sets box.
+  void find_box();
+};
+
+/// Makes strips over each outline, cut where a body ends. gap: infinite where one of the bodies is not.
+SurfaceMesh strips_over(const FrameShape& shape, const GapBetween& gap, const Axes& axes, std::int64_t along,
+                        std::int64_t across);
+/// Makes a lattice over all outlines, with so many intervals over the smallest each way and one more beyond all, up to
+/// where a body ends. Conformal frames have a lattice for each group of outlines beside each other.
+SurfaceMesh lattice_over(const FrameShape& shape, const GapBetween& gap, const Axes& axes, std::int64_t along,
+                         std::int64_t across);
+/// Returns the last place between both that has a gap; none if all have or if that inside has none.
+std::optional<double> end_of_body(const std::function<double(double)>& gap, double inside, double outside);
+
+}  // namespace rollcon
