@@ -250,7 +250,7 @@ TEST(strips, have_derivatives_at_a_neck) {
       worst = std::max(worst, std::abs(rate.force[k] / limit - slope) / std::abs((after[0] - before[0]) / (2 * step)));
     }
   }
-  expect_error("derivatives at a neck", worst, 2e-2);
+  expect_error("derivatives at a neck", worst, 1e-4);
 }
 
 }  // namespace
