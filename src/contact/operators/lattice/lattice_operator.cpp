@@ -10,45 +10,6 @@
 
 namespace rollcon {
 
-struct LatticeOperator::Shared {
-  Lattice lattice;
-  std::shared_ptr<const TranslationKernel> kernel;
-  double delta;
-  SparseRows convection;
-  Convolution convolution;
-  CutHats cut;
-  double entry[3][3] = {}, norm[2] = {};
-  LatticeInfluence influence;
-
-  Shared(Lattice&& grid, std::shared_ptr<const TranslationKernel>&& bodies, double step, SparseRows&& rows,
-         bool displacements)
-      : lattice(std::move(grid)),
-        kernel(std::move(bodies)),
-        delta(step),
-        convection(std::move(rows)),
-        convolution(lattice, LatticeEntries(lattice, *kernel, delta), hat_pieces(lattice).front()),
-        cut(lattice, *kernel, delta),
-        influence{lattice, *kernel, displacements} {
-    measure();
-  }
-  void measure();
-};
-
-struct LatticeOperator::Workspace {
-  Convolution::Workspace convolution;
-  CutHats::Workspace cut;
-  std::vector<double> displacement[2];  ///< displacements at all nodes, upwind schemes only
-
-  explicit Workspace(const Shared& shared) : convolution(shared.convolution) {
-    if (shared.delta == 0)
-      for (auto& w : displacement) w.resize(static_cast<std::size_t>(shared.lattice.frame_nodes()));
-  }
-  std::size_t bytes() const {
-    return convolution.bytes() + (cut ? cut->bytes() : 0) +
-           (displacement[0].size() + displacement[1].size()) * sizeof(double);
-  }
-};
-
 namespace {
 
 /// Describes a term of a node's slip: a displacement (or the characteristic scheme's own slip) this far off.
@@ -84,14 +45,75 @@ std::vector<Term> interior_stencil(const Lattice& lattice, const SparseRows& con
   return terms;
 }
 
-}  // namespace
-
-/// Measures own entries and norms of the row of a node in the middle.
-void LatticeOperator::Shared::measure() {
-  const std::vector<Term> terms = delta != 0 ? std::vector<Term>{{0, 0, 1.0}} : interior_stencil(lattice, convection);
+/// Returns the largest offset of a term along either axis.
+std::int64_t margin_of(const std::vector<Term>& terms) {
   std::int64_t margin = 0;
   for (const Term& t : terms) margin = std::max({margin, std::abs(t.i), std::abs(t.j)});
-  const LatticeEntries entries(lattice, *kernel, delta, Hat::whole, Hat::whole, margin);
+  return margin;
+}
+
+}  // namespace
+
+struct LatticeOperator::Shared {
+  Lattice lattice;
+  std::shared_ptr<const TranslationKernel> kernel;
+  double delta;
+  SparseRows convection;
+  std::vector<Term> slip;  ///< terms of the slip of a node in the middle
+  LatticeEntries entries;
+  Convolution convolution;
+  CutHats cut;
+  LatticeInfluence influence;
+
+  Shared(Lattice&& grid, std::shared_ptr<const TranslationKernel>&& bodies, double step, SparseRows&& rows,
+         bool displacements)
+      : lattice(std::move(grid)),
+        kernel(std::move(bodies)),
+        delta(step),
+        convection(std::move(rows)),
+        slip(delta != 0 ? std::vector<Term>{{0, 0, 1.0}} : interior_stencil(lattice, convection)),
+        entries(lattice, *kernel, delta, Hat::whole, Hat::whole, margin_of(slip)),
+        convolution(lattice, entries, hat_pieces(lattice).front()),
+        cut(lattice, *kernel, delta),
+        influence{lattice, *kernel, displacements} {
+    LatticeEntries::Workspace w;
+    double* normal_row[3][3] = {};
+    for (int k = 0; k < 3; ++k) normal_row[2][k] = &entry_[2][k];
+    entries.row(0, 0, 1, normal_row, w);
+  }
+  double own(int r, int c) const {
+    if (r < 2) std::call_once(measured_, [this] { measure_slip(); });
+    return entry_[r][c];
+  }
+  double slip_norm(int r) const {
+    std::call_once(measured_, [this] { measure_slip(); });
+    return norm_[r];
+  }
+
+ private:
+  void measure_slip() const;
+  mutable std::once_flag measured_;  ///< rows of slip are measured when they are first needed
+  mutable double entry_[3][3] = {}, norm_[2] = {};
+};
+
+struct LatticeOperator::Workspace {
+  Convolution::Workspace convolution;
+  CutHats::Workspace cut;
+  std::vector<double> displacement[2];  ///< displacements at all nodes, upwind schemes only
+
+  explicit Workspace(const Shared& shared) : convolution(shared.convolution) {
+    if (shared.delta == 0)
+      for (auto& w : displacement) w.resize(static_cast<std::size_t>(shared.lattice.frame_nodes()));
+  }
+  std::size_t bytes() const {
+    return convolution.bytes() + (cut ? cut->bytes() : 0) +
+           (displacement[0].size() + displacement[1].size()) * sizeof(double);
+  }
+};
+
+/// Measures own entries and norms of the rows of slip of a node in the middle.
+void LatticeOperator::Shared::measure_slip() const {
+  const std::int64_t margin = margin_of(slip);
   // Offsets reach from the middle node to all others, and by the margin around them.
   const std::int64_t low_x = lattice.nx / 2 - (lattice.nx - 1), low_y = lattice.ny / 2 - (lattice.ny - 1);
   const std::int64_t width = lattice.nx + 2 * margin, height = lattice.ny + 2 * margin;
@@ -112,18 +134,15 @@ void LatticeOperator::Shared::measure() {
       for (int r = 0; r < 2; ++r)
         for (int k = 0; k < 3; ++k) {
           double value = 0;
-          for (const Term& t : terms) {
+          for (const Term& t : slip) {
             const std::int64_t at = (line - margin + t.j) % lines;
             value += t.factor * ring[r][k][static_cast<std::size_t>(at * width + i + t.i - low_x + margin)];
           }
           if (k < 2) sum[r] += value * value;
-          if (i == 0 && j == 0) entry[r][k] = value;
+          if (i == 0 && j == 0) entry_[r][k] = value;
         }
   }
-  for (int r = 0; r < 2; ++r) norm[r] = std::sqrt(sum[r]);
-  double* normal_row[3][3] = {};
-  for (int k = 0; k < 3; ++k) normal_row[2][k] = &entry[2][k];
-  entries.row(0, 0, 1, normal_row, w);
+  for (int r = 0; r < 2; ++r) norm_[r] = std::sqrt(sum[r]);
 }
 
 LatticeOperator::LatticeOperator(Lattice lattice, std::shared_ptr<const TranslationKernel> kernel, double delta,
@@ -195,10 +214,10 @@ void LatticeOperator::images(Components wanted, Components columns, std::span<co
 }
 
 double LatticeOperator::own(int r, int c, std::size_t /*k*/) const {
-  return shared_->entry[r][c];
+  return shared_->own(r, c);
 }
 double LatticeOperator::slip_norm(int r, std::size_t /*k*/) const {
-  return shared_->norm[r];
+  return shared_->slip_norm(r);
 }
 const LatticeInfluence& LatticeOperator::influence() const {
   return shared_->influence;
