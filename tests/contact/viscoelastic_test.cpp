@@ -1,5 +1,5 @@
-/// Tests half-spaces that creep in steady rolling: elastic limits, Hunter's cylinder, published cylinders, the balance
-/// of work, orders, symmetries, refusals.
+/// Tests half-spaces that creep in steady rolling: elastic limits, Hunter's cylinder, Panek and Kalker's sphere and
+/// roller, published cylinders, the balance of work, orders, symmetries, refusals.
 
 #include <algorithm>
 #include <array>
@@ -7,6 +7,7 @@
 #include "contact/laws/wear_law.hpp"
 #include "contact/scene_fixture.hpp"
 #include "support/hunter_cylinder.hpp"
+#include "support/relaxed_half_space.hpp"
 
 namespace rollcon {
 namespace {
@@ -26,6 +27,7 @@ struct Rolled {
   Material first{{0.5}, {1}}, second{};
   double young1 = 210, poisson1 = 0.4, young2 = 0, poisson2 = -2;
   double speed = 1, half = 2.6, mu = 0.3;
+  double crown = 0.01;  ///< curvature of the gap across the rolling direction
   std::array<double, 3> creep{-2e-3, 1e-3, 0};
   int n = 24;
   double load = 0;  ///< 0: an approach of 0.04
@@ -38,11 +40,12 @@ std::unique_ptr<Pair> rolled(const Rolled& r) {
   if (!r.first.ratio.empty()) relax(*pair->body1, r.first);
   if (!r.second.ratio.empty()) relax(*pair->body2, r.second);
   const std::vector<double> lines = frames::uniform_lines(-r.half, r.half, r.n);
-  pair->frame(frames::rectangle(ElementType::quad4, lines, lines));
+  const double across = r.half * std::sqrt(0.01 / r.crown);
+  pair->frame(frames::rectangle(ElementType::quad4, lines, frames::uniform_lines(-across, across, r.n)));
   Scene& scene = pair->contact->scene;
   const double origin[] = {0, 0, 0}, rolling[] = {r.way, 0, 0}, normal[] = {0, 0, 1};
   scene.set_axes(origin, rolling, normal);
-  scene.set_gap_quadratic(0.01, 0.01, 0);
+  scene.set_gap_quadratic(0.01, r.crown, 0);
   pair->friction(r.mu);
   scene.set_speed(r.speed);
   scene.set_creep(r.creep[0], r.creep[1], r.creep[2]);
@@ -160,6 +163,30 @@ TEST(viscoelastic, cylinder_is_that_of_hunter) {
     EXPECT_LT(std::abs(resistance), 5e-3);
     EXPECT_LT(worst, 0.03) << "nodes next to the edge";
   }
+}
+
+// Panek and Kalker's rigid sphere and roller (J. Inst. Maths Applics 26, 1980): their integral equation, solved apart.
+TEST(viscoelastic, sphere_and_roller_are_those_of_panek_and_kalker) {
+  constexpr double approach = 0.04, half = 2.1, modulus = 210 / (1 - 0.4 * 0.4), creep_time = 2;
+  constexpr int cells = 32;
+  for (const double crown : {0.01, 5e-4})
+    for (const double speed : {0.3, 2.0, 10.0}) {
+      const RelaxedHalfSpace apart({0.01, crown, approach, modulus, 1, creep_time * speed}, half,
+                                   half * std::sqrt(0.01 / crown), cells, cells / 2);
+      const auto pair = rolled({.speed = speed, .half = half, .mu = 0, .crown = crown, .n = 64});
+      const auto load = loads(*pair);
+      const double force = -load[2] / apart.force() - 1, moment = load[4] / apart.moment() - 1,
+                   top = pair->contact->stat("max_pressure") / apart.largest_pressure() - 1,
+                   resistance = pair->contact->stat("rolling_resistance") / (0.02 * apart.moment()) - 1;
+      std::printf(
+          "%s, V %4.1f: force %+.1e (bound 1e-3), moment %+.1e, resistance %+.1e (5e-3), largest pressure %+.1e "
+          "(3e-3)\n",
+          crown == 0.01 ? "sphere" : "roller", speed, force, moment, resistance, top);
+      EXPECT_LT(std::abs(force), 1e-3);
+      EXPECT_LT(std::abs(moment), 5e-3);
+      EXPECT_LT(std::abs(resistance), 5e-3);
+      EXPECT_LT(std::abs(top), 3e-3);
+    }
 }
 
 // CONTACT's example visc_cylindr: 99 strips of 0.16 mm, creep time 9 ms, V = 1000 mm/s.
