@@ -15,6 +15,17 @@ using Complex = std::complex<double>;
 /// Columns join a front whose rows they nearly share: so many more rows cost less than another front.
 constexpr std::size_t spare_rows = 6;
 
+/// Returns the inverse, times a scale, of the matrix that was factorised in the last front.
+std::vector<Complex> inverse_of(const std::vector<Complex>& front, std::int64_t size, double scale) {
+  const int n = static_cast<int>(size);
+  const Complex one = 1;
+  std::vector<Complex> b(at(n) * at(n));
+  for (std::size_t k = 0; k < at(n); ++k) b[k * at(n) + k] = scale;
+  ztrsm_("L", "L", "N", "N", &n, &n, &one, front.data(), &n, b.data(), &n);
+  ztrsm_("L", "L", "T", "N", &n, &n, &one, front.data(), &n, b.data(), &n);
+  return b;
+}
+
 }  // namespace
 
 ComplexCondensation::ComplexCondensation(const SparseMatrix& pattern, std::span<const std::int64_t> order,
@@ -101,7 +112,8 @@ void ComplexCondensation::eliminate(const Step& step, Front& a) const {
   zsyrk_("L", "N", &rest, &c, &minus, a.data() + c, &rows, &one, a.data() + columns * (n + 1), &rows);
 }
 
-std::vector<Complex> ComplexCondensation::inverse(std::span<const Complex> value, double scale) const {
+std::vector<ComplexCondensation::Front> ComplexCondensation::factorised(std::span<const Complex> value,
+                                                                        bool keep) const {
   std::vector<Front> front(step_.size());
   std::vector<std::size_t> local(order_.size());
   for (std::size_t s = 0; s < step_.size(); ++s) {
@@ -117,20 +129,46 @@ std::vector<Complex> ComplexCondensation::inverse(std::span<const Complex> value
       for (std::size_t j = at(child.columns); j < size; ++j)
         for (std::size_t i = j; i < size; ++i)
           a[local[at(child.row[j])] * n + local[at(child.row[i])]] += front[c][j * size + i];
-      Front().swap(front[c]);
+      front[c].resize(keep ? at(child.columns) * size : 0);
+      front[c].shrink_to_fit();
     }
     if (s + 1 < step_.size()) eliminate(step, a);
   }
   Step last = step_.back();
   last.columns = std::ssize(last.row);
   eliminate(last, front.back());
-  const int n = static_cast<int>(last.columns);
-  const Complex one = 1;
-  std::vector<Complex> b(at(n) * at(n));
-  for (std::size_t k = 0; k < at(n); ++k) b[k * at(n) + k] = scale;
-  ztrsm_("L", "L", "N", "N", &n, &n, &one, front.back().data(), &n, b.data(), &n);
-  ztrsm_("L", "L", "T", "N", &n, &n, &one, front.back().data(), &n, b.data(), &n);
-  return b;
+  return front;
+}
+
+std::vector<Complex> ComplexCondensation::inverse(std::span<const Complex> value, double scale) const {
+  return inverse_of(factorised(value, false).back(), std::ssize(step_.back().row), scale);
+}
+
+// Nothing acts on the other unknowns, so that each front's own follow from those that come later.
+std::vector<Complex> ComplexCondensation::everywhere(std::span<const Complex> value, double scale) const {
+  const std::vector<Front> front = factorised(value, true);
+  const std::size_t all = order_.size(), m = step_.back().row.size();
+  const std::vector<Complex> condensed = inverse_of(front.back(), std::ssize(step_.back().row), scale);
+  std::vector<Complex> x(m * all), later, own;
+  for (std::size_t k = 0; k < m; ++k)
+    for (std::size_t i = 0; i < m; ++i) x[k * all + at(order_[all - m + i])] = condensed[k * m + i];
+  for (std::size_t s = step_.size() - 1; s-- > 0;) {
+    const Step& step = step_[s];
+    const int rows = static_cast<int>(step.row.size()), c = static_cast<int>(step.columns), rest = rows - c,
+              columns = static_cast<int>(m);
+    const Complex one = 1, minus = -1, zero = 0;
+    own.assign(at(c) * m, 0), later.resize(at(rest) * m);
+    const auto place = [&](std::size_t k, int i) -> Complex& { return x[k * all + at(order_[at(step.row[at(i)])])]; };
+    for (std::size_t k = 0; k < m; ++k)
+      for (int i = 0; i < rest; ++i) later[k * at(rest) + at(i)] = place(k, c + i);
+    if (rest > 0)
+      zgemm_("T", "N", &c, &columns, &rest, &minus, front[s].data() + c, &rows, later.data(), &rest, &zero, own.data(),
+             &c);
+    ztrsm_("L", "L", "T", "N", &c, &columns, &one, front[s].data(), &rows, own.data(), &c);
+    for (std::size_t k = 0; k < m; ++k)
+      for (int i = 0; i < c; ++i) place(k, i) = own[k * at(c) + at(i)];
+  }
+  return x;
 }
 
 }  // namespace rollcon

@@ -18,6 +18,9 @@ class ComplexCondensation {
   /// Returns the inverse of the condensed matrix, times a scale, column-major in the order of its unknowns. value: that
   /// of each entry of the pattern. Throws ZeroPivot. Safe for several threads.
   std::vector<std::complex<double>> inverse(std::span<const std::complex<double>> value, double scale) const;
+  /// Returns what all unknowns of the pattern are under a right-hand side `scale` at each condensed unknown in turn,
+  /// column-major. Throws ZeroPivot. Safe for several threads.
+  std::vector<std::complex<double>> everywhere(std::span<const std::complex<double>> value, double scale) const;
   std::int64_t nonzeros() const { return nonzeros_; }
 
  private:
@@ -32,6 +35,8 @@ class ComplexCondensation {
   };
   /// Replaces the first columns of a front by those of L in A = LL', and the rest by what is left of it.
   void eliminate(const Step& step, Front& a) const;
+  /// Returns the fronts with all columns eliminated; those that are not kept are empty but for the last.
+  std::vector<Front> factorised(std::span<const std::complex<double>> value, bool keep) const;
 
   std::vector<std::int64_t> order_;
   std::vector<Step> step_;  ///< the last one has the condensed unknowns

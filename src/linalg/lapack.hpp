@@ -26,6 +26,10 @@ void dtrsm_(const char* side, const char* uplo, const char* transa, const char* 
 void ztrsm_(const char* side, const char* uplo, const char* transa, const char* diag, const int* m, const int* n,
             const std::complex<double>* alpha, const std::complex<double>* a, const int* lda, std::complex<double>* b,
             const int* ldb);
+void zgemm_(const char* transa, const char* transb, const int* m, const int* n, const int* k,
+            const std::complex<double>* alpha, const std::complex<double>* a, const int* lda,
+            const std::complex<double>* b, const int* ldb, const std::complex<double>* beta, std::complex<double>* c,
+            const int* ldc);
 void zsyrk_(const char* uplo, const char* trans, const int* n, const int* k, const std::complex<double>* alpha,
             const std::complex<double>* a, const int* lda, const std::complex<double>* beta, std::complex<double>* c,
             const int* ldc);

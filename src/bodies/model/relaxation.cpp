@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -103,6 +104,7 @@ std::complex<double> Relaxation::modulus(double frequency) const {
     for (const PronyTerm& t : term) value -= t.ratio / Complex{1, frequency * t.time};
     return value;
   }
+  if (frequency < 0) return std::conj(modulus(-frequency));
   const ModulusPoint &first = point.front(), &last = point.back();
   if (frequency <= first.frequency) return {first.storage, first.loss * frequency / first.frequency};
   if (frequency >= last.frequency) return {last.storage, last.loss * last.frequency / frequency};
@@ -158,6 +160,7 @@ std::vector<PronyTerm> checked_relaxation(std::int64_t n, const double* ratios, 
          static_cast<long long>(most_terms));
   std::vector<PronyTerm> term;
   if (n == 0) return term;
+  std::map<double, double> ratio_of;  // by time
   require_list(n, ratios, "ratios");
   require_list(n, times, "times");
   double sum = 0;
@@ -170,7 +173,7 @@ std::vector<PronyTerm> checked_relaxation(std::int64_t n, const double* ratios, 
       fail(Status::err_argument, "entry %lld of times (counting from 0) is %g; allowed: > 0, from %g to %g", entry,
            times[k], shortest, longest);
     sum += ratios[k];
-    if (ratios[k] > 0) term.push_back({ratios[k], times[k]});
+    if (ratios[k] > 0) ratio_of[times[k]] += ratios[k];
   }
   if (!(1 - sum >= least_left))
     fail(
@@ -178,15 +181,8 @@ std::vector<PronyTerm> checked_relaxation(std::int64_t n, const double* ratios, 
         "the ratios add up to %.9g; allowed: below 1, up to 1 - %g: the rest is what is left of Young's modulus in the "
         "end",
         sum, least_left);
-  std::sort(term.begin(), term.end(), [](const PronyTerm& a, const PronyTerm& b) { return a.time < b.time; });
-  std::vector<PronyTerm> merged;
-  for (const PronyTerm& t : term) {
-    if (!merged.empty() && merged.back().time == t.time)
-      merged.back().ratio += t.ratio;
-    else
-      merged.push_back(t);
-  }
-  return merged;
+  for (const auto& [time, ratio] : ratio_of) term.push_back({ratio, time});
+  return term;
 }
 
 // With E(s) / E0 = 1 - sum of g / (1 + s tau), 1 / E(s) = (1 + sum of f / (1 + s T)) / E0 has a pole -1 / T at each

@@ -94,21 +94,53 @@ std::vector<double> System::sampled(std::span<const double> force, double angle,
   return out;
 }
 
-std::vector<double> System::sample_everywhere(std::size_t s, int /*threads*/) const {
+Displaced System::sample_everywhere(std::size_t s, double rate) const {
   const double n = harmonics_.samples()[s], scale = (n > 0 ? n : 1) / reference_;
   const std::size_t width = section_.profile().size(), unknowns = at(stiffness_.unknowns());
+  const auto& of = stiffness_.numbers();
+  Displaced out{std::vector<double>(3 * width * of.size(), 0.0), {}};
+  if (rate != 0) {
+    const auto& [condensed, row] = condensation();
+    const auto found = condensed.everywhere(creeping_stiffness(n, rate), scale);
+    out.lags = out.part;
+    for (std::size_t k = 0; k < row.size(); ++k)
+      for (std::size_t i = 0; i < of.size(); ++i)
+        if (of[i] >= 0) {
+          const std::complex<double> u = found[k * unknowns + at(of[i])];
+          out.part[at(row[k]) * of.size() + i] = u.real(), out.lags[at(row[k]) * of.size() + i] = u.imag();
+        }
+    return out;
+  }
   std::call_once(order_found_, [&] { order_ = order_unknowns(stiffness_.matrix(1), {}).unknown; });
   const auto factor = factor_of(n, {}, order_);
-  std::vector<double> b(3 * width * unknowns, 0.0), out(3 * width * stiffness_.numbers().size(), 0.0);
+  std::vector<double> b(3 * width * unknowns, 0.0);
   for (std::size_t k = 0; k < 3 * width; ++k)
     if (const std::int64_t u = stiffness_.unknown(section_.profile()[k / 3], k % 3); u >= 0)
       b[k * unknowns + at(u)] = scale;
   factor->solve(b.data(), static_cast<std::int64_t>(3 * width));
-  const auto& of = stiffness_.numbers();
   for (std::size_t k = 0; k < 3 * width; ++k)
     for (std::size_t i = 0; i < of.size(); ++i)
-      if (of[i] >= 0) out[k * of.size() + i] = b[k * unknowns + at(of[i])];
+      if (of[i] >= 0) out.part[k * of.size() + i] = b[k * unknowns + at(of[i])];
   return out;
+}
+
+std::size_t System::relaxation_of(std::int64_t element, double rate, Elastic& unit) const {
+  unit = material(element);
+  std::size_t way = 1;
+  for (const Creeping& c : creeping_) {
+    if (const double young = c.stiffness.material(element).young; rate != 0 && young > 0) {
+      unit.young = young * reference_;
+      return way;
+    }
+    ++way;
+  }
+  return 0;
+}
+
+std::complex<double> System::modulus(std::size_t way, std::size_t sample, double rate) const {
+  if (way == 0) return 1;
+  return std::next(creeping_.begin(), static_cast<std::ptrdiff_t>(way) - 1)
+      ->relaxation.modulus(harmonics_.samples()[sample] * rate);
 }
 
 // The power is that of forces on the velocity of the material under them, which is the rate times the derivative of
@@ -199,11 +231,8 @@ void System::solve_everywhere(std::span<double> load, SurfaceState& state, int t
 }
 
 std::unique_ptr<const BodyFields> System::fields(SurfaceState&& state, const OwnLoads& own) {
-  if (state.rate != 0)
-    fail(Status::err_unsupported,
-         "the body is viscoelastic (rollcon_body_set_viscoelastic): fields inside it are not computed; allowed: "
-         "displacements of its surface (rollcon_contact_get_body_displacements)");
-  return std::make_unique<SectionFields>(*this, std::move(state.layer_traction), own.traction);
+  return std::make_unique<SectionFields>(*this, std::move(state.layer_traction), own.traction,
+                                         creeping_.empty() ? 0 : state.rate);
 }
 
 }  // namespace rollcon::section

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <map>
 
 #include "bodies/section/plane_point.hpp"
@@ -71,18 +72,24 @@ SectionFields::Stations SectionFields::by_angle(const std::vector<double>& angle
   all.node.erase(std::unique(all.node.begin(), all.node.end()), all.node.end());
   for (auto& [key, points] : found) all.angle.push_back(key), all.point.push_back(std::move(points));
   const auto rows = 2 * std::ssize(all.angle), nodes = std::ssize(all.node);
-  all.moved[0].resize(rows, 2 * nodes), all.moved[1].resize(rows, nodes);
-  for (std::int64_t r = 0; r < rows && !own_.empty(); r += 2)
-    for (std::int64_t i = 0; i < nodes; ++i) {
-      const double* own = own_.data() + 3 * at(all.node[at(i)]);
-      double* across = all.moved[0].row(r) + 2 * i;
-      across[0] = own[0], across[1] = own[2], all.moved[1].row(r)[i] = own[1];
-    }
+  all.moved.resize(system_.relaxations(rate_));
+  for (std::size_t way = 0; way < all.moved.size(); ++way) {
+    Moved& moved = all.moved[way];
+    moved.across.resize(rows, 2 * nodes), moved.along.resize(rows, nodes);
+    const double modulus = system_.modulus(way, 0, 0).real();
+    for (std::int64_t r = 0; r < rows && !own_.empty(); r += 2)
+      for (std::int64_t i = 0; i < nodes; ++i) {
+        const double* own = own_.data() + 3 * at(all.node[at(i)]);
+        double* across = moved.across.row(r) + 2 * i;
+        across[0] = modulus * own[0], across[1] = modulus * own[2], moved.along.row(r)[i] = modulus * own[1];
+      }
+  }
   return all;
 }
 
 // Displacements across the way go with the cosine of forces across it and with the sine, of opposite sign, of forces
-// along it; those along the way with the others.
+// along it; those along the way with the others. What lags goes with the sine for the cosine, and with the cosine, of
+// opposite sign, for the sine.
 void SectionFields::sum(Stations& all, int threads) const {
   if (force_.empty()) return;
   const BlasThreads blas(threads);
@@ -92,27 +99,38 @@ void SectionFields::sum(Stations& all, int threads) const {
   std::vector<std::vector<double>> acting(at(angles));
   parallel_for(angles, 1, threads,
                [&](std::int64_t k, int) { acting[at(k)] = system_.sampled(force_, all.angle[at(k)], true); });
-  RowMatrix<double> force[2], response[2];
-  for (auto& f : force) f.resize(2 * angles, width);
-  response[0].resize(width, 2 * nodes), response[1].resize(width, nodes);
+  RowMatrix<double> across, along, to_across, to_along;
+  across.resize(2 * angles, width), along.resize(2 * angles, width);
+  to_across.resize(width, 2 * nodes), to_along.resize(width, nodes);
   for (std::size_t s = 0; s < system_.samples(); ++s) {
-    const std::vector<double> everywhere = system_.sample_everywhere(s, threads);  // [column][3 * node + c]
-    const std::int64_t rows = std::ssize(everywhere) / width;
-    for (std::int64_t b = 0; b < width; ++b) {
-      const double* x = everywhere.data() + b * rows;
-      for (std::int64_t i = 0; i < nodes; ++i) {
-        const double* here = x + 3 * at(all.node[at(i)]);
-        double* across = response[0].row(b) + 2 * i;
-        across[0] = here[0], across[1] = here[2], response[1].row(b)[i] = here[1];
-      }
-      const bool along = b % 3 == 1;
-      for (std::int64_t r = 0; r < 2 * angles; ++r) {
-        const double* q = acting[at(r / 2)].data() + 4 * (width * static_cast<std::int64_t>(s) + b) + 2 * (r % 2);
-        force[0].row(r)[b] = along ? -q[1] : q[0];
-        force[1].row(r)[b] = along ? q[0] : q[1];
+    const Displaced everywhere = system_.sample_everywhere(s, rate_);
+    const std::int64_t rows = std::ssize(everywhere.part) / width;
+    for (const bool lags : {false, true}) {
+      if (lags && everywhere.lags.empty()) continue;
+      for (std::int64_t b = 0; b < width; ++b)
+        for (std::int64_t r = 0; r < 2 * angles; ++r) {
+          const double* q = acting[at(r / 2)].data() + 4 * (width * static_cast<std::int64_t>(s) + b) + 2 * (r % 2);
+          const double cosine = lags ? -q[1] : q[0], sine = lags ? q[0] : q[1];
+          across.row(r)[b] = b % 3 == 1 ? -sine : cosine;
+          along.row(r)[b] = b % 3 == 1 ? cosine : sine;
+        }
+      for (std::size_t way = 0; way < all.moved.size(); ++way) {
+        const std::complex<double> modulus = system_.modulus(way, s, rate_);
+        for (std::int64_t b = 0; b < width; ++b)
+          for (std::int64_t i = 0; i < nodes; ++i) {
+            const std::size_t here = at(b * rows + 3 * all.node[at(i)]);
+            const auto u = [&](std::size_t c) {
+              const double part = everywhere.part[here + c];
+              if (everywhere.lags.empty()) return part;
+              const std::complex<double> of = modulus * std::complex<double>(part, everywhere.lags[here + c]);
+              return lags ? of.imag() : of.real();
+            };
+            to_across.row(b)[2 * i] = u(0), to_across.row(b)[2 * i + 1] = u(2), to_along.row(b)[i] = u(1);
+          }
+        add_product(across, to_across, all.moved[way].across);
+        add_product(along, to_along, all.moved[way].along);
       }
     }
-    for (std::size_t c = 0; c < 2; ++c) add_product(force[c], response[c], all.moved[c]);
   }
 }
 
@@ -121,11 +139,13 @@ void SectionFields::evaluate(const Stations& all, std::size_t k, const Place& pl
   const SweptSection& s = system_.section();
   const auto nodes = s.plane().element(place.element);
   const PlanePoint here = plane_point(s, place.element, place.xi, place.eta);
+  Elastic m;
+  const Moved& source = all.moved[stress ? system_.relaxation_of(place.element, rate_, m) : 0];
   double u[3] = {}, by_angle[3] = {}, g[3][3] = {};  // g: derivative of component c along axis d
   for (std::size_t a = 0; a < nodes.size(); ++a) {
     const auto i = std::lower_bound(all.node.begin(), all.node.end(), nodes[a]) - all.node.begin();
     for (std::size_t c = 0; c < 3; ++c) {
-      const RowMatrix<double>& part = all.moved[c % 2];
+      const RowMatrix<double>& part = c == 1 ? source.along : source.across;
       const std::int64_t row = 2 * static_cast<std::int64_t>(k), column = c == 1 ? i : 2 * i + (c == 2);
       const double value = part.row(row)[column];
       u[c] += here.value[a] * value;
@@ -140,7 +160,6 @@ void SectionFields::evaluate(const Stations& all, std::size_t k, const Place& pl
   for (std::size_t c = 0; c < 3; ++c) g[c][1] = wave * by_angle[c];
   g[1][1] += curve * u[0];
   g[0][1] -= curve * u[1];
-  const Elastic m = system_.material(place.element);
   const double shear = m.young / (2 * (1 + m.poisson)), lame = 2 * shear * m.poisson / (1 - 2 * m.poisson);
   const double trace = g[0][0] + g[1][1] + g[2][2];
   double t[3][3] = {};
@@ -165,8 +184,9 @@ void SectionFields::at_points(std::int64_t n, const double* xyz, double* displac
   for (std::size_t a = 0; a < all.angle.size(); ++a)
     for (const std::int64_t k : all.point[a]) {
       Vec3 moved;
-      evaluate(all, a, place[at(k)], &moved, stress ? stress + 6 * k : nullptr);
+      if (displacement) evaluate(all, a, place[at(k)], &moved, nullptr);
       if (displacement) std::copy(moved.begin(), moved.end(), displacement + 3 * k);
+      if (stress) evaluate(all, a, place[at(k)], nullptr, stress + 6 * k);
     }
 }
 

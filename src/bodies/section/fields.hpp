@@ -12,9 +12,9 @@ namespace rollcon::section {
 class SectionFields final : public BodyFields {
  public:
   /// Takes forces as System::load() numbers them, and displacements of the plane nodes under the body's own loads;
-  /// empty: none. The system must outlive the fields.
-  SectionFields(const System& system, std::vector<double> force, std::vector<double> own)
-      : system_(system), force_(std::move(force)), own_(std::move(own)) {}
+  /// empty: none; and the rate at which a body that creeps passes by. The system must outlive the fields.
+  SectionFields(const System& system, std::vector<double> force, std::vector<double> own, double rate)
+      : system_(system), force_(std::move(force)), own_(std::move(own)), rate_(rate) {}
   void at_points(std::int64_t n, const double* xyz, double* displacement, double* stress, int threads) const override;
   void at_nodes(double* stress, int threads) const override;
 
@@ -24,22 +24,27 @@ class SectionFields final : public BodyFields {
     std::int64_t element = 0;
     double xi = 0, eta = 0;
   };
-  /// Holds the points asked for by their angles, ascending, and displacements of plane nodes there: at each angle a row
-  /// of values, and one of derivatives by the angle.
+  /// Holds displacements of plane nodes: at each angle a row of values, and one of derivatives by the angle.
+  struct Moved {
+    RowMatrix<double> across, along;  ///< along e1 and e2, in turn; along the way
+  };
+  /// Holds the points asked for by their angles, ascending, and displacements there. Those that follow the first are
+  /// convolved with the moduli of each way to relax: stresses are elastic ones of them.
   struct Stations {
     std::vector<double> angle;
     std::vector<std::vector<std::int64_t>> point;
     std::vector<std::int32_t> node;  ///< ascending
-    RowMatrix<double> moved[2];      ///< along e1 and e2, in turn; along the way
+    std::vector<Moved> moved;        ///< by System::relaxation_of()
   };
   void sum(Stations& all, int threads) const;
-  /// Returns stress[6] in the body's axes and the displacement at the angle of number k.
+  /// Returns the displacement at the angle of number k, or stress[6], in the body's axes.
   void evaluate(const Stations& all, std::size_t k, const Place& place, Vec3* moved, double* stress) const;
   Place find(const Vec3& x, double& angle) const;
   Stations by_angle(const std::vector<double>& angle, const std::vector<Place>& place) const;
 
   const System& system_;
   std::vector<double> force_, own_;
+  double rate_;
 };
 
 }  // namespace rollcon::section

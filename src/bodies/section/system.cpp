@@ -7,7 +7,6 @@
 #include "bodies/model/archive.hpp"
 #include "bodies/model/mesh_models.hpp"
 #include "linalg/blas_threads.hpp"
-#include "linalg/complex_condensation.hpp"
 #include "linalg/sparse_factor.hpp"
 #include "linalg/sparse_order.hpp"
 #include "support/clock.hpp"
@@ -116,35 +115,45 @@ const Response& System::response(double rate, int threads) {
   return response_.front();
 }
 
-// The moduli of harmonic n are those at the frequency n times the rate; a body that turns backwards has the conjugate.
+const System::Condensation& System::condensation() const {
+  std::call_once(condensed_once_, [&] {
+    const std::vector<std::int64_t> condensed = profile_unknowns();
+    const SparseMatrix pattern = stiffness_.matrix(1);
+    const SparseOrder order = order_unknowns(pattern, condensed);
+    std::vector<std::int64_t> place(order.unknown.size(), -1), row;
+    for (std::int64_t i = 0; i < std::ssize(section_.profile()); ++i)
+      for (std::size_t c = 0; c < 3; ++c)
+        if (const std::int64_t u = stiffness_.unknown(section_.profile()[at(i)], c); u >= 0)
+          place[at(u)] = 3 * i + static_cast<std::int64_t>(c);
+    for (std::size_t k = order.unknown.size() - condensed.size(); k < order.unknown.size(); ++k)
+      row.push_back(place[at(order.unknown[k])]);
+    condensation_.emplace(Condensation{{pattern, order.unknown, std::ssize(condensed)}, std::move(row)});
+  });
+  return *condensation_;
+}
+
+std::vector<std::complex<double>> System::creeping_stiffness(double n, double rate) const {
+  const std::vector<double> relaxed = stiffness_.matrix(n).value;
+  std::vector<std::complex<double>> value(relaxed.begin(), relaxed.end());
+  for (const Creeping& c : creeping_) {
+    const std::complex<double> more = c.relaxation.modulus(n * rate) - c.relaxation.modulus(0).real();
+    const std::vector<double> own = c.stiffness.matrix(n).value;
+    for (std::size_t k = 0; k < own.size(); ++k) value[k] += more * own[k];
+  }
+  return value;
+}
+
 void System::solve_creeping(Response& response, int threads) {
-  const std::vector<std::int64_t> condensed = profile_unknowns();
   const auto width = static_cast<std::int64_t>(section_.profile().size());
   const std::vector<double>& sample = harmonics_.samples();
-  const SparseMatrix pattern = stiffness_.matrix(1);
-  const SparseOrder order = order_unknowns(pattern, condensed);
-  std::vector<std::int64_t> place(order.unknown.size(), -1), row;  // row: 3 * profile node + c, in that order
-  for (std::int64_t i = 0; i < width; ++i)
-    for (std::size_t c = 0; c < 3; ++c)
-      if (const std::int64_t u = stiffness_.unknown(section_.profile()[at(i)], c); u >= 0)
-        place[at(u)] = 3 * i + static_cast<std::int64_t>(c);
-  for (std::size_t k = order.unknown.size() - condensed.size(); k < order.unknown.size(); ++k)
-    row.push_back(place[at(order.unknown[k])]);
-  const ComplexCondensation condensation(pattern, order.unknown, std::ssize(condensed));
+  const Condensation& condensed = condensation();
+  const std::vector<std::int64_t>& row = condensed.row;
   for (RowMatrix<double>* part : {&response.part, &response.lags}) part->resize(std::ssize(sample), 9 * width * width);
   parallel_for(std::ssize(sample), 1, threads, [&](std::int64_t s, int) {
-    const double n = sample[at(s)], scale = (n > 0 ? n : 1) / reference_, sign = response.rate < 0 ? -1 : 1;
-    const std::vector<double> relaxed = stiffness_.matrix(n).value;
-    std::vector<std::complex<double>> value(relaxed.begin(), relaxed.end());
-    for (const Creeping& c : creeping_) {
-      const std::complex<double> more =
-          c.relaxation.modulus(n * std::abs(response.rate)) - c.relaxation.modulus(0).real();
-      const std::vector<double> own = c.stiffness.matrix(n).value;
-      for (std::size_t k = 0; k < own.size(); ++k) value[k] += more * own[k];
-    }
+    const double n = sample[at(s)], scale = (n > 0 ? n : 1) / reference_;
     std::vector<std::complex<double>> found;
     try {
-      found = condensation.inverse(value, scale);
+      found = condensed.of.inverse(creeping_stiffness(n, response.rate), scale);
     } catch (const ZeroPivot& pivot) {
       refuse_singular(n, pivot.unknown());
     }
@@ -152,10 +161,10 @@ void System::solve_creeping(Response& response, int threads) {
       for (std::size_t r = 0; r < row.size(); ++r) {
         const std::complex<double> u = found[k * row.size() + r];
         response.part.row(s)[row[r] * 3 * width + row[k]] = u.real();
-        response.lags.row(s)[row[r] * 3 * width + row[k]] = sign * u.imag();
+        response.lags.row(s)[row[r] * 3 * width + row[k]] = u.imag();
       }
   });
-  statistics_.nonzeros = condensation.nonzeros();
+  statistics_.nonzeros = condensed.of.nonzeros();
   count_peak(response.part.bytes() * 2);
 }
 

@@ -2,8 +2,10 @@
 /// Solves a body by a section. Harmonics of the way, each condensed to the nodes of the section's contact edges, give
 /// the response to tractions on the surface that the section sweeps (docs/sections.md).
 
+#include <complex>
 #include <list>
 #include <mutex>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -12,6 +14,7 @@
 #include "bodies/model/response_cache.hpp"
 #include "bodies/section/harmonic_stiffness.hpp"
 #include "bodies/section/harmonics.hpp"
+#include "linalg/complex_condensation.hpp"
 
 namespace rollcon::section {
 
@@ -35,6 +38,11 @@ std::array<double, 3> along_the_way(bool quadratic, std::size_t function);
 struct Response {
   double rate = 0;               ///< angle per time at which the body passes by; 0: it stands, or is elastic
   RowMatrix<double> part, lags;  ///< real and imaginary parts; elastic bodies have none that lags
+};
+
+/// Holds displacements [column][3 * plane node + c]: real parts, and imaginary ones of bodies that creep.
+struct Displaced {
+  std::vector<double> part, lags;
 };
 
 class System final : public ResponseCache {
@@ -64,8 +72,15 @@ class System final : public ResponseCache {
   std::vector<double> sampled(std::span<const double> force, double angle, bool slopes,
                               const StationWeights* known = nullptr, std::int64_t station = 0) const;
   StationWeights at_stations(bool slopes) const;
-  /// Returns displacements of all plane nodes, times n of the sample, under a unit force of each column.
-  std::vector<double> sample_everywhere(std::size_t sample, int threads) const;
+  /// Returns displacements of all plane nodes, times n of the sample, under a unit force of each column, while the body
+  /// passes by at a rate.
+  Displaced sample_everywhere(std::size_t sample, double rate) const;
+  /// Returns the number of ways in which materials relax at a rate, and one for those that do not.
+  std::size_t relaxations(double rate) const { return rate == 0 ? 1 : 1 + creeping_.size(); }
+  /// Returns the number of an element's way, and what its moduli are multiples of.
+  std::size_t relaxation_of(std::int64_t element, double rate, Elastic& unit) const;
+  /// Returns the modulus of a way, as a multiple of this, in a sample.
+  std::complex<double> modulus(std::size_t way, std::size_t sample, double rate) const;
 
  private:
   void respond(const LoadedSurface& surface, SurfaceRows& rows, int threads) override;
@@ -87,6 +102,14 @@ class System final : public ResponseCache {
   [[noreturn]] void refuse_singular(double n, std::int64_t unknown) const;
   /// Returns the response at a rate, made if it is none of the few latest.
   const Response& response(double rate, int threads);
+  /// Holds the order of elimination of sections that creep, and 3 * profile node + c of each condensed unknown.
+  struct Condensation {
+    ComplexCondensation of;
+    std::vector<std::int64_t> row;
+  };
+  const Condensation& condensation() const;
+  /// Returns the stiffness of harmonic n with the moduli at the frequency n times the rate.
+  std::vector<std::complex<double>> creeping_stiffness(double n, double rate) const;
   void solve_harmonics(Response& response, int threads);
   void solve_creeping(Response& response, int threads);
   void find_power(SurfaceState& state, const Response& response) const;
@@ -117,6 +140,8 @@ class System final : public ResponseCache {
   /// Order of the unknowns with none condensed, which all harmonics share; found once for all threads.
   mutable std::once_flag order_found_;
   mutable std::vector<std::int64_t> order_;
+  mutable std::once_flag condensed_once_;
+  mutable std::optional<Condensation> condensation_;
 };
 
 }  // namespace rollcon::section

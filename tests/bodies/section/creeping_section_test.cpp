@@ -14,7 +14,7 @@ constexpr double rubber = 12, cord = 300;
 const std::vector<double> ratio{0.25, 0.25, 0.2}, fast_times{1e-3, 1e-2, 1e-1}, slow_times{1, 2, 5};
 
 /// Returns a tyre of two layers; relaxed: with what is left of its moduli in the end.
-SectionBody tyre(bool creeps, bool relaxed = false) {
+SectionBody tyre(bool creeps, bool relaxed = false, const std::vector<double>& of_cord = slow_times) {
   const sections::Rectangle shape{sections::fine_at_ends(3, -4, 4), sections::fine_at_ends(4, 25, 50)};
   SurfaceMesh plane = sections::rectangle(shape, ElementType::quad8);
   for (std::int64_t e = 0; e < plane.elements(); ++e)
@@ -23,7 +23,7 @@ SectionBody tyre(bool creeps, bool relaxed = false) {
   SectionBody body(plane, rubber * left, 0.48);
   body.body().set_elastic(1, cord * left, 0.3);
   if (creeps) body.body().set_viscoelastic(0, std::ssize(ratio), ratio.data(), fast_times.data());
-  if (creeps) body.body().set_viscoelastic(1, std::ssize(ratio), ratio.data(), slow_times.data());
+  if (creeps) body.body().set_viscoelastic(1, std::ssize(ratio), ratio.data(), of_cord.data());
   body.tag_sides(shape).contact(4).turn_about_y();
   body.hold([](const Vec3& x) { return x[2] < 25 + 1e-9; }).prepare();
   return body;
@@ -108,6 +108,49 @@ TEST(CreepingSection, keeps_its_latest_rates_and_goes_to_files) {
   SectionBody elastic = tyre(false);
   EXPECT_FALSE(elastic.body().creeps());
   EXPECT_GT(difference(rows(elastic.body(), 2), first), 0.05) << "it is no equal body";
+}
+
+/// Returns stresses below the tread, under a load, at its ends and beyond it. top: displacement of a loaded node.
+std::vector<double> stresses_under_load(Body& body, double rate, double& top) {
+  AsEquations& equations = *body.response()->as_equations();
+  const auto loads = equations.loads({{0, 1, 2, 3, 4, 5, 6, 7, 8}, {}, {}, rate}, 1);
+  std::vector<double> force(surfaces::at(loads->load.rows), 0.0);
+  const Vec3 traction{1, 0, -3};
+  for (std::size_t k = 0; k < 3 * loads->column.size(); ++k)
+    for (std::int64_t i = loads->load.start[k]; i < loads->load.start[k + 1]; ++i)
+      force[surfaces::at(loads->load.row[surfaces::at(i)])] += traction[k % 3] * loads->load.value[surfaces::at(i)];
+  SurfaceState state;
+  state.rate = rate;
+  equations.solve_everywhere(force, state, 1);
+  top = state.u[2];
+  const auto fields = body.response()->fields(std::move(state), {});
+  const std::vector<Vec3>& node = body.mesh().surface.node;
+  double u[3];
+  fields->at_points(1, node[0].data(), u, nullptr, 1);
+  expect_error("displacement at a node of the surface", u[2] / top - 1, 1e-10);
+  const std::size_t station = body.mesh().section.profile().size();
+  std::vector<double> point;
+  for (std::size_t k = 0; k < 20; ++k)
+    for (const double depth : {0.99, 0.9, 0.55})
+      point.insert(point.end(), {depth * node[k * station][0], 0.3, depth * node[k * station][2]});
+  std::vector<double> stress(2 * point.size());
+  fields->at_points(std::ssize(point) / 3, point.data(), nullptr, stress.data(), 1);
+  return stress;
+}
+
+// Moduli that are everywhere the same multiple of elastic ones, in each harmonic another, leave the stresses of given
+// tractions as they are, but not the displacements.
+TEST(CreepingSection, stresses_inside_carry_the_load) {
+  std::vector<double> nearly = fast_times;
+  for (double& t : nearly) t *= 1 + 1e-10;
+  SectionBody creeping = tyre(true, false, nearly), elastic = tyre(false);
+  for (const double rate : {5.0, -5.0}) {
+    double top, elastic_top;
+    const std::vector<double> found = stresses_under_load(creeping.body(), rate, top);
+    const std::vector<double> given = stresses_under_load(elastic.body(), 0, elastic_top);
+    expect_error("stresses beside elastic ones", difference(found, given), 1e-8);
+    EXPECT_GT(top / elastic_top, 1.3) << "it gives way more";
+  }
 }
 
 }  // namespace
