@@ -60,6 +60,9 @@ rollcon_stands_for(linalg/umfpack_absent.cpp UMFPACK FOR PROCEDURES)
 rollcon_belongs("linalg/condensed_factor" CHOLMOD MUMPS)
 rollcon_belongs("linalg/factored_matrix" FEM BEM PROCEDURES)
 
+rollcon_belongs("support/ranks_mpi" MPI)
+rollcon_stands_for(support/ranks_absent.cpp MPI)
+
 rollcon_belongs("io/vtu" VTU)
 rollcon_stands_for(io/vtu_absent.cpp VTU)
 
@@ -79,3 +82,4 @@ rollcon_sees("linalg/sparse_" cholmod)
 rollcon_sees("linalg/sparse_mumps" mumps)
 rollcon_sees("linalg/sparse_lu" umfpack)
 rollcon_sees("linalg/fft" fftw)
+rollcon_sees("support/ranks_mpi" mpi)

@@ -2,7 +2,7 @@
 # used by rollcon's own build and, for a static rollcon, by its CMake package.
 
 # Defines the target rollcon::<name>, or nothing where a library or the header is missing. The header is needed to build
-# rollcon only: rollcon_find_external(<cholmod|mumps|umfpack|fftw> [<folder to look in first>...])
+# rollcon only: rollcon_find_external(<cholmod|mumps|umfpack|fftw|mpi> [<folder to look in first>...])
 function(rollcon_find_external name)
   if(TARGET rollcon::${name})
     return()
@@ -30,7 +30,7 @@ function(rollcon_find_external name)
     endif()
     list(APPEND found "${${variable}}")
   endforeach()
-  find_path(ROLLCON_${upper}_INCLUDE ${header} PATH_SUFFIXES suitesparse DOC "Folder of ${header}")
+  find_path(ROLLCON_${upper}_INCLUDE ${header} PATH_SUFFIXES suitesparse mpi DOC "Folder of ${header}")
   mark_as_advanced(ROLLCON_${upper}_INCLUDE)
   list(POP_FRONT found first)
   add_library(rollcon::${name} UNKNOWN IMPORTED GLOBAL)

@@ -46,6 +46,7 @@ static void contexts(rollcon_context* context, int* lines) {
   must(rollcon_context_retain(context));
   if (rollcon_context_from_id(id) == context) printf("an id leads back to its handle\n");
   rollcon_context_release(context);
+  if (rollcon_context_set_communicator(context, 0) < 0) printf("it has no ranks beside it\n"); /* MPI does not run */
   must(rollcon_context_set_latch(context, 1));
   rollcon_report(context, ROLLCON_ERR_ARGUMENT, "my_function: n is -1"); /* a layer's own failure */
   printf("the latch keeps %d: %s\n", (int)rollcon_context_check(context), rollcon_last_error());

@@ -278,6 +278,15 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_context_set_threads
 
+    function rollcon_context_set_communicator(context, communicator) &
+        result(rc) bind(C, name="rollcon_context_set_communicator")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: context
+      integer(c_int32_t), value :: communicator
+      integer(c_int32_t) :: rc
+    end function rollcon_context_set_communicator
+
     function rollcon_context_set_latch(context, on) &
         result(rc) bind(C, name="rollcon_context_set_latch")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr

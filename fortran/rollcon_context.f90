@@ -21,6 +21,7 @@ module rollcon_context
     procedure :: handle
     procedure :: set_log
     procedure :: set_threads
+    procedure :: set_communicator
     procedure :: set_latch
     procedure :: check
     procedure, private :: assign
@@ -113,6 +114,16 @@ contains
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
     call finish(rollcon_context_set_threads(self%p, int(n, rc_int)), self%p, 'rc_context%set_threads', stat, errmsg)
+  end subroutine
+
+  !> Lets the ranks of an MPI communicator share lists: all of them make the same calls with the same data.
+  subroutine set_communicator(self, communicator, stat, errmsg)
+    class(rc_context), intent(inout) :: self
+    integer, intent(in) :: communicator
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_context_set_communicator(self%p, int(communicator, rc_int)), self%p, &
+      'rc_context%set_communicator', stat, errmsg)
   end subroutine
 
   !> Sets the latch. 1: the first failure from here on is remembered, and later calls on this context, its bodies and

@@ -117,6 +117,14 @@ subroutine rcthrd(ictx, n, ierr)
   ierr = rollcon_context_set_threads(context_of(ictx), narrow(n))
 end subroutine
 
+!> Lets the ranks of an MPI program share lists.
+subroutine rccomm(ictx, icommunicator, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ictx, icommunicator, ierr
+  ierr = rollcon_context_set_communicator(context_of(ictx), narrow(icommunicator))
+end subroutine
+
 !> Turns the latch on or off, for programs that check once, at the end.
 subroutine rcltch(ictx, ion, ierr)
   use rollcon_f77_support

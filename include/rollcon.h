@@ -414,6 +414,23 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_context_set_threads(rollcon_cont
     int32_t n);
 
 /*
+ * Lets the ranks of an MPI program share lists. All ranks of the communicator make the same calls
+ * with the same data; from now on rollcon_contact_solve_many, rollcon_wheelrail_solve_many,
+ * rollcon_wheelrail_find_wear and rollcon_table_make on this context, and on what was made from
+ * it, are calls of all ranks together: each rank solves its share, and all have the results and
+ * statuses of all, the same to the bit as on one rank. What fails on one rank fails on all of
+ * them, with the number of the rank in the text; a rank that is asked to stop leaves its cases
+ * cancelled. All other calls are each rank's own. The communicator stays the caller's, who frees
+ * it after the context. ROLLCON_ERR_STATE: MPI does not run. ROLLCON_ERR_UNSUPPORTED: the build
+ * is without MPI (rollcon_has_feature "mpi").
+ *   communicator  its Fortran handle: MPI_Comm_c2f(communicator) in C, communicator%MPI_VAL in
+ *                 mpi_f08
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_UNSUPPORTED.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_context_set_communicator(
+    rollcon_context *context, int32_t communicator);
+
+/*
  * Turns the latch on or off, for programs that check once, at the end. While the latch is on, the
  * first call that fails on the context or on what was made from it is remembered, and every later
  * one does nothing and returns the same status, with the same last error. Release, retain,

@@ -6,7 +6,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 cd "$root"
 
-all=(FEM BEM PROCEDURES VTU OPENMP CHOLMOD MUMPS UMFPACK FFTW)
+all=(FEM BEM PROCEDURES VTU OPENMP CHOLMOD MUMPS UMFPACK FFTW MPI)
 # Each entry has the name and the components of a build.
 builds=(
   "everything: FEM BEM PROCEDURES VTU OPENMP CHOLMOD UMFPACK FFTW"
@@ -16,6 +16,7 @@ builds=(
   "boundary elements alone: BEM OPENMP"
   "no OpenMP: FEM BEM PROCEDURES VTU CHOLMOD UMFPACK FFTW"
   "no UMFPACK: FEM BEM PROCEDURES VTU OPENMP CHOLMOD FFTW"
+  "lists over ranks: OPENMP MPI"
   "half-spaces alone:"
 )
 if [ $# -gt 0 ]; then
@@ -38,9 +39,10 @@ declare -A symbols=(
   [MUMPS]=' U dmumps_c'
   [UMFPACK]=' U umfpack_'
   [FFTW]=' U fftwf?_'
+  [MPI]=' U MPI_Allreduce'
 )
 declare -A needed=([OPENMP]='lib(gomp|omp|iomp5)\.' [CHOLMOD]='libcholmod' [MUMPS]='libdmumps_seq' [UMFPACK]='libumfpack'
-  [FFTW]='libfftw3')
+  [FFTW]='libfftw3' [MPI]='lib(mpi|mpich)\.')
 
 options() {  # of a build with these components
   local name

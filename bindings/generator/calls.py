@@ -9,6 +9,7 @@ TASKS = [
         ("check once, at the end", ["context_set_latch", "context_check"]),
         ("read what went wrong, or the caveat", ["last_error", "last_caveat"]),
         ("say how many threads to use", ["context_set_threads"]),
+        ("share lists with other MPI ranks", ["context_set_communicator"]),
         ("end", ["contact_release", "body_release", "context_release"])]),
     ("Bodies", [
         ("half-space, rigid, finite or boundary elements", ["body_create"]),

@@ -21,6 +21,7 @@ constexpr Feature feature_table[] = {
     {"umfpack", ROLLCON_BUILD_UMFPACK != 0},
     {"fftw", ROLLCON_BUILD_FFTW != 0},
     {"openmp", ROLLCON_BUILD_OPENMP != 0},
+    {"mpi", ROLLCON_BUILD_MPI != 0},
     {"vtu", ROLLCON_BUILD_VTU != 0},
 };
 

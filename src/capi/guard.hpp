@@ -118,6 +118,12 @@ std::int32_t with_table(const char* function, const rollcon_table* handle, F&& b
   return with_object(function, Kind::table, handle, [&](Object& object) { return body(*object.table); });
 }
 
+/// Makes the body of a call one of all ranks of its object's context: what throws on one of them throws on all.
+template <class F>
+auto together(const F& body) {
+  return [&](auto& object) { return object.context().ranks().together([&] { return body(object); }); };
+}
+
 // Returns the body that a further argument of a call refers to; errors give the argument's name.
 
 std::shared_ptr<Body> body_of(const rollcon_body* handle, const char* name);

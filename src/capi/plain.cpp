@@ -24,6 +24,12 @@ rollcon_status rollcon_context_set_threads(rollcon_context *context, int32_t n) 
   });
 }
 
+rollcon_status rollcon_context_set_communicator(rollcon_context *context, int32_t communicator) {
+  return with_object(__func__, Kind::context, context, [&](Object& self) {
+    self.context->set_communicator(communicator);
+  });
+}
+
 void rollcon_body_release(rollcon_body *body) {
   release(Kind::body, body);
 }

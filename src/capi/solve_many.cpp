@@ -57,36 +57,39 @@ void check_values(const Contact& c, const CaseList& list) {
 rollcon_status rollcon_contact_solve_many(rollcon_contact* contact, const char* parameters, int64_t n_cases,
                                           const double* values, const char* columns, int64_t capacity, double* results,
                                           int64_t* n_results, int32_t* status) {
-  return with_contact(__func__, contact, [&](Contact& c) {
-    const std::vector<Parameter> parameter = read_parameters(parameters);
-    require_count(n_cases, "n_cases");
-    constexpr int64_t most_cases = int64_t{1} << 40;
-    if (n_cases > most_cases)
-      fail(Status::err_argument, "n_cases is %lld; allowed: 0 to %lld", static_cast<long long>(n_cases),
-           static_cast<long long>(most_cases));
-    std::vector<CaseColumn> column;
-    int64_t width = 0;
-    each_word(columns, [&](const char* word, std::size_t length) {
-      column.push_back(case_column(word, length, static_cast<int64_t>(parameter.size()), c.nodes()));
-      width += column.back().width;
-    });
-    if (width == 0) {
-      require_count(capacity, "capacity");
-      if (n_results) *n_results = 0;
-    } else {
-      const void* room = n_cases > 0 ? static_cast<const void*>(results) : &width;  // a list without cases needs none
-      if (!wants_copy(width, capacity, room, "results", n_results, "numbers per case")) return Status::ok;
-    }
-    if (n_cases > 0 && capacity > PTRDIFF_MAX / n_cases / int64_t{sizeof(double)})
-      fail(Status::err_argument, "n_cases = %lld with capacity %lld is beyond the address space",
-           static_cast<long long>(n_cases), static_cast<long long>(capacity));
-    // Each case needs a place in the order of solving and a status; the results are the caller's memory.
-    constexpr double bytes_per_case = 32;
-    const double bytes = bytes_per_case * static_cast<double>(n_cases);
-    require_memory({bytes, bytes}, "solve it in parts", "a list of %lld cases takes", static_cast<long long>(n_cases));
-    if (n_cases > 0 && !parameter.empty()) require_pointer(values, "values");
-    const CaseList list{parameter, n_cases, values};
-    check_values(c, list);
-    return c.solve_many(list, {.status = status, .row = results, .stride = capacity, .column = column});
-  });
+  return with_contact(
+      __func__, contact, together([&](Contact& c) {
+        const std::vector<Parameter> parameter = read_parameters(parameters);
+        require_count(n_cases, "n_cases");
+        constexpr int64_t most_cases = int64_t{1} << 40;
+        if (n_cases > most_cases)
+          fail(Status::err_argument, "n_cases is %lld; allowed: 0 to %lld", static_cast<long long>(n_cases),
+               static_cast<long long>(most_cases));
+        std::vector<CaseColumn> column;
+        int64_t width = 0;
+        each_word(columns, [&](const char* word, std::size_t length) {
+          column.push_back(case_column(word, length, static_cast<int64_t>(parameter.size()), c.nodes()));
+          width += column.back().width;
+        });
+        if (width == 0) {
+          require_count(capacity, "capacity");
+          if (n_results) *n_results = 0;
+        } else {
+          const void* room =
+              n_cases > 0 ? static_cast<const void*>(results) : &width;  // a list without cases needs none
+          if (!wants_copy(width, capacity, room, "results", n_results, "numbers per case")) return Status::ok;
+        }
+        if (n_cases > 0 && capacity > PTRDIFF_MAX / n_cases / int64_t{sizeof(double)})
+          fail(Status::err_argument, "n_cases = %lld with capacity %lld is beyond the address space",
+               static_cast<long long>(n_cases), static_cast<long long>(capacity));
+        // Each case needs a place in the order of solving and a status; the results are the caller's memory.
+        constexpr double bytes_per_case = 32;
+        const double bytes = bytes_per_case * static_cast<double>(n_cases);
+        require_memory({bytes, bytes}, "solve it in parts", "a list of %lld cases takes",
+                       static_cast<long long>(n_cases));
+        if (n_cases > 0 && !parameter.empty()) require_pointer(values, "values");
+        const CaseList list{parameter, n_cases, values};
+        check_values(c, list);
+        return c.solve_many(list, {.status = status, .row = results, .stride = capacity, .column = column});
+      }));
 }

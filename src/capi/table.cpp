@@ -62,7 +62,7 @@ rollcon_status rollcon_table_get_samples(const rollcon_table* table, int64_t cap
 }
 
 rollcon_status rollcon_table_make(rollcon_table* table, int32_t part, int32_t parts) {
-  return with_table(__func__, table, [&](ForceTable& t) { return t.make(part, parts); });
+  return with_table(__func__, table, together([&](ForceTable& t) { return t.make(part, parts); }));
 }
 
 rollcon_status rollcon_table_evaluate(const rollcon_table* table, int64_t n, const double* inputs, double* results) {

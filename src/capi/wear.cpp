@@ -68,26 +68,27 @@ rollcon_status rollcon_wheelrail_find_wear(rollcon_wheelrail* wheelrail, int64_t
                                            const double* velocities, const double* weights, const char* law, int32_t n,
                                            const double* parameters, int64_t points, double* wheel, double* rail,
                                            double* volumes, int32_t* status) {
-  return with_wheelrail(__func__, wheelrail, [&](WheelRail& w) {
-    constexpr int64_t most = 100'000;
-    if (n_cases < 1 || n_cases > most)
-      fail(Status::err_argument, "n_cases is %lld; allowed: 1 to %lld", static_cast<long long>(n_cases),
-           static_cast<long long>(most));
-    require_pointer(positions, "positions");
-    require_pointer(velocities, "velocities");
-    if (weights) require_list(n_cases, weights, "weights");
-    for (int64_t i = 0; weights && i < n_cases; ++i)
-      if (weights[i] < 0)
-        fail(Status::err_argument, "entry %lld of weights (counting from 0) is %g; allowed: 0 or more",
-             static_cast<long long>(i), weights[i]);
-    const WearLaw taken = law_of(law, n, parameters);
-    require_point_count(points, 2);
-    constexpr int64_t together = 20'000'000;
-    if (points > together / n_cases)
-      fail(Status::err_argument, "n_cases is %lld and points is %lld; allowed: a product up to %lld",
-           static_cast<long long>(n_cases), static_cast<long long>(points), static_cast<long long>(together));
-    return find_wear(w, {n_cases, positions, velocities}, {taken, weights, points, wheel, rail, volumes}, status);
-  });
+  return with_wheelrail(
+      __func__, wheelrail, together([&](WheelRail& w) {
+        constexpr int64_t most = 100'000;
+        if (n_cases < 1 || n_cases > most)
+          fail(Status::err_argument, "n_cases is %lld; allowed: 1 to %lld", static_cast<long long>(n_cases),
+               static_cast<long long>(most));
+        require_pointer(positions, "positions");
+        require_pointer(velocities, "velocities");
+        if (weights) require_list(n_cases, weights, "weights");
+        for (int64_t i = 0; weights && i < n_cases; ++i)
+          if (weights[i] < 0)
+            fail(Status::err_argument, "entry %lld of weights (counting from 0) is %g; allowed: 0 or more",
+                 static_cast<long long>(i), weights[i]);
+        const WearLaw taken = law_of(law, n, parameters);
+        require_point_count(points, 2);
+        constexpr int64_t together = 20'000'000;
+        if (points > together / n_cases)
+          fail(Status::err_argument, "n_cases is %lld and points is %lld; allowed: a product up to %lld",
+               static_cast<long long>(n_cases), static_cast<long long>(points), static_cast<long long>(together));
+        return find_wear(w, {n_cases, positions, velocities}, {taken, weights, points, wheel, rail, volumes}, status);
+      }));
 }
 
 rollcon_status rollcon_wear_profile(int64_t points, const double* yz, const double* rate, int32_t side, double distance,

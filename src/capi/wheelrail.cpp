@@ -62,26 +62,27 @@ rollcon_status rollcon_wheelrail_copy(const rollcon_wheelrail* wheelrail, rollco
 rollcon_status rollcon_wheelrail_solve_many(rollcon_wheelrail* wheelrail, int64_t n, const double* positions,
                                             const double* velocities, const char* columns, double* totals,
                                             int32_t* status) {
-  return with_wheelrail(__func__, wheelrail, [&](WheelRail& w) {
-    static constexpr const char* known[] = {"force_x",  "force_y", "force_z",        "moment_x",      "moment_y",
-                                            "moment_z", "z",       "vertical_force", "friction_power"};
-    const std::vector<std::size_t> wanted = read_names(columns, "columns", known);
-    require_count(n, "n");
-    constexpr int64_t most = int64_t{1} << 40;
-    if (n > most)
-      fail(Status::err_argument, "n is %lld; allowed: 0 to %lld", static_cast<long long>(n),
-           static_cast<long long>(most));
-    if (n > 0) {
-      require_pointer(positions, "positions");
-      require_pointer(velocities, "velocities");
-      require_pointer(totals, "totals");
-    }
-    std::vector<double> all(std::size(known) * static_cast<std::size_t>(n));
-    const Status worst = solve_positions(w, {n, positions, velocities}, all.data(), status);
-    for (auto row = all.begin(); row != all.end(); row += std::ssize(known))
-      totals = copy_columns(wanted, &*row, totals);
-    return worst;
-  });
+  return with_wheelrail(__func__, wheelrail, together([&](WheelRail& w) {
+                          static constexpr const char* known[] = {"force_x",  "force_y",        "force_z",
+                                                                  "moment_x", "moment_y",       "moment_z",
+                                                                  "z",        "vertical_force", "friction_power"};
+                          const std::vector<std::size_t> wanted = read_names(columns, "columns", known);
+                          require_count(n, "n");
+                          constexpr int64_t most = int64_t{1} << 40;
+                          if (n > most)
+                            fail(Status::err_argument, "n is %lld; allowed: 0 to %lld", static_cast<long long>(n),
+                                 static_cast<long long>(most));
+                          if (n > 0) {
+                            require_pointer(positions, "positions");
+                            require_pointer(velocities, "velocities");
+                            require_pointer(totals, "totals");
+                          }
+                          std::vector<double> all(std::size(known) * static_cast<std::size_t>(n));
+                          const Status worst = solve_positions(w, {n, positions, velocities}, all.data(), status);
+                          for (auto row = all.begin(); row != all.end(); row += std::ssize(known))
+                            totals = copy_columns(wanted, &*row, totals);
+                          return worst;
+                        }));
 }
 
 rollcon_status rollcon_wheelrail_get_resultant(const rollcon_wheelrail* wheelrail, int32_t axes, double* force,

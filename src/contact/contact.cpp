@@ -119,6 +119,10 @@ Status Contact::solve_unless_cancelled() {
   }
 }
 
+Context& Contact::context() const {
+  return *solver->host.context;
+}
+
 Status Contact::solve_many(const CaseList& cases, const CaseResults& results) {
   // Forgets the last solution if something was set since: it is then that of another scene.
   const Solution& last = solver->solution();

@@ -65,6 +65,7 @@ class Contact {
   std::unique_ptr<Contact> make_worker() const;
   /// Solves the scene with some of what is prescribed replaced, case by case and over threads. Returns the worst status
   /// of the cases (see worse()). The scene stays, and so does the last solution unless something was set since.
+  Context& context() const;
   Status solve_many(const CaseList& cases, const CaseResults& results);
   /// Forgets warm start, solution, iteration log and the start of a time step; keeps the scene and the caches that
   /// still fit.

@@ -17,10 +17,17 @@ void Batch::keep_failure(std::int64_t i) {
   }
 }
 
-Status Batch::finish(const Context& context, const char* what, std::int32_t* status) {
+void Batch::give(double* row, std::int64_t width, std::int64_t stride) {
+  constexpr auto number = static_cast<std::int64_t>(sizeof(double)), word = static_cast<std::int64_t>(sizeof(Status));
+  std::vector<std::uint8_t> known = taken_;
+  context_.ranks().give(status_.data(), std::ssize(status_), word, word, known);
+  if (width > 0) context_.ranks().give(row, std::ssize(status_), width * number, stride * number, known = taken_);
+}
+
+Status Batch::finish(const char* what, std::int32_t* status) {
   std::sort(failures_.begin(), failures_.end());
   for (const auto& [i, text] : failures_)
-    context.log(LogLevel::warning, "%s %lld (counting from 0): %s", what, static_cast<long long>(i), text.c_str());
+    context_.log(LogLevel::warning, "%s %lld (counting from 0): %s", what, static_cast<long long>(i), text.c_str());
   Status worst = Status::ok;
   for (const Status s : status_) {
     worst = worse(worst, s);

@@ -1,6 +1,6 @@
 #pragma once
-/// Collects the answers of a list, each found by itself over the threads of parallel_for: one that fails leaves the
-/// others alone.
+/// Collects the answers of a list, each found by itself over the ranks of the context and the threads of parallel_for:
+/// one that fails leaves the others alone.
 
 #include <cstdint>
 #include <mutex>
@@ -18,11 +18,13 @@ namespace rollcon {
 class Batch {
  public:
   /// Marks all answers as cancelled until they are found.
-  explicit Batch(std::int64_t answers) : status_(at(answers), Status::cancelled) {}
+  Batch(std::int64_t answers, const Context& context)
+      : context_(context), status_(at(answers), Status::cancelled), taken_(at(answers), 0) {}
 
   /// Takes the status that find() returns; returns false if it threw, and takes its exception. Any thread may call it.
   template <class Find>
   bool take(std::int64_t i, const Find& find) {
+    taken_[at(i)] = 1;
     try {
       status_[at(i)] = find();
       return true;
@@ -34,17 +36,22 @@ class Batch {
     return false;
   }
 
+  /// Gives all ranks what any has taken: the statuses, and in `row`, which each rank has, `width` numbers of each
+  /// answer, `stride` apart. All ranks call it with the same lists.
+  void give(double* row, std::int64_t width, std::int64_t stride);
   /// Gives answer i the status of answer `from`.
   void repeat(std::int64_t i, std::int64_t from) { status_[at(i)] = status_[at(from)]; }
   /// Logs failures in the order of the list, with `what` the name of an entry. Returns the worst status. Fills status,
   /// which may be null, with each one.
-  Status finish(const Context& context, const char* what, std::int32_t* status);
+  Status finish(const char* what, std::int32_t* status);
 
  private:
   void keep_failure(std::int64_t i);
 
+  const Context& context_;
   std::vector<Status> status_;
-  std::mutex mutex_;  ///< guards the members below
+  std::vector<std::uint8_t> taken_;  ///< by this rank
+  std::mutex mutex_;                 ///< guards the members below
   std::vector<std::pair<std::int64_t, std::string>> failures_;
 };
 

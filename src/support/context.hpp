@@ -9,6 +9,7 @@
 #include <string>
 
 #include "support/error.hpp"
+#include "support/ranks.hpp"
 
 namespace rollcon {
 
@@ -34,6 +35,10 @@ class Context {
   bool hears(LogLevel level) const {
     return static_cast<std::int32_t>(level) <= log_level_.load(std::memory_order_relaxed);
   }
+
+  /// Takes the ranks that share lists, by the Fortran handle of MPI's communicator.
+  void set_communicator(std::int32_t communicator) { ranks_ = Ranks::of(communicator); }
+  const Ranks& ranks() const { return ranks_; }
 
   void set_threads(std::int32_t n);
   /// Returns the threads to use now: the budget (0: OpenMP's default), or 1 inside a parallel region and in loops of
@@ -70,6 +75,7 @@ class Context {
   Status kept_ = Status::ok;
   std::string kept_text_;
   std::shared_ptr<EqualBodies> bodies_;
+  Ranks ranks_;
 };
 
 }  // namespace rollcon

@@ -172,7 +172,7 @@ Status ForceTable::make(std::int32_t part, std::int32_t parts) {
   cancel_.store(false);
   try {
     const HostInterrupt interrupt(progress_, progress_user_, cancel_);
-    solve_samples(grid_, part, parts, context_->threads(), sample_);
+    solve_samples(grid_, part, parts, *context_, sample_);
   } catch (const Cancelled&) {
     return Status::cancelled;
   }

@@ -18,6 +18,7 @@ namespace rollcon {
 class ForceTable {
  public:
   explicit ForceTable(std::shared_ptr<Context> context) : context_(std::move(context)) {}
+  Context& context() const { return *context_; }
   static std::unique_ptr<ForceTable> load(std::shared_ptr<Context> context, const std::string& path);
   /// Loads the table that comes with the library. err_io: it is not where the library looks.
   static std::unique_ptr<ForceTable> standard(std::shared_ptr<Context> context);

@@ -215,27 +215,41 @@ std::array<double, 3> unit_creepages(const TableGrid& grid, double log_ratio, do
           std::sin(angle) * std::sin(direction) * turn / linear[sampled_c22], std::cos(angle) / spin};
 }
 
-void solve_samples(const TableGrid& grid, std::int64_t part, std::int64_t parts, int threads,
+void solve_samples(const TableGrid& grid, std::int64_t part, std::int64_t parts, const Context& context,
                    std::vector<double>& sample) {
   const BlasThreads blas(1);
   const SampleLayout layout(grid);
-  std::vector<Worker> worker(at(threads));
-  parallel_for((grid.ratios + 1) * layout.chains, 1, threads, [&](std::int64_t i, int thread) {
-    const std::int64_t ratio = i / layout.chains, chain = i % layout.chains;
-    std::vector<double*> plane, to;
-    for (std::int64_t p = ratio; p < layout.planes; p += grid.ratios + 1) {
-      plane.push_back(sample.data() + p * layout.plane());
-      to.push_back(plane.back() + layout.numbers + chain * layout.chain);
-    }
-    if (i % parts != part || mirrored(grid, chain) || !std::isnan(to.back()[layout.chain - 1])) return;
-    Worker& w = worker[at(thread)];
-    stand(grid, ratio, w);
-    for (std::size_t p = 0; chain == 0 && p < plane.size(); ++p)
-      std::copy_n(w.sampled[p].linear.begin(), layout.numbers, plane[p]);
-    solve_chain(grid, chain, w, to);
-  });
+  const std::int64_t ratios = grid.ratios + 1, count = ratios * layout.chains;
+  const auto start = [&](std::int64_t plane, std::int64_t chain) {
+    return sample.data() + plane * layout.plane() + layout.numbers + chain * layout.chain;
+  };
+  const auto wanted = [&](std::int64_t i) {
+    const std::int64_t chain = i % layout.chains, last = layout.planes - ratios + i / layout.chains;
+    return i % parts == part && !mirrored(grid, chain) && std::isnan(start(last, chain)[layout.chain - 1]);
+  };
+  std::vector<Worker> worker(at(context.threads()));
+  try {
+    parallel_for(count, 1, context.threads(), [&](std::int64_t i, int thread) {
+      if (!context.ranks().mine(i / parts) || !wanted(i)) return;
+      const std::int64_t ratio = i / layout.chains, chain = i % layout.chains;
+      std::vector<double*> to;
+      for (std::int64_t p = ratio; p < layout.planes; p += ratios) to.push_back(start(p, chain));
+      Worker& w = worker[at(thread)];
+      stand(grid, ratio, w);
+      for (std::size_t p = 0; chain == 0 && p < to.size(); ++p)
+        std::copy_n(w.sampled[p].linear.begin(), layout.numbers, to[p] - layout.numbers);
+      solve_chain(grid, chain, w, to);
+    });
+  } catch (const Cancelled&) {
+    // Samples that are still wanted tell all ranks.
+  }
+  std::vector<std::uint8_t> known;
+  for (const double v : sample) known.push_back(std::isnan(v) ? 0 : 1);
+  context.ranks().give(sample.data(), std::ssize(sample), sizeof(double), sizeof(double), known);
   for (std::int64_t plane = 0; plane < layout.planes; ++plane)
     mirror(grid, layout, sample.data() + plane * layout.plane());
+  for (std::int64_t i = 0; i < count; ++i)
+    if (wanted(i)) throw Cancelled{};
 }
 
 StripsSize frame_of(const TableGrid& grid, double ratio) {

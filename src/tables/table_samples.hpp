@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "support/context.hpp"
 #include "tables/creep_table.hpp"
 
 namespace rollcon {
@@ -43,9 +44,9 @@ double direction_of(const TableGrid& grid, std::int64_t direction);
 std::array<double, 3> unit_creepages(const TableGrid& grid, double log_ratio, double angle, double direction,
                                      const double* linear);
 
-/// Solves part `part` of `parts` of the samples that are not there yet, over threads. May throw Cancelled: what was
-/// solved stays.
-void solve_samples(const TableGrid& grid, std::int64_t part, std::int64_t parts, int threads,
+/// Solves part `part` of `parts` of the samples that are not there yet, over ranks and threads. May throw Cancelled:
+/// what was solved stays.
+void solve_samples(const TableGrid& grid, std::int64_t part, std::int64_t parts, const Context& context,
                    std::vector<double>& sample);
 
 /// Returns the coarser frame under an ellipse of this ratio. Long ones want more cells along their length than across

@@ -48,6 +48,10 @@ TEST_F(inputs, prepared_bodies_are_frozen_and_incomplete_ones_cannot_be_prepared
 TEST_F(inputs, context_settings) {
   EXPECT_FAILS(rollcon_context_set_threads(context, -1), ARGUMENT, "-1", "4096");
   EXPECT_FAILS(rollcon_context_set_threads(context, 5000), ARGUMENT, "5000");
+  if (rollcon_has_feature("mpi"))
+    EXPECT_FAILS(rollcon_context_set_communicator(context, 0), STATE, "MPI_Init");
+  else
+    EXPECT_FAILS(rollcon_context_set_communicator(context, 0), UNSUPPORTED, "ROLLCON_WITH_MPI");
   EXPECT_FAILS(rollcon_context_set_log(context, 5, nullptr, nullptr), ARGUMENT, "5");
   EXPECT_FAILS(rollcon_context_set_log(context, -1, nullptr, nullptr), ARGUMENT, "-1");
   EXPECT_OK(rollcon_context_set_threads(context, 0));

@@ -138,6 +138,8 @@ contains
     call demand(.not. c_associated(one%handle()), 'a failure leaves no copy')
     call context%set_threads(11, stat)
     call told('context_set_threads', 'context1 11', stat)
+    call context%set_communicator(12, stat)
+    call told('context_set_communicator', 'context1 12', stat)
     call context%set_latch(21, stat)
     call told('context_set_latch', 'context1 21', stat)
     call answers(ROLLCON_NOT_CONVERGED)

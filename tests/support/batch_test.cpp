@@ -18,7 +18,7 @@ TEST(batch, what_an_answer_throws_is_its_own) {
       &told);
   for (const int threads : {1, 3}) {
     told.clear();
-    Batch batch(8);
+    Batch batch(8, context);
     std::atomic<int> whole{0};
     parallel_for(7, 1, threads, [&](std::int64_t i, int) {
       whole += batch.take(i, [i] {
@@ -33,7 +33,7 @@ TEST(batch, what_an_answer_throws_is_its_own) {
     EXPECT_EQ(whole.load(), 2);
     batch.repeat(7, 6);
     std::int32_t status[8];
-    EXPECT_EQ(batch.finish(context, "case", status), Status::cancelled);
+    EXPECT_EQ(batch.finish("case", status), Status::cancelled);
     const std::int32_t expected[] = {0, -12, -9, -99, -99, 3, 5, 5};
     for (int i = 0; i < 8; ++i) EXPECT_EQ(status[i], expected[i]) << i;
     ASSERT_EQ(told.size(), 4U) << threads;
@@ -51,5 +51,5 @@ TEST(batch, the_worse_status_goes_before) {
     for (std::size_t j = 0; j < std::size(order); ++j) EXPECT_EQ(worse(order[i], order[j]), order[std::min(i, j)]);
   EXPECT_EQ(worse(Status::err_load, Status::coarse), Status::not_converged);
   EXPECT_EQ(worse(Status::cancelled, Status::err_memory), Status::cancelled);
-  EXPECT_EQ(Batch(0).finish(Context(), "case", nullptr), Status::ok);
+  EXPECT_EQ(Batch(0, Context()).finish("case", nullptr), Status::ok);
 }

@@ -211,6 +211,7 @@ FUNCTIONS = {
     "rollcon_context_release": (None, [c_void_p]),
     "rollcon_context_set_log": (c_int32, [c_void_p, c_int32, log_fn, c_void_p]),
     "rollcon_context_set_threads": (c_int32, [c_void_p, c_int32]),
+    "rollcon_context_set_communicator": (c_int32, [c_void_p, c_int32]),
     "rollcon_context_set_latch": (c_int32, [c_void_p, c_int32]),
     "rollcon_context_check": (c_int32, [c_void_p]),
     "rollcon_body_create": (c_int32, [c_void_p, c_int32, POINTER(c_void_p)]),
@@ -608,6 +609,7 @@ ARGUMENTS = {
         ("context", ""), ("max_level", "log level"), ("fn", ""), ("user", "")
     ],
     "rollcon_context_set_threads": [("context", ""), ("n", "")],
+    "rollcon_context_set_communicator": [("context", ""), ("communicator", "")],
     "rollcon_context_set_latch": [("context", ""), ("on", "")],
     "rollcon_context_check": [("context", "")],
     "rollcon_body_create": [("context", ""), ("kind", "body kind"), ("body", "")],

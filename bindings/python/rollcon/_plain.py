@@ -30,6 +30,22 @@ class ContextPlain:
         """
         self._call("set_threads", n)
 
+    def set_communicator(self, communicator: int) -> None:
+        """Lets the ranks of an MPI program share lists. All ranks of the communicator make the
+        same calls with the same data; from now on solve_many(), solve_many(), find_wear() and
+        make() on this context, and on what was made from it, are calls of all ranks together:
+        each rank solves its share, and all have the results and statuses of all, the same to the
+        bit as on one rank. What fails on one rank fails on all of them, with the number of the
+        rank in the text; a rank that is asked to stop leaves its cases cancelled. All other calls
+        are each rank's own. The communicator stays the caller's, who frees it after the context.
+        ERR_STATE: MPI does not run. ERR_UNSUPPORTED: the build is without MPI
+        (rollcon_has_feature "mpi").
+
+        communicator: its Fortran handle: MPI_Comm_c2f(communicator) in C, communicator%MPI_VAL in
+          mpi_f08.
+        """
+        self._call("set_communicator", communicator)
+
     def set_latch(self, on: int = 1) -> None:
         """Turns the latch on or off, for programs that check once, at the end. While the latch is
         on, the first call that fails on the context or on what was made from it is remembered,

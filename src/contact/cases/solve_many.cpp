@@ -40,7 +40,7 @@ class ManyCases final : public Interrupt {
         results_(results),
         host_(host),
         order_(order_cases(list.cases, parameters(), list.value, priority(list.parameter))),
-        batch_(list.cases) {
+        batch_(list.cases, *host.context) {
     for (const CaseColumn& c : results.column) width_ += c.width;
     for (const std::int64_t i : order_.solved) forget_results(i);
   }
@@ -137,8 +137,9 @@ std::size_t ManyCases::run(const std::function<std::unique_ptr<CaseSolver>()>& m
   do solver.push_back(make());
   while (std::ssize(solver) < std::min<std::int64_t>(threads, order_.chains()));
   try {
-    parallel_for(order_.chains(), 1, static_cast<int>(solver.size()),
-                 [&](std::int64_t chain, int thread) { solve_chain(*solver[at(thread)], at(chain), thread == 0); });
+    parallel_for(order_.chains(), 1, static_cast<int>(solver.size()), [&](std::int64_t chain, int thread) {
+      if (host_.context->ranks().mine(chain)) solve_chain(*solver[at(thread)], at(chain), thread == 0);
+    });
   } catch (const Cancelled&) {
     // Cases that were solved before keep their results.
   }
@@ -149,12 +150,13 @@ std::size_t ManyCases::run(const std::function<std::unique_ptr<CaseSolver>()>& m
 }
 
 Status ManyCases::finish() {
+  batch_.give(results_.row, width_, results_.stride);
   for (std::int64_t i = 0; i < list_.cases; ++i) {
     const std::int64_t from = order_.solved_as[at(i)];
     batch_.repeat(i, from);
     if (from != i && width_ > 0) std::copy_n(row(from), width_, row(i));
   }
-  return batch_.finish(*host_.context, "case", results_.status);
+  return batch_.finish("case", results_.status);
 }
 
 }  // namespace

@@ -1,0 +1,66 @@
+#pragma once
+/// Shares work among the processes of an MPI program, all of which make the same calls with the same data. A process
+/// alone is rank 0 of 1, and shares nothing.
+
+#include <cstdint>
+#include <vector>
+
+#include "support/error.hpp"
+
+namespace rollcon {
+
+class Ranks {
+ public:
+  Ranks() = default;
+  /// Takes the ranks of MPI's communicator, given by its Fortran handle. Throws err_unsupported in a build without MPI,
+  /// and err_argument where MPI does not run or the handle is none.
+  static Ranks of(std::int32_t communicator);
+
+  /// Says whether work i is this rank's.
+  bool mine(std::int64_t i) const { return i % size_ == rank_; }
+
+  /// Does a call's work, which may give() in between. Where it throws on one rank it throws on all of them, so that
+  /// none waits for another: the first failing rank's status, and its text after its number.
+  template <class Work>
+  auto together(const Work& work) const {
+    if (size_ == 1) return work();
+    try {
+      auto result = work();
+      agree(0);
+      return result;
+    } catch (const OfAnother&) {
+      throw;
+    } catch (...) {
+      disagree();
+      throw;
+    }
+  }
+
+  /// Gives `count` rows of `bytes` bytes, `stride` bytes apart, to all ranks: known[i] says whether this rank has row
+  /// i, and in the end whether any has. Rows that none has stay as they are. Ranks that have a row have the same one.
+  void give(void* rows, std::int64_t count, std::int64_t bytes, std::int64_t stride,
+            std::vector<std::uint8_t>& known) const;
+
+ private:
+  struct OfAnother {};  ///< marks exceptions that all ranks know of
+  template <class Thrown>
+  struct OnAll;
+  /// Tells all ranks that this one goes on with `count` rows. Throws what another rank fails with.
+  void agree(std::int64_t count) const;
+  /// Tells all ranks of the exception in flight, from a catch block.
+  void disagree() const;
+  void tell(Status status, const char* text, std::int64_t count) const;
+
+  // Members below are all that knows MPI.
+  /// Replaces each value by the least of all ranks.
+  void least(std::int64_t* value, int n) const;
+  /// Replaces bytes by those of a rank.
+  void take_from(int rank, void* bytes, int n) const;
+  /// Replaces bytes by the bitwise or of all ranks.
+  void join(std::uint8_t* bytes, std::int64_t n) const;
+
+  std::int32_t communicator_ = 0;
+  int rank_ = 0, size_ = 1;
+};
+
+}  // namespace rollcon
