@@ -2,7 +2,7 @@
 # used by rollcon's own build and, for a static rollcon, by its CMake package.
 
 # Defines the target rollcon::<name>, or nothing where a library or the header is missing. The header is needed to build
-# rollcon only: rollcon_find_external(<cholmod|mumps|umfpack|fftw|mpi> [<folder to look in first>...])
+# rollcon only: rollcon_find_external(<cholmod|mumps|umfpack|fftw|hmat|mpi> [<folder to look in first>...])
 function(rollcon_find_external name)
   if(TARGET rollcon::${name})
     return()
@@ -13,6 +13,8 @@ function(rollcon_find_external name)
   if(name STREQUAL "mumps")
     set(header dmumps_c.h)
     set(libraries dmumps_seq)  # without MPI
+  elseif(name STREQUAL "hmat")
+    set(header hmat/hmat.h)
   elseif(name STREQUAL "fftw")
     set(header fftw3.h)
     set(libraries fftw3 fftw3f)  # doubles, floats

@@ -563,7 +563,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_kind(const rollcon_body
  * responses to frames that it has cached (option cache_bytes). The file appears whole or not at
  * all; an older one is replaced. Poses belong to contacts and are not written. Every library of
  * the same ABI number and format reads it, on any machine of the same byte order with IEEE
- * numbers.
+ * numbers. ROLLCON_ERR_UNSUPPORTED: the body has hierarchical factors (option factor).
  *   path  name of the file
  * Also returns: ROLLCON_ERR_IO, ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR,
  *   ROLLCON_ERR_MEMORY, ROLLCON_ERR_UNSUPPORTED.
@@ -591,8 +591,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_load(rollcon_context *conte
  * Changed in its loads and prescribed displacements alone, and prepared, it takes the equations
  * of the first, and their factors: so several load cases of one body cost one assembly and
  * factorisation. (Finite elements factorise once more, with nothing condensed, for all cases
- * after the first, unless option keep_factors is 0; boundary elements are assembled again for
- * each, since loads have integrals of their own.)
+ * after the first, unless option keep_factors is 0; boundary elements integrate over the loaded
+ * and moved elements alone.)
  *   copy  new handle
  * Ownership: The caller owns the new handle: release it. *copy is NULL after a failure.
  * Also returns: ROLLCON_ERR_MEMORY.

@@ -6,10 +6,10 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 cd "$root"
 
-all=(FEM BEM PROCEDURES VTU OPENMP CHOLMOD MUMPS UMFPACK FFTW MPI)
+all=(FEM BEM PROCEDURES VTU OPENMP CHOLMOD MUMPS UMFPACK FFTW HMAT MPI)
 # Each entry has the name and the components of a build.
 builds=(
-  "everything: FEM BEM PROCEDURES VTU OPENMP CHOLMOD UMFPACK FFTW"
+  "everything: FEM BEM PROCEDURES VTU OPENMP CHOLMOD UMFPACK FFTW HMAT"
   "without the GPL: BEM PROCEDURES VTU OPENMP"
   "finite elements without the GPL: FEM BEM PROCEDURES VTU OPENMP MUMPS"
   "finite elements alone: FEM OPENMP CHOLMOD"
@@ -39,10 +39,11 @@ declare -A symbols=(
   [MUMPS]=' U dmumps_c'
   [UMFPACK]=' U umfpack_'
   [FFTW]=' U fftwf?_'
+  [HMAT]=' U hmat_'
   [MPI]=' U MPI_Allreduce'
 )
 declare -A needed=([OPENMP]='lib(gomp|omp|iomp5)\.' [CHOLMOD]='libcholmod' [MUMPS]='libdmumps_seq' [UMFPACK]='libumfpack'
-  [FFTW]='libfftw3' [MPI]='lib(mpi|mpich)\.')
+  [FFTW]='libfftw3' [HMAT]='libhmat' [MPI]='lib(mpi|mpich)\.')
 
 options() {  # of a build with these components
   local name

@@ -19,8 +19,8 @@ declare -A sets=(
   # example that runs on several processes and one in an integrator; a factorisation for builds without the GPL;
   # pictures of the Python package, readers of the output files; the program of the how-to on CalculiX.
   [test]="git libgtest-dev libbenchmark-dev clang clang-format clang-tidy libomp-dev libclang-rt-dev binutils
-    abigail-tools valgrind mpich libmpich-dev libmumps-seq-dev libsundials-dev python3-matplotlib python3-meshio
-    calculix-ccx"
+    abigail-tools valgrind mpich libmpich-dev libmumps-seq-dev libhmat-oss-dev libsundials-dev python3-matplotlib
+    python3-meshio calculix-ccx"
   [docs]="mkdocs mkdocs-material libjs-mathjax fonts-mathjax codespell python3-matplotlib"
   [octave]="octave octave-dev gnuplot-nox ghostscript fonts-freefont-otf"
   [package]="dpkg-dev fakeroot lintian debhelper file python3-pip python3-venv"

@@ -22,6 +22,11 @@ const SettingTable<BodyOptions>& body_option_table() {
        "1: preparing factorises what contacts are known to need; 0: it checks only, and what a "
        "contact then asks for comes with it. Bodies with loads or given displacements of their own "
        "are factorised in any case."},
+      {"factor", &BodyOptions::factor, 0, 2,
+       "Boundary elements. 0: hierarchical factors from 12,000 unknowns on, where this library has them, else dense "
+       "ones; 1: dense; 2: hierarchical."},
+      {"factor_accuracy", &BodyOptions::factor_accuracy, 1e-10, 1e-2,
+       "Relative accuracy of hierarchical factors, and of the blocks that they are made of."},
       {"stations", &BodyOptions::stations, 0, 1e6,
        "Sections: nodes of the surface once round, or over a period, made even. 0: half as many again for a length "
        "as the section's contact edges have on the average."},

@@ -20,6 +20,7 @@ constexpr Feature feature_table[] = {
     {"mumps", ROLLCON_BUILD_MUMPS != 0},
     {"umfpack", ROLLCON_BUILD_UMFPACK != 0},
     {"fftw", ROLLCON_BUILD_FFTW != 0},
+    {"hmat", ROLLCON_BUILD_HMAT != 0},
     {"openmp", ROLLCON_BUILD_OPENMP != 0},
     {"mpi", ROLLCON_BUILD_MPI != 0},
     {"vtu", ROLLCON_BUILD_VTU != 0},

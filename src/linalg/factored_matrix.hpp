@@ -7,20 +7,20 @@
 #include <span>
 #include <vector>
 
+#include "linalg/system_factor.hpp"
+
 namespace rollcon {
 
-class FactoredMatrix {
+class FactoredMatrix final : public SystemFactor {
  public:
   /// Returns storage for an n by n matrix, entry (i, j) at [i + j * n], to be filled before factor().
   double* prepare(std::int64_t n);
   /// Returns false when a pivot is zero or something is not finite.
   bool factor();
-  /// Overwrites `count` right sides of length size(), one after the other.
-  void solve(double* b, std::int64_t count) const;
-  /// Solve in two steps, the second for the unknowns from `first` on alone: it takes the square of their fraction of
-  /// size() of the time, and does not change what stands before them.
-  void eliminate(double* b, std::int64_t count) const;
-  void substitute(double* b, std::int64_t count, std::int64_t first) const;
+  void solve(double* b, std::int64_t count) const override;
+  void eliminate(double* b, std::int64_t count) const override;
+  /// Takes the square of the fraction of size() that the unknowns from `first` on are of the time.
+  void substitute(double* b, std::int64_t count, std::int64_t first) const override;
   void release();
 
   /// The factors are column-major, the pivots are the rows that the steps took (from 1).
@@ -30,12 +30,12 @@ class FactoredMatrix {
   /// pivots are invalid.
   bool restore(std::span<const std::int32_t> pivot, double condition);
 
-  std::int64_t size() const { return n_; }
+  std::int64_t size() const override { return n_; }
   bool factored() const { return factored_; }
   /// Returns ||A|| ||A^-1|| in Frobenius norms, estimated by the last factor(); it is at least the condition in the
   /// 2-norm, but for the error of the estimate, and close to it where it is large.
-  double condition() const { return condition_; }
-  std::size_t bytes() const { return a_ ? static_cast<std::size_t>(n_ * n_) * sizeof(double) : 0; }
+  double condition() const override { return condition_; }
+  std::size_t bytes() const override { return a_ ? static_cast<std::size_t>(n_ * n_) * sizeof(double) : 0; }
 
  private:
   void solve(const char* transposed, double* b, std::int64_t count) const;

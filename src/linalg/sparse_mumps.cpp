@@ -16,6 +16,7 @@
 #include "support/clock.hpp"
 #include "support/error.hpp"
 #include "support/index.hpp"
+#include "support/memory_limit.hpp"
 
 namespace rollcon {
 namespace {
@@ -94,6 +95,9 @@ class MumpsFactor final : public SparseFactor {
            sizeof(MUMPS_INT) * (row_.capacity() + column_.capacity());
   }
   void take_matrix(const SparseMatrix& matrix, double more);
+  /// Returns the bytes that the factorisation will take, in memory or with the factors on the disk.
+  static double need(Mumps& m) { return 1e6 * m.found(m.control(22) != 0 ? 27 : 17); }
+  void find_room(Mumps& m) const;
   void factorise_all(const SparseMatrix& matrix, double more);
   void take_whole();
   void take_schur();
@@ -156,13 +160,13 @@ void MumpsFactor::factorise_all(const SparseMatrix& matrix, double more) {
     status = m.run(analyse);
   }
   if (status >= 0) {
-    require_memory(size_, 1e6 * m.found(17));
+    find_room(m);
     const Stopwatch watch(statistics_.seconds_factor);
     // MUMPS asks for more room where pivots or orders need it.
     while ((status = m.run(factorise)) == -9 && m.control(14) < 1000) m.control(14) *= 2;
   }
   if (std::find(std::begin(not_enough_memory), std::end(not_enough_memory), status) != std::end(not_enough_memory))
-    out_of_memory(size_, 1e6 * m.found(17));
+    out_of_memory(size_, need(m));
   const auto entries = [](MUMPS_INT number) { return number < 0 ? -1e6 * number : number; };
   statistics_.nonzeros = static_cast<std::int64_t>(entries(m.found(29)));
   statistics_.flops = m.real_found(3);
@@ -175,6 +179,13 @@ void MumpsFactor::factorise_all(const SparseMatrix& matrix, double more) {
   }
   if (status < 0) fail(Status::err_internal, "MUMPS failed with status %d", status);
   if (n > 0) take_schur();
+}
+
+// Lets the factors go to files, in the folder that MUMPS_OOC_TMPDIR names or /tmp, where memory is too small for them.
+void MumpsFactor::find_room(Mumps& m) const {
+  const MemorySources sources = memory_sources();
+  if (need(m) > std::min(memory_limit(sources).bytes, allocation_limit(sources).bytes)) m.control(22) = 1;
+  require_memory(size_, need(m));
 }
 
 // Takes the whole matrix as the condensed one.

@@ -144,7 +144,8 @@ class BodyPlain:
         and the responses to frames that it has cached (option cache_bytes). The file appears
         whole or not at all; an older one is replaced. Poses belong to contacts and are not
         written. Every library of the same ABI number and format reads it, on any machine of the
-        same byte order with IEEE numbers.
+        same byte order with IEEE numbers. ERR_UNSUPPORTED: the body has hierarchical factors
+        (option factor).
 
         path: name of the file.
         """

@@ -46,15 +46,13 @@ std::vector<double> System::given_tractions(const BodyMesh& loaded) const {
   return given;
 }
 
-// Fans whose tractions are unknown or given: columns of G; -1: none.
-std::vector<std::int32_t> System::needed_fans(const std::vector<double>& given, std::int32_t& columns) const {
+// Returns columns of G for traction nodes with unknown tractions; -1: none.
+std::vector<std::int32_t> System::needed_fans(std::int32_t& columns) const {
   std::vector<std::int32_t> column(at(fans_.size()), -1);
   columns = 0;
   for (std::size_t f = 0; f < column.size(); ++f) {
-    bool needed = false;
-    for (std::size_t c = 0; c < 3; ++c)
-      needed = needed || unknowns_.traction[3 * f + c] >= 0 || (!given.empty() && given[3 * f + c] != 0);
-    if (needed) column[f] = columns++;
+    const auto unknown = std::span(unknowns_.traction).subspan(3 * f, 3);
+    if (std::any_of(unknown.begin(), unknown.end(), [](std::int32_t k) { return k >= 0; })) column[f] = columns++;
   }
   for (const SpreadReaction& spread : unknowns_.spread)
     for (const auto& [f, part] : spread.others)
@@ -62,14 +60,12 @@ std::vector<std::int32_t> System::needed_fans(const std::vector<double>& given, 
   return column;
 }
 
-/// Places the rows of a pack of points go to: column by column, unknown ones into the matrix, given ones times their
-/// value to the right side.
+/// Places the rows of a pack of points go to, column by column.
 struct System::PackTarget {
   const std::int32_t* row;  ///< row of (point, component), -1: none
   std::int64_t count;       ///< count of points
   double* matrix;
   std::int64_t n;
-  std::vector<double>& own_load;  ///< empty: not wanted
 
   template <class Entry>
   void for_rows(const double* block, Entry entry) const {
@@ -83,21 +79,12 @@ struct System::PackTarget {
   void add(const double* block, double factor, std::int64_t column) const {
     for_rows(block, [&](std::int32_t r, double v) { matrix[r + column * n] += factor * v; });
   }
-  void load(const double* block, double value) const {
-    if (value == 0 || own_load.empty()) return;
-    for_rows(block, [&](std::int32_t r, double v) { own_load[at(r)] += value * v; });
-  }
 };
 
 void System::place(const double* h, const double* g, const std::vector<std::int32_t>& column_of_fan,
-                   const std::vector<double>& given, const std::vector<Vec3>& held_value, const PackTarget& to) const {
-  for (std::size_t k = 0; k < unknowns_.displacement.size(); ++k) {
-    const double* block = h + k * 3 * lanes;
-    if (const std::int32_t column = unknowns_.displacement[k]; column >= 0)
-      to.set(block, 1, column);
-    else
-      to.load(block, -held_value[k / 3][k % 3]);
-  }
+                   const PackTarget& to) const {
+  for (std::size_t k = 0; k < unknowns_.displacement.size(); ++k)
+    if (const std::int32_t column = unknowns_.displacement[k]; column >= 0) to.set(h + k * 3 * lanes, 1, column);
   const auto block_of = [&](std::int32_t fan, int c) {
     return g + (3 * at(column_of_fan[at(fan)]) + at(c)) * 3 * lanes;
   };
@@ -108,24 +95,35 @@ void System::place(const double* h, const double* g, const std::vector<std::int3
       // Unknown: traction times size over G, so that all entries are of order one.
       if (const std::int32_t column = unknowns_.traction[k]; column >= 0)
         to.set(block_of(f, c), -1 / fan_size_[at(f)], column);
-      else if (!given.empty())
-        to.load(block_of(f, c), given[k]);
     }
   }
   for (const SpreadReaction& spread : unknowns_.spread) {
     const std::size_t own = 3 * at(spread.fan) + at(spread.component);
-    // The reaction comes on top of what is given there.
-    if (!given.empty()) to.load(block_of(spread.fan, spread.component), given[own]);
     for (const auto& [f, part] : spread.others)
       to.add(block_of(f, spread.component), -part / fan_size_[at(spread.fan)], unknowns_.traction[own]);
   }
 }
 
-void System::assemble(const BodyMesh& loaded, int threads, double* matrix, std::vector<double>& own_load) {
+std::vector<double> System::own_load(const BodyMesh& loaded, const std::vector<double>& given,
+                                     const CollocationBlocks& blocks) const {
+  std::vector<CollocationBlocks::Term> terms;
+  const auto add = [&](std::size_t k, bool traction, double factor) {
+    if (factor != 0) terms.push_back({static_cast<std::int32_t>(k / 3), static_cast<int>(k % 3), traction, factor});
+  };
+  for (std::size_t k = 0; k < unknowns_.displacement.size(); ++k)
+    if (unknowns_.displacement[k] < 0) add(k, false, -loaded.held_value[k / 3][k % 3]);
+  for (std::size_t k = 0; k < given.size(); ++k)
+    if (unknowns_.traction[k] < 0) add(k, true, given[k]);
+  // The reaction of a node held alone comes on top of what is given there.
+  for (const SpreadReaction& spread : unknowns_.spread)
+    if (const std::size_t k = 3 * at(spread.fan) + at(spread.component); !given.empty()) add(k, true, given[k]);
+  return blocks.column(terms);
+}
+
+void System::assemble(int threads, double* matrix) {
   const SurfaceMesh& surface = mesh_.surface;
-  const std::vector<double> given = given_tractions(loaded);
   std::int32_t own_columns = 0;
-  const std::vector<std::int32_t> column_of_fan = needed_fans(given, own_columns);
+  const std::vector<std::int32_t> column_of_fan = needed_fans(own_columns);
   std::vector<std::int32_t> g_column(fans_.of.size());
   for (std::size_t k = 0; k < g_column.size(); ++k) g_column[k] = column_of_fan[at(fans_.of[k])];
   const LiftedColumns g_columns = lift_columns(surface, lifted_, g_column, own_columns);
@@ -140,8 +138,7 @@ void System::assemble(const BodyMesh& loaded, int threads, double* matrix, std::
                               g_columns.size(), g_columns.size() > 0 ? g.data() : nullptr);
               fold_displacements(lifted_, h.data());
               fold_tractions(g_columns, g.data());
-              place(h.data(), g.data(), column_of_fan, given, loaded.held_value,
-                    {unknowns_.row.data() + 3 * first, count, matrix, n, own_load});
+              place(h.data(), g.data(), column_of_fan, {unknowns_.row.data() + 3 * first, count, matrix, n});
             });
 }
 

@@ -159,7 +159,7 @@ void System::check_balance(const std::vector<double>& b, const LoadedSurface& lo
     std::fill(sum.begin(), sum.end(), 0.0);
     for (std::size_t k = c; k < columns; k += 3)
       for (std::size_t i = 0; i < n; ++i) sum[i] += b[k * n + i];
-    matrix_.substitute(sum.data(), 1, 0);
+    factor_->substitute(sum.data(), 1, 0);
     std::fill(traction.begin(), traction.end(), 0.0);
     add_reactions(sum.data(), traction);
     Resultant all = resultant(traction);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 #include "bodies/bem/far_field.hpp"
@@ -52,8 +53,9 @@ struct BoundaryIntegrals::Data {
 /// Computes rows at one pack of points.
 class BoundaryIntegrals::Rows {
  public:
-  Rows(const Data& data, std::span<const CollocationPoint> points, double* h, const std::int32_t* g_column, double* g)
-      : data_(data), points_(points), h_(h), g_column_(g_column), g_(g) {
+  /// columns: where no element is named all are meant, and where there is no h nodes have columns of their own.
+  Rows(const Data& data, std::span<const CollocationPoint> points, const Columns& columns, double* h, double* g)
+      : data_(data), points_(points), columns_(columns), h_(h), g_(g) {
     Vec3 centre{};
     for (std::size_t p = 0; p < points.size(); ++p) {
       x_[p] = 1 / data.size * points[p].x;
@@ -65,12 +67,23 @@ class BoundaryIntegrals::Rows {
     tolerance_ = {h ? data.tolerance * free_term : infinity, g ? data.tolerance * single_layer_scale() : infinity};
   }
 
+  /// Adds all blocks up in the one at h.
+  void run_sums() {
+    summed_ = true;
+    run();
+  }
+
+  void run_whole() {
+    run();
+    if (h_) rigid_motion();
+  }
+
   void run() {
     const FarField::PackFactors factors(tolerance_.u);
     fill_pack((1u << points_.size()) - 1u);
-    for (std::size_t e = 0; e < data_.element.size(); ++e) {
-      const int terms = (h_ ? double_layer : 0) | (wanted(e) ? single_layer : 0);
-      if (terms == 0) continue;
+    for_elements([&](std::size_t e) {
+      const int terms = (h_wanted(e) ? double_layer : 0) | (wanted(e) ? single_layer : 0);
+      if (terms == 0) return;
       const ElementGeometry& element = data_.element[e];
       const double distance = length(element.shape.centre - centre_) - radius_;
       const FarRule rule = data_.far.rule(e, distance, terms, factors);
@@ -78,8 +91,7 @@ class BoundaryIntegrals::Rows {
         far(e, rule, terms);
       else
         near(e, terms);
-    }
-    if (h_) rigid_motion();
+    });
     data_.evaluations.fetch_add(evaluations_ + workspace_.evaluations, std::memory_order_relaxed);
   }
 
@@ -88,23 +100,35 @@ class BoundaryIntegrals::Rows {
     return data_.mesh.connectivity.data() + data_.mesh.offset[e];
   }
 
+  template <class Work>
+  void for_elements(Work work) const {
+    for (const std::int32_t e : columns_.element) work(static_cast<std::size_t>(e));
+    for (std::size_t e = 0; columns_.element.empty() && e < data_.element.size(); ++e) work(e);
+  }
+
+  bool h_wanted(std::size_t e) const {
+    if (!h_ || !columns_.h) return h_ != nullptr;
+    const std::int32_t* node = connectivity(e);
+    return std::any_of(node, node + data_.element[e].nodes, [&](std::int32_t k) { return columns_.h[k] >= 0; });
+  }
+
   bool wanted(std::size_t e) const {
     if (!g_) return false;
-    const std::int32_t* column = g_column_ + data_.mesh.offset[e];
+    const std::int32_t* column = columns_.g + data_.mesh.offset[e];
     return std::any_of(column, column + data_.element[e].nodes, [](auto c) { return c >= 0; });
   }
 
   /// Returns the smallest over the points of the largest area over distance among the wanted elements.
   double single_layer_scale() const {
     std::array<double, lanes> largest{};
-    for (std::size_t e = 0; e < data_.element.size(); ++e) {
-      if (!wanted(e)) continue;
+    for_elements([&](std::size_t e) {
+      if (!wanted(e)) return;
       const CellShape& s = data_.element[e].shape;
       for (std::size_t p = 0; p < points_.size(); ++p) {
         const Vec3 r = s.centre - x_[p];
         largest[p] = std::max(largest[p], s.area * s.area / (dot(r, r) + s.half_length * s.half_length));
       }
-    }
+    });
     const double least = *std::min_element(largest.begin(), largest.begin() + static_cast<long>(points_.size()));
     return std::sqrt(least) / (4 * std::numbers::pi);
   }
@@ -123,10 +147,11 @@ class BoundaryIntegrals::Rows {
   void blocks(std::size_t e, double** h, double** g) {
     const std::int32_t* node = connectivity(e);
     for (int k = 0; k < data_.element[e].nodes; ++k) {
-      h[k] = h_ ? h_ + std::ptrdiff_t{block} * node[k] : nullptr;
-      if (!g_) continue;
-      const std::int32_t column = g_column_[data_.mesh.offset[e] + k];
-      g[k] = column >= 0 ? g_ + std::ptrdiff_t{block} * column : unwanted_;
+      const auto place = [this](double* first, std::int32_t column) {
+        return column >= 0 ? first + std::ptrdiff_t{block} * column : unwanted_;
+      };
+      h[k] = h_ ? place(h_, summed_ ? 0 : columns_.h ? columns_.h[node[k]] : node[k]) : nullptr;
+      if (g_) g[k] = place(g_, columns_.g[data_.mesh.offset[e] + k]);
     }
   }
 
@@ -136,7 +161,13 @@ class BoundaryIntegrals::Rows {
     double *h[max_element_nodes], *g[max_element_nodes];
     blocks(e, h, g);
     data_.kernels.place(table, element.nodes, element.node, far_points_);
-    data_.kernels.far(far_points_, table, element.nodes, pack_, data_.constants, terms, h, g);
+    if (summed_) {
+      const RuleTable constant{table.n, far_capacity, one_function(), nullptr, nullptr, nullptr};
+      double* sum[] = {h_, unwanted_, unwanted_};
+      data_.kernels.far(far_points_, constant, 3, pack_, data_.constants, terms, sum, g);
+    } else {
+      data_.kernels.far(far_points_, table, element.nodes, pack_, data_.constants, terms, h, g);
+    }
     evaluations_ += static_cast<std::int64_t>(points_.size()) * table.n;
   }
 
@@ -157,13 +188,25 @@ class BoundaryIntegrals::Rows {
           continue;
         }
       }
+      if (on.known && summed_) continue;
       near_integrals(element, x_[p], on, tolerance, terms, data_.constants, data_.kernels, workspace_, integrals_);
+      if (on.known && !columns_.element.empty()) rigid_motion_of(element, on);
       scatter(e, p, terms);
     }
     if (shared == 0) return;
     fill_pack(shared);
     far(e, rule, terms);
     fill_pack((1u << points_.size()) - 1u);
+  }
+
+  /// Returns values of three functions at the points of a rule: one is 1, the others are zero.
+  static const double* one_function() {
+    static const auto values = [] {
+      std::array<double, std::size_t{3} * far_capacity> v{};
+      std::fill_n(v.begin(), far_capacity, 1.0);
+      return v;
+    }();
+    return values.data();
   }
 
   OnElement locate(std::size_t e, std::size_t p) const {
@@ -189,6 +232,17 @@ class BoundaryIntegrals::Rows {
         if ((terms & double_layer) != 0) h[k][at] += integrals_.t[i][k];
         if ((terms & single_layer) != 0) g[k][at] += integrals_.u[u_entry[i]][k];
       }
+  }
+
+  /// Does for the integrals of one element with the point what rigid_motion() does for all: they depend on the rule
+  /// until then.
+  void rigid_motion_of(const ElementGeometry& element, const OnElement& on) {
+    Shape shape;
+    evaluate_shape(element.type, on.reference.x, on.reference.y, shape);
+    for (auto& t : integrals_.t) {
+      const double sum = std::accumulate(t, t + element.nodes, 0.0);
+      for (int k = 0; k < element.nodes; ++k) t[k] -= shape.value[static_cast<std::size_t>(k)] * sum;
+    }
   }
 
   /// Subtracts N_j(x) times the sum of all blocks from block j, as u(x) = sum of N_j(x) u_j. This gives free term and
@@ -219,8 +273,9 @@ class BoundaryIntegrals::Rows {
 
   const Data& data_;
   const std::span<const CollocationPoint> points_;
+  const Columns columns_;
   double* const h_;
-  const std::int32_t* const g_column_;
+  bool summed_ = false;
   double* const g_;
   std::array<Vec3, lanes> x_{};  ///< points in units of the mesh's size
   Vec3 centre_{};
@@ -249,7 +304,20 @@ void BoundaryIntegrals::rows(std::span<const CollocationPoint> points, double* h
   for (const CollocationPoint& point : points)
     if (h && point.node < 0 && point.element < 0)
       fail(Status::err_internal, "double layer at a point that is not on the mesh");
-  Rows(*data_, points, h, g_column, g).run();
+  Rows(*data_, points, {{}, nullptr, 0, g_column, g_columns}, h, g).run_whole();
+}
+
+void BoundaryIntegrals::rows_over(std::span<const CollocationPoint> points, const Columns& columns, double* h,
+                                  double* g) const {
+  constexpr std::int64_t block = 9 * lanes;
+  if (h) std::fill_n(h, block * columns.h_count, 0.0);
+  if (g) std::fill_n(g, block * columns.g_count, 0.0);
+  if (!points.empty() && !columns.element.empty()) Rows(*data_, points, columns, h, g).run();
+}
+
+void BoundaryIntegrals::sums(std::span<const CollocationPoint> points, double* total) const {
+  std::fill_n(total, std::size_t{9} * lanes, 0.0);
+  if (!points.empty()) Rows(*data_, points, {}, total, nullptr).run_sums();
 }
 
 std::int64_t BoundaryIntegrals::kernel_evaluations() const {

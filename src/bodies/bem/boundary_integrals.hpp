@@ -51,6 +51,21 @@ class BoundaryIntegrals {
   void rows(std::span<const CollocationPoint> points, double* h, const std::int32_t* g_column, std::int64_t g_columns,
             double* g) const;
 
+  /// Names elements and the columns that their integrals go to; -1: none.
+  struct Columns {
+    std::span<const std::int32_t> element;  ///< elements, each once
+    const std::int32_t* h = nullptr;        ///< by node of the mesh
+    std::int64_t h_count = 0;
+    const std::int32_t* g = nullptr;  ///< by entry of the mesh's connectivity
+    std::int64_t g_count = 0;
+  };
+  /// Overwrites such rows over some elements alone: column k of h stands where node k does in rows(). The free term is
+  /// that of the elements with the point.
+  void rows_over(std::span<const CollocationPoint> points, const Columns& columns, double* h, double* g) const;
+  /// Overwrites what the free term still lacks, with the other sign: the sum of the blocks of all nodes over the
+  /// elements without the point; 9 * lanes doubles.
+  void sums(std::span<const CollocationPoint> points, double* total) const;
+
   /// Returns the number of kernel evaluations (U and T together count once per point and quadrature point).
   std::int64_t kernel_evaluations() const;
   std::size_t bytes() const;

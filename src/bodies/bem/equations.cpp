@@ -19,14 +19,14 @@ std::shared_ptr<const BodyEquations> System::equations(int threads) {
   equations->unknowns = unknowns_.columns;
   {
     const Stopwatch watch(statistics_.seconds_assembly);
+    require_matrix();
     equations->dense.resize(at(unknowns_.columns * unknowns_.columns));
-    std::vector<double> no_load;
-    assemble(mesh_, threads, equations->dense.data(), no_load);
+    assemble(threads, equations->dense.data());
     ++statistics_.assemblies;
   }
-  count_peak(matrix_.bytes() + equations->bytes());
+  count_peak(factor_bytes() + equations->bytes());
   equations_ = equations;
-  if (options_.keep_factors != 0 && !matrix_.factored()) kept_equations_ = equations;
+  if (options_.keep_factors != 0 && !factor_) kept_equations_ = equations;
   return equations;
 }
 
@@ -54,8 +54,8 @@ void System::load(const LoadedSurface& surface, SurfaceLoads& loads, int threads
 void System::solve_everywhere(std::span<double> load, SurfaceState& state, int threads) {
   const std::lock_guard lock(mutex_);
   const BlasThreads blas(threads);
-  if (!matrix_.factored()) factorize(threads);
-  matrix_.solve(load.data(), 1);
+  if (!factor_) factorize(threads);
+  factor_->solve(load.data(), 1);
   state.u.resize(unknowns_.displacement.size());
   for (std::size_t k = 0; k < state.u.size(); ++k)
     state.u[k] = unknowns_.displacement[k] >= 0 ? load[at(unknowns_.displacement[k])] : 0;
@@ -63,7 +63,7 @@ void System::solve_everywhere(std::span<double> load, SurfaceState& state, int t
   add_reactions(load.data(), reaction);
   state.traction.resize(3 * fans_.of.size());
   for (std::size_t k = 0; k < state.traction.size(); ++k) state.traction[k] = reaction[3 * at(fans_.of[k / 3]) + k % 3];
-  if (options_.keep_factors == 0) matrix_.release();
+  if (options_.keep_factors == 0) factor_.reset();
 }
 
 std::unique_ptr<const BodyFields> System::fields(SurfaceState&& state, const OwnLoads& own) {

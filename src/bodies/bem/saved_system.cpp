@@ -5,6 +5,7 @@
 
 #include "bodies/bem/system.hpp"
 #include "bodies/model/archive.hpp"
+#include "support/error.hpp"
 #include "support/index.hpp"
 
 namespace rollcon::bem {
@@ -26,11 +27,17 @@ std::uint64_t System::numbering() const {
 }
 
 void System::write_factors(SectionWriter& file) const {
-  const auto pivots = matrix_.pivots();
+  const auto* const dense = dynamic_cast<const FactoredMatrix*>(factor_.get());
+  if (!dense)
+    fail(Status::err_unsupported,
+         "hierarchical factors are not written to files, because hmat-oss checks nothing of what it reads: prepare the "
+         "body with option factor = 1, or save it with keep_factors = 0 once a contact has its compliance");
+  const FactoredMatrix& matrix = *dense;
+  const auto pivots = matrix.pivots();
   OutArchive ar(file);
-  ar(matrix_.size());
+  ar(matrix.size());
   file.write(pivots.data(), pivots.size_bytes());
-  file.write(matrix_.factors().data(), matrix_.factors().size_bytes());
+  file.write(matrix.factors().data(), matrix.factors().size_bytes());
 }
 
 void System::read_factors(SectionReader& file) {
@@ -41,8 +48,10 @@ void System::read_factors(SectionReader& file) {
   if (size != n || file.left() != need) file.fail_here("the factors do not fit the unknowns");
   std::vector<std::int32_t> pivot(at(n));
   file.read(pivot.data(), pivot.size() * sizeof pivot[0]);
-  file.read(matrix_.prepare(n), at(n) * at(n) * sizeof(double));
-  if (!matrix_.restore(pivot, statistics_.condition)) file.fail_here("the pivots are none");
+  auto matrix = std::make_unique<FactoredMatrix>();
+  file.read(matrix->prepare(n), at(n) * at(n) * sizeof(double));
+  if (!matrix->restore(pivot, statistics_.condition)) file.fail_here("the pivots are none");
+  factor_ = std::move(matrix);
 }
 
 }  // namespace rollcon::bem

@@ -31,12 +31,6 @@ Vec3 middle_of_held(const BodyMesh& mesh) {
   return (1 / std::max(count, 1.0)) * sum;
 }
 
-void require_matrix(std::int64_t unknowns) {
-  const double bytes = 8.0 * static_cast<double>(unknowns) * static_cast<double>(unknowns);
-  require_memory({bytes, bytes}, "take a coarser mesh, or a body of finite elements",
-                 "the matrix of a boundary-element body with %lld unknowns needs", static_cast<long long>(unknowns));
-}
-
 }  // namespace
 
 System::System(const BodyMesh& mesh, const TractionNodes& fans, double young, double poisson,
@@ -50,7 +44,7 @@ System::System(const BodyMesh& mesh, const TractionNodes& fans, double young, do
       lifted_(lift(mesh, options.edge_angle)),
       integrals_(lifted_.mesh, poisson, options.accuracy),
       unknowns_(choose_unknowns(mesh, fans)) {
-  require_matrix(unknowns_.columns);
+  require_factor();
   for (CollocationPoint& p : unknowns_.point)
     if (p.element >= 0) p.x = evaluate_surface(lifted_.mesh, p.element, p.xi, p.eta).x;
   fan_size_.assign(at(fans.size()), 0);
@@ -64,10 +58,9 @@ System::System(const BodyMesh& mesh, const TractionNodes& fans, double young, do
   reach_ = 0.5 * length(box_of(mesh.surface.node).size());
   held_at_ = middle_of_held(mesh);
   statistics_.unknowns = unknowns_.columns;
-  statistics_.nonzeros = unknowns_.columns * unknowns_.columns;
   if (saved) {
     restore(*saved, unknowns_.displacement.size(), unknowns_.traction.size());
-    statistics_.peak_bytes = matrix_.bytes() + kept_bytes();
+    statistics_.peak_bytes = factor_bytes() + kept_bytes();
   } else if (options.prepare != 0 || mesh.loaded()) {
     factorize(threads);
   }
@@ -76,40 +69,51 @@ System::System(const BodyMesh& mesh, const TractionNodes& fans, double young, do
 
 void System::factorize(int threads) {
   const BlasThreads blas(threads);
-  std::vector<double> own_load;
-  if (!own_solved_) own_load.assign(at(unknowns_.columns), 0.0);
-  double* a = matrix_.prepare(unknowns_.columns);
-  if (const auto known = equations_.lock()) {
-    std::copy(known->dense.begin(), known->dense.end(), a);
-    count_peak(2 * matrix_.bytes());
-  } else {
-    const Stopwatch watch(statistics_.seconds_assembly);
-    assemble(mesh_, threads, a, own_load);
-    ++statistics_.assemblies;
-  }
+  const CollocationBlocks blocks(mesh_, fans_, lifted_, integrals_, unknowns_, fan_size_, threads);
+  if (hierarchical())
+    factorize_hierarchically(blocks);
+  else
+    factorize_dense(threads);
   kept_equations_.reset();
-  const Stopwatch watch(statistics_.seconds_factor);
-  ++statistics_.factorizations;
-  const bool regular = matrix_.factor();
-  statistics_.condition = matrix_.condition();
-  count_peak(matrix_.bytes() +
-             at(threads) * (at(lifted_.mesh.nodes()) + at(fans_.size())) * 9 * lanes * sizeof(double));
-  if (!regular || !(matrix_.condition() < worst_condition)) {
-    matrix_.release();
+  statistics_.nonzeros = static_cast<std::int64_t>(factor_bytes() / sizeof(double));
+  statistics_.condition = factor_->condition();
+  if (!(statistics_.condition < worst_condition)) {
+    factor_.reset();
     fail(Status::err_singular,
          "the equations of the boundary-element body are singular (condition %.1e): check its "
          "supports and its mesh",
          statistics_.condition);
   }
-  if (!own_solved_) own_ = solve_own_load(mesh_, own_load);
+  if (hierarchical()) check_rigid_motion(blocks);
+  if (!own_solved_) own_ = solve_own_load(mesh_, blocks);
 }
 
-OwnLoads System::solve_own_load(const BodyMesh& loaded, std::vector<double>& b) const {
+void System::factorize_dense(int threads) {
+  auto matrix = std::make_unique<FactoredMatrix>();
+  double* a = matrix->prepare(unknowns_.columns);
+  if (const auto known = equations_.lock()) {
+    std::copy(known->dense.begin(), known->dense.end(), a);
+    count_peak(2 * matrix->bytes());
+  } else {
+    const Stopwatch watch(statistics_.seconds_assembly);
+    assemble(threads, a);
+    ++statistics_.assemblies;
+  }
+  const Stopwatch watch(statistics_.seconds_factor);
+  ++statistics_.factorizations;
+  matrix->factor();
+  count_peak(matrix->bytes() +
+             at(threads) * (at(lifted_.mesh.nodes()) + at(fans_.size())) * 9 * lanes * sizeof(double));
+  factor_ = std::move(matrix);
+}
+
+OwnLoads System::solve_own_load(const BodyMesh& loaded, const CollocationBlocks& blocks) const {
   OwnLoads own;
   const std::vector<double> given = given_tractions(loaded);
   const bool moved = loaded.moved();
   if (given.empty() && !moved) return own;
-  matrix_.solve(b.data(), 1);
+  std::vector<double> b = own_load(loaded, given, blocks);
+  factor_->solve(b.data(), 1);
   require_no_overflow(b);
   own.displacement.resize(unknowns_.displacement.size());
   for (std::size_t k = 0; k < own.displacement.size(); ++k) {
@@ -132,15 +136,9 @@ OwnLoads System::solve_own_load(const BodyMesh& loaded, std::vector<double>& b) 
 OwnLoads System::solve_loads(const BodyMesh& loaded, int threads) {
   const std::lock_guard lock(mutex_);
   const BlasThreads blas(threads);
-  if (!matrix_.factored()) factorize(threads);
-  std::vector<double> load(at(unknowns_.columns), 0.0);
-  {
-    const Stopwatch watch(statistics_.seconds_assembly);
-    std::vector<double> matrix(at(unknowns_.columns * unknowns_.columns));
-    assemble(loaded, threads, matrix.data(), load);
-    ++statistics_.assemblies;
-  }
-  return solve_own_load(loaded, load);
+  if (!factor_) factorize(threads);
+  const Stopwatch watch(statistics_.seconds_assembly);
+  return solve_own_load(loaded, {mesh_, fans_, lifted_, integrals_, unknowns_, fan_size_, threads});
 }
 
 void System::condense(std::vector<double> b, const LoadedSurface& surface, SurfaceRows& rows, int threads) {
@@ -148,14 +146,14 @@ void System::condense(std::vector<double> b, const LoadedSurface& surface, Surfa
   ++statistics_.condensations;
   const std::int64_t n = unknowns_.columns;
   const auto columns = static_cast<std::int64_t>(rows.column.size());
-  matrix_.eliminate(b.data(), 3 * columns);
+  factor_->eliminate(b.data(), 3 * columns);
   check_balance(b, surface);
   std::int64_t first = n;  // least unknown asked for
   for (const std::int32_t k : rows.row)
     for (std::size_t c = 0; c < 3; ++c)
       if (const std::int32_t unknown = unknowns_.displacement[3 * at(k) + c]; unknown >= 0)
         first = std::min<std::int64_t>(first, unknown);
-  matrix_.substitute(b.data(), 3 * columns, first);
+  factor_->substitute(b.data(), 3 * columns, first);
   rows.u.resize(3 * static_cast<std::int64_t>(rows.row.size()), 3 * columns);
   for (std::size_t r = 0; r < rows.row.size(); ++r)
     for (std::size_t c = 0; c < 3; ++c) {
@@ -163,12 +161,12 @@ void System::condense(std::vector<double> b, const LoadedSurface& surface, Surfa
       double* out = rows.u.row(static_cast<std::int64_t>(3 * r + c));
       for (std::int64_t k = 0; k < 3 * columns; ++k) out[k] = unknown >= 0 ? b[at(unknown + k * n)] : 0;
     }
-  count_peak(matrix_.bytes() + b.size() * sizeof(double) + rows.u.bytes());
-  if (options_.keep_factors == 0) matrix_.release();
+  count_peak(factor_bytes() + b.size() * sizeof(double) + rows.u.bytes());
+  if (options_.keep_factors == 0) factor_.reset();
 }
 
 void System::respond(const LoadedSurface& surface, SurfaceRows& rows, int threads) {
-  if (!matrix_.factored()) factorize(threads);
+  if (!factor_) factorize(threads);
   const Stopwatch watch(statistics_.seconds_condense);
   condense(right_sides(surface, rows, threads), surface, rows, threads);
 }
@@ -180,7 +178,7 @@ Imbalances System::imbalances() const {
 
 BodyStatistics System::statistics() const {
   const std::lock_guard lock(mutex_);
-  BodyStatistics s = statistics_with(matrix_.bytes() + integrals_.bytes());
+  BodyStatistics s = statistics_with(factor_bytes() + integrals_.bytes());
   s.kernel_evaluations += integrals_.kernel_evaluations();
   const Imbalances& i = imbalances_;
   s.imbalance = std::max({i.along[0], i.along[1], i.along[2], i.pressure, own_.missed});

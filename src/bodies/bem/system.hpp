@@ -3,6 +3,7 @@
 /// once and condensed to the surface nodes that contact needs (docs/theory.md, section 9).
 
 #include "bodies/bem/boundary_integrals.hpp"
+#include "bodies/bem/collocation_blocks.hpp"
 #include "bodies/bem/lifted_surface.hpp"
 #include "bodies/bem/somigliana.hpp"
 #include "bodies/bem/unknowns.hpp"
@@ -32,17 +33,30 @@ class System final : public ResponseCache {
   void respond(const LoadedSurface& surface, SurfaceRows& rows, int threads) override;
   void load(const LoadedSurface& surface, SurfaceLoads& loads, int threads) override;
   std::uint64_t numbering() const override;
-  std::int64_t factored() const override { return matrix_.factored() ? unknowns_.columns : 0; }
+  std::int64_t factored() const override { return factor_ ? unknowns_.columns : 0; }
   void write_factors(SectionWriter& file) const override;
   void read_factors(SectionReader& file) override;
   void factorize(int threads);
+  /// Says whether factors are hierarchical; else they are dense.
+  bool hierarchical() const;
+  std::size_t factor_bytes() const { return factor_ ? factor_->bytes() : 0; }
+  /// These throw err_memory where the dense matrix, or the factors, would not have room.
+  void require_matrix() const;
+  void require_factor() const;
+  void factorize_dense(int threads);
+  void factorize_hierarchically(const CollocationBlocks& blocks);
+  /// Throws err_inaccurate where the factors do not move the body rigidly with its supports.
+  void check_rigid_motion(const CollocationBlocks& blocks);
   struct PackTarget;
-  std::vector<std::int32_t> needed_fans(const std::vector<double>& given, std::int32_t& columns) const;
+  std::vector<std::int32_t> needed_fans(std::int32_t& columns) const;
   void place(const double* h, const double* g, const std::vector<std::int32_t>& column_of_fan,
-             const std::vector<double>& given, const std::vector<Vec3>& held_value, const PackTarget& to) const;
+             const PackTarget& to) const;
   /// Assembles the matrix: unknowns squared, column-major, not cleared.
-  void assemble(const BodyMesh& loaded, int threads, double* matrix, std::vector<double>& own_load);
-  OwnLoads solve_own_load(const BodyMesh& loaded, std::vector<double>& b) const;
+  void assemble(int threads, double* matrix);
+  /// Returns the right side of given tractions and displacements.
+  std::vector<double> own_load(const BodyMesh& loaded, const std::vector<double>& given,
+                               const CollocationBlocks& blocks) const;
+  OwnLoads solve_own_load(const BodyMesh& loaded, const CollocationBlocks& blocks) const;
   /// Adds the tractions that a solution has, by traction node and component.
   void add_reactions(const double* b, std::vector<double>& traction) const;
   /// Sums tractions on the whole surface, by traction node and component.
@@ -74,13 +88,14 @@ class System final : public ResponseCache {
   BoundaryIntegrals integrals_;  ///< integrals over lifted_
   Unknowns unknowns_;
   std::vector<double> fan_size_;  ///< local element size, which scales unknown tractions
+  double rigid_error_ = 0;        ///< error of a rigid motion by hierarchical factors
   double reach_ = 0;              ///< half the diagonal of the body's box
   Vec3 held_at_{0, 0, 0};         ///< mean place of the held nodes
-  FactoredMatrix matrix_;
+  std::unique_ptr<SystemFactor> factor_;
   std::shared_ptr<const BodyEquations> kept_equations_;  ///< equations until they are factorised
   std::shared_ptr<const SomiglianaBody> inside_;         ///< null until fields inside are asked for
   bool own_solved_ = false;
-  Imbalances imbalances_;  ///< worst of all frames; mutex_ guards it, and matrix_ once constructed
+  Imbalances imbalances_;  ///< worst of all frames; mutex_ guards it, and factor_ once constructed
 };
 
 }  // namespace rollcon::bem

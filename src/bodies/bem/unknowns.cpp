@@ -108,21 +108,42 @@ void sort_points(Unknowns& u, const std::vector<std::uint8_t>& wanted) {
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return position[a] < position[b]; });
   std::vector<CollocationPoint> sorted;
+  std::vector<std::int32_t> fan;
   sorted.reserve(order.size());
   u.row.assign(3 * order.size(), -1);
   std::int32_t row = 0;
   // Rows of a pack run over its points first: the integrals come in that order.
   for (std::size_t first = 0; first < order.size(); first += lanes) {
     const std::size_t last = std::min(order.size(), first + lanes);
-    for (std::size_t k = first; k < last; ++k) sorted.push_back(u.point[order[k]]);
+    for (std::size_t k = first; k < last; ++k) {
+      sorted.push_back(u.point[order[k]]);
+      fan.push_back(u.fan[order[k]]);
+    }
     for (unsigned c = 0; c < 3; ++c)
       for (std::size_t k = first; k < last; ++k)
         if (wanted[order[k]] & (1U << c)) u.row[3 * k + c] = row++;
   }
   u.point = std::move(sorted);
+  u.fan = std::move(fan);
 }
 
 }  // namespace
+
+std::vector<std::int32_t> Unknowns::column_of_rows(const TractionNodes& fans) const {
+  std::vector<std::int32_t> of(at(columns), -1);
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    if (row[k] < 0) continue;
+    const std::size_t p = k / 3, c = k % 3;
+    std::int32_t& column = of[at(row[k])];
+    if (fan[p] >= 0) {
+      column = traction[3 * at(fan[p]) + c];
+      continue;
+    }
+    column = displacement[3 * at(point[p].node) + c];
+    for (std::int64_t f = fans.start[at(point[p].node)]; column < 0; ++f) column = traction[3 * at(f) + c];
+  }
+  return of;
+}
 
 Unknowns choose_unknowns(const BodyMesh& mesh, const TractionNodes& fans) {
   const SurfaceMesh& surface = mesh.surface;
@@ -180,11 +201,13 @@ Unknowns choose_unknowns(const BodyMesh& mesh, const TractionNodes& fans) {
     p.x = surface.node[at(i)];
     p.node = static_cast<std::int32_t>(i);
     u.point.push_back(p);
+    u.fan.push_back(-1);
     wanted.push_back(at_node[at(i)]);
   }
   for (std::size_t f = 0; f < extra.size(); ++f) {
     if (!extra[f]) continue;
     u.point.push_back(inner_point(surface, of_fan[f].element, of_fan[f].local));
+    u.fan.push_back(static_cast<std::int32_t>(f));
     wanted.push_back(extra[f]);
   }
   sort_points(u, wanted);

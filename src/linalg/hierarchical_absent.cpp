@@ -1,0 +1,24 @@
+/// Stands for hierarchical factors in a build without hmat-oss.
+
+#include "linalg/hierarchical_factor.hpp"
+#include "support/error.hpp"
+
+namespace rollcon {
+
+bool has_hierarchical_factor() {
+  return false;
+}
+
+double hierarchical_bytes(std::int64_t /*unknowns*/, double /*accuracy*/) {
+  return 0;
+}
+
+std::unique_ptr<SystemFactor> factor_hierarchically(const BlockMatrix& /*matrix*/, std::span<const Pivot> /*pivots*/,
+                                                    double /*accuracy*/) {
+  fail(Status::err_unsupported,
+       "body option factor: 2 needs hierarchical factors, which this library was built without (ROLLCON_WITH_HMAT); "
+       "allowed: "
+       "0, 1");
+}
+
+}  // namespace rollcon

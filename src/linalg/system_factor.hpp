@@ -1,0 +1,24 @@
+#pragma once
+/// Declares what a factorised system of equations answers, whatever holds its factors.
+
+#include <cstddef>
+#include <cstdint>
+
+namespace rollcon {
+
+class SystemFactor {
+ public:
+  virtual ~SystemFactor() = default;
+  virtual std::int64_t size() const = 0;
+  /// Overwrites `count` right sides of length size(), one after the other.
+  virtual void solve(double* b, std::int64_t count) const = 0;
+  /// Solve in two steps, the second for the unknowns from `first` on at least; what stands before them is then
+  /// undefined. Sums of right sides may be taken between the steps.
+  virtual void eliminate(double* b, std::int64_t count) const = 0;
+  virtual void substitute(double* b, std::int64_t count, std::int64_t first) const = 0;
+  /// Returns an estimate of ||A|| ||A^-1|| in Frobenius norms.
+  virtual double condition() const = 0;
+  virtual std::size_t bytes() const = 0;
+};
+
+}  // namespace rollcon

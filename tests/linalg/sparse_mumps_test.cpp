@@ -1,0 +1,71 @@
+// Tests what only MUMPS does of the sparse factorisations: factors on the disk.
+
+#include <sys/resource.h>
+
+#include <cmath>
+
+#include "linalg/sparse_factor.hpp"
+#include "linalg/sparse_matrices.hpp"
+#include "support/memory_limit.hpp"
+#include "support/testing.hpp"
+
+namespace rollcon {
+namespace {
+
+using namespace sparse;
+
+std::vector<double> solution(const SparseMatrix& a, SparseStatistics& told) {
+  const auto factor = factor_definite(a, {});
+  std::vector<double> x(at(a.columns));
+  for (std::size_t k = 0; k < x.size(); ++k) x[k] = std::sin(0.01 * static_cast<double>(k));
+  factor->solve(x.data(), 1);
+  told = factor->statistics();
+  return x;
+}
+
+double apart(const std::vector<double>& a, const std::vector<double>& b) {
+  double error = 0, size = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    error = std::max(error, std::abs(a[k] - b[k]));
+    size = std::max(size, std::abs(b[k]));
+  }
+  return error / size;
+}
+
+/// Leaves this process so many bytes of data beyond what it has.
+class Limit {
+ public:
+  explicit Limit(double bytes) {
+    getrlimit(RLIMIT_DATA, &before_);
+    rlimit least = before_;
+    const double huge = 1e15;
+    least.rlim_cur = static_cast<rlim_t>(huge);
+    setrlimit(RLIMIT_DATA, &least);
+    const double held = huge - memory_sources().data;
+    least.rlim_cur = static_cast<rlim_t>(held + bytes);
+    setrlimit(RLIMIT_DATA, &least);
+  }
+  ~Limit() { setrlimit(RLIMIT_DATA, &before_); }
+  Limit(const Limit&) = delete;
+  Limit& operator=(const Limit&) = delete;
+
+ private:
+  rlimit before_{};
+};
+
+TEST(MumpsFactor, factors_go_to_the_disk_where_memory_is_short) {
+  const SparseMatrix a = springs(13, 3, 1);
+  SparseStatistics in_memory, on_disk;
+  const std::vector<double> exact = solution(a, in_memory);
+  std::vector<double> x;
+  {
+    const Limit limit(0.8 * static_cast<double>(in_memory.peak_bytes));
+    x = solution(a, on_disk);
+  }
+  expect_error("on the disk", apart(x, exact), 1e-13);
+  EXPECT_LT(on_disk.peak_bytes, in_memory.peak_bytes);
+  std::printf("bytes: in memory %zu, on the disk %zu\n", in_memory.peak_bytes, on_disk.peak_bytes);
+}
+
+}  // namespace
+}  // namespace rollcon
