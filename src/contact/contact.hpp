@@ -14,6 +14,7 @@
 #include "contact/scene/enumerators.hpp"
 #include "contact/scene/procedure.hpp"
 #include "contact/scene/scene.hpp"
+#include "geometry/rectangle.hpp"
 #include "support/error.hpp"
 
 namespace rollcon {
@@ -35,6 +36,8 @@ class FrameMaker {
   /// Ends or repeats a time step, as Solver's functions of these names do.
   virtual void end_step(Status status) = 0;
   virtual void repeat_step() = 0;
+  /// Gives the solver's scene a regular frame as time steps have it.
+  virtual void lay(Solver& solver, const Rectangle& sides, std::int64_t along, std::int64_t across) = 0;
 };
 using MakeFrameMaker = std::unique_ptr<FrameMaker> (*)();
 
@@ -73,7 +76,8 @@ class Contact {
   /// Makes the next time step start from where the last one did. err_state: there was none.
   void repeat_step();
   /// Returns how many numbers, with a header and a checksum, hold what the next time step starts from, and copies them
-  /// if capacity is at least that. err_capacity: it is less, but not 0; err_state: the library makes the frame.
+  /// if capacity is at least that. err_capacity: it is less, but not 0; err_state: no step was made, or the library's
+  /// frame changes from step to step.
   std::int64_t past_get(std::int64_t capacity, double* past) const;
   /// Restores what past_get() copied. err_argument: numbers of another kind or frame, and then nothing changes.
   void past_set(std::int64_t n, const double* past);

@@ -77,6 +77,8 @@ void describe_frame(std::string& text, const Solution& s, const Scene& scene, bo
          s.prepared->frame_source.body + 1, s.prepared->frame_source.tag);
   if (s.prepared->placed || s.prepared->frame.strips)
     line(text, "frame: made by the library, strips that end at the contact's edge; solves may move and stretch it");
+  else if (!scene.frame_given() && s.prepared->step != StepKind::steady)
+    line(text, "frame: made by the library; steps on half-spaces keep its cells as long as they fit the contact");
   if (s.prepared->frame.curved()) {
     double cosine = 1;
     for (const Vec3& n : s.prepared->frame.n) cosine = std::min(cosine, dot(n, s.prepared->frame.axes.n));

@@ -22,6 +22,7 @@
 #include "framing/hertz_friction.hpp"
 #include "framing/makers.hpp"
 #include "framing/patch_search.hpp"
+#include "framing/step_frames.hpp"
 #include "framing/strip_levels.hpp"
 #include "support/error.hpp"
 #include "support/index.hpp"
@@ -37,11 +38,11 @@ struct Level {
   /// three, halved for the others.
   double usual;
 };
-constexpr std::array levels{Level{6, 4, 0.012},    Level{8, 6, 0.0053},   Level{12, 8, 0.0026},
-                            Level{16, 12, 0.0013}, Level{24, 16, 0.0007}, Level{32, 24, 0.0004}};
-/// Counts the levels of all contacts; the last one is for lattices of bodies that creep, whose operators are no
-/// matrices.
-constexpr std::size_t usual_levels = levels.size() - 1;
+constexpr std::array levels{Level{6, 4, 0.012},    Level{8, 6, 0.0053},   Level{12, 8, 0.0026},  Level{16, 12, 0.0013},
+                            Level{24, 16, 0.0007}, Level{32, 24, 0.0004}, Level{48, 36, 0.0002}, Level{64, 48, 0.0001}};
+/// Counts the levels of all contacts. More are for lattices of half-spaces, whose operators are no matrices: one for
+/// bodies that creep, all for very unlike ones.
+constexpr std::size_t usual_levels = 5, creeping_levels = 6;
 
 using Tilts = std::array<double, 2>;
 
@@ -51,6 +52,12 @@ bool surfaces_deform(const PairOfBodies& pair) {
                      [](const Body* body) { return !body->has_surface() || (body->meshed() && !body->rigid()); });
 }
 
+/// Says whether slip that pressures cause converges slowly on strips.
+bool very_unlike(const PairOfBodies& pair) {
+  constexpr double very = 0.15;
+  return std::abs(dundurs_beta(pair)) > very;
+}
+
 class AutomaticFrames final : public FrameMaker {
  public:
   /// Solves until the tilts that moments ask for, which move the contact along the bodies, fit the frames. Frames are
@@ -58,6 +65,9 @@ class AutomaticFrames final : public FrameMaker {
   Status solve(Solver& fine) override {
     missed_corners_ = false;
     conformal_ = fine.scene.options.conformal;
+    steps_on_lattice_ = fine.scene.step_kind() != StepKind::steady && lattices_fit(fine);
+    if (steps_on_lattice_ && !shape_.sharp) return solve_step(fine);
+    steps_on_lattice_ = false;
     try {
       return solve_within(fine);
     } catch (const Error& error) {
@@ -69,10 +79,16 @@ class AutomaticFrames final : public FrameMaker {
   }
 
   void end_step(Status status) override {
-    if (coarse_) coarse_->end_step(status);
+    if (!coarse_) return;
+    if (steps_on_lattice_) return coarse_->reset();
+    coarse_->end_step(status);
   }
   void repeat_step() override {
-    if (coarse_) coarse_->repeat_step();
+    if (coarse_ && !steps_on_lattice_) coarse_->repeat_step();
+  }
+
+  void lay(Solver& solver, const Rectangle& sides, std::int64_t along, std::int64_t across) override {
+    steps_.lay(solver, sides, along, across);
   }
 
   void reset() override {
@@ -186,15 +202,36 @@ class AutomaticFrames final : public FrameMaker {
     bool operator==(const Found&) const = default;
   };
 
+  /// Says whether steps have lattices, and finds the contact's shape then. Half-spaces have the same response wherever
+  /// nodes lie.
+  bool lattices_fit(Solver& fine) {
+    if (fine.bodies().meshed() || fine.scene.tilts() || fine.scene.options.conformal > 0) return false;
+    find_shape(fine);
+    return true;
+  }
+
+  Status solve_step(Solver& fine) {
+    StepContact contact{shape_.box, INFINITY, INFINITY, fine.scene.options.frame_accuracy};
+    for (const Rectangle& b : shape_.boxes()) {
+      contact.length = std::min(contact.length, b.x_greatest - b.x_least);
+      contact.width = std::min(contact.width, b.y_greatest - b.y_least);
+    }
+    const Status status = steps_.solve(fine, contact);
+    return beyond_bounds_ && (status == Status::ok || status == Status::inaccurate) ? tell_beyond_bounds(fine) : status;
+  }
+
+  Status tell_beyond_bounds(const Solver& fine) const {
+    fine.host.caveat(Status::rim_contact, (std::string("frames: ") + beyond_bounds_).c_str());
+    return Status::rim_contact;
+  }
+
   /// Solves on strips that fit the contact, of two counts, and on finer ones until the accuracy asked for is met.
   /// Nothing: strips do not fit this scene.
   std::optional<Status> solve_on_strips(Solver& fine) {
     // Friction carries a little less on strips than it does; pairs of frames share loads that feel that.
     if (!strips_may_fit(fine.scene, fine.bodies()) || limit_differs(fine.scene)) return std::nullopt;
-    // Slip that pressures of very unlike bodies cause converges slowly on strips; pairs of frames are extrapolated.
-    constexpr double very_unlike = 0.15;
-    if (std::abs(dundurs_beta(fine.pair())) > very_unlike) return std::nullopt;
     find_shape(fine);
+    if (shape_.unlike) return std::nullopt;
     const bool sharp =
         std::any_of(shape_.outline.begin(), shape_.outline.end(), [&](const Outline& o) { return ends_sharply(o); });
     if (beyond_bounds_ || sharp || shape_.conformal) return std::nullopt;
@@ -231,7 +268,7 @@ class AutomaticFrames final : public FrameMaker {
   Status solve_on_levels(Solver& fine) {
     find_shape(fine);
     // A level stays while the accuracy asked for does.
-    if (const double asked = fine.scene.options.frame_accuracy; level_ == levels.size() || asked != asked_) {
+    if (const double asked = fine.scene.options.frame_accuracy; level_ >= level_count() || asked != asked_) {
       level_ = first_level(asked);
       asked_ = asked;
     }
@@ -245,19 +282,22 @@ class AutomaticFrames final : public FrameMaker {
       const double wanted = fine.scene.options.frame_accuracy, reached = error_reached(fine);
       if (reached <= wanted) break;
       if (level_ + 1 == level_count()) {
-        level_ = levels.size();  // the next scene may be an easier one
+        ended_inaccurate_ = true;
         return StripLevels::tell_inaccurate(fine, reached);
       }
     }
-    if (!beyond_bounds_) {
-      if (missed_corners_) return tell_missed_corner(fine);
-      // Frames that follow surfaces do so across the rolling direction.
-      Vec2 mean = inclination_.mean, turned = inclination_.turned;
-      if (shape_.conformal) mean[1] = turned[1] = 0;
-      return tell_inclined(fine, std::atan(length(mean)), std::atan(length(turned)));
-    }
-    fine.host.caveat(Status::rim_contact, (std::string("frames: ") + beyond_bounds_).c_str());
-    return Status::rim_contact;
+    // The finest pair alone is solved after it was not fine enough; the scene after an easier one begins anew.
+    if (std::exchange(ended_inaccurate_, false)) level_ = levels.size();
+    if (beyond_bounds_) return tell_beyond_bounds(fine);
+    if (missed_corners_) return tell_missed_corner(fine);
+    return tell_if_inclined(fine);
+  }
+
+  /// Tells inclined normals that frames do not follow; those that follow surfaces do so across the rolling direction.
+  Status tell_if_inclined(const Solver& fine) const {
+    Vec2 mean = inclination_.mean, turned = inclination_.turned;
+    if (shape_.conformal) mean[1] = turned[1] = 0;
+    return tell_inclined(fine, std::atan(length(mean)), std::atan(length(turned)));
   }
 
   /// Returns what has to be below the accuracy asked for. Largest pressures are judged less sharply than forces, and
@@ -269,10 +309,18 @@ class AutomaticFrames final : public FrameMaker {
                     std::abs(1 - find_statistic(*coarse_, "max_pressure") / find_statistic(fine, "max_pressure")) / 4);
   }
 
-  std::size_t level_count() const { return found_.speed != 0 && shape_.lattice ? levels.size() : usual_levels; }
+  std::size_t level_count() const {
+    if (shape_.unlike && !shape_.conformal) return levels.size();
+    return found_.speed != 0 && shape_.lattice ? creeping_levels : usual_levels;
+  }
+  /// Returns the error of the finer frame of a level that is usual for the shape.
+  double usual_error(std::size_t level) const {
+    constexpr double unlike = 0.23;  // error times intervals, 24 random contacts on rigid bodies
+    return shape_.unlike ? unlike / static_cast<double>(2 * levels[level].across) : levels[level].usual;
+  }
   std::size_t first_level(double accuracy) const {
     std::size_t level = 0;
-    while (level + 1 < level_count() && levels[level].usual > 1.1 * accuracy) ++level;
+    while (level + 1 < level_count() && usual_error(level) > 1.1 * accuracy) ++level;
     return level;
   }
 
@@ -288,10 +336,14 @@ class AutomaticFrames final : public FrameMaker {
       shape_.outline.clear();
       const HertzContact hertz =
           find_ellipse(fine, {(*quadratic)[0], (*quadratic)[1], (*quadratic)[2]}, contact_modulus(fine.pair()));
-      shape_.place = place_of_disc(hertz.larger, hertz.smaller, hertz.angle);
+      shape_.unlike = shape_.lattice = very_unlike(pair);
+      gap_at_ = [g = *quadratic](double x, double y) { return g[0] * x * x + g[1] * y * y + g[2] * x * y; };
+      const FramePlace before = std::exchange(shape_.place, place_of_disc(hertz.larger, hertz.smaller, hertz.angle));
+      if (shape_.lattice && !(shape_.place == before)) ++shapes_;
       shape_.load = hertz.load;
       shape_.stretch = stretch_by_friction(dundurs_beta(fine.pair()), scene.friction(0, 0));
       shape_.find_box();
+      shape_.sharp = false;
       beyond_bounds_ = nullptr;
       return;
     }
@@ -375,8 +427,9 @@ class AutomaticFrames final : public FrameMaker {
     shape_.outline = patches.outline;
     shape_.find_box();
     constexpr double too_hollow = 0.1;
+    shape_.unlike = pair.half_spaces() && !pair.meshed() && !pair.creeps() && very_unlike(pair);
     // Half-spaces that creep are fast on lattices.
-    shape_.lattice = (now.speed != 0 && pair.half_spaces()) ||
+    shape_.lattice = shape_.unlike || (now.speed != 0 && pair.half_spaces()) ||
                      std::any_of(shape_.outline.begin(), shape_.outline.end(),
                                  [](const Outline& outline) { return outline.hollow() > too_hollow; });
     shape_.stretch = FrameShape::usual_stretch;
@@ -442,7 +495,7 @@ class AutomaticFrames final : public FrameMaker {
     constexpr double longer = 1.02;
     constexpr int most_trials = 5;
     Status status = solve_pair(fine);
-    for (int trial = 0; status == Status::rim_contact && !shape_.outline.empty() && trial < most_trials; ++trial) {
+    for (int trial = 0; status == Status::rim_contact && !elliptic() && trial < most_trials; ++trial) {
       shape_.stretch *= longer;
       ++shapes_;
       status = solve_pair(fine);
@@ -456,6 +509,10 @@ class AutomaticFrames final : public FrameMaker {
   Status solve_pair(Solver& fine) {
     if (!coarse_) coarse_ = fine.another();
     coarse_->take_over(fine);
+    if (const StepHistory& steps = fine.steps(); steps.of_steps && !coarse_->steps().of_steps) {
+      coarse_->steps().last = steps.last;
+      coarse_->steps().of_steps = true;
+    }
     lay_frames(fine.scene, coarse_->scene);
     share_loads(fine);
     const Status status = fine.solve();
@@ -506,10 +563,16 @@ class AutomaticFrames final : public FrameMaker {
            (loaded(Direction::longitudinal) || loaded(Direction::lateral));
   }
 
+  /// Says whether frames are an ellipse's.
+  bool elliptic() const { return shape_.outline.empty() && !shape_.lattice; }
+
   FrameFamily family(Solver& on) const {
+    // Differences halve where intervals do, or a little faster.
+    constexpr double order_of_unlike = 1.2;
+    if (shape_.unlike) return {order_of_unlike, 1, usual_error(level_)};
     // Contacts fill a stretched ellipse on the side that friction moves them to, on small frames as far as nodes tell
     // on both.
-    if (shape_.outline.empty()) {
+    if (elliptic()) {
       const Level& l = levels[level_];
       const bool filled =
           find_statistic(on, "nodes_contact") == static_cast<double>((2 * l.along - 1) * (2 * l.across - 1));
@@ -523,13 +586,12 @@ class AutomaticFrames final : public FrameMaker {
 
   void lay_frames(Scene& fine, Scene& coarse) {
     const Level& l = levels[level_];
-    const bool elliptic = shape_.outline.empty();
     const FramePlace place{shape_.stretch * shape_.place.length, shape_.stretch * shape_.place.width,
                            shape_.stretch * shape_.place.shear};
-    const Made now{level_, fine.revision.mesh, elliptic ? -1 : fine.revision.axes, elliptic ? -1 : shapes_,
+    const Made now{level_, fine.revision.mesh, elliptic() ? -1 : fine.revision.axes, elliptic() ? -1 : shapes_,
                    shape_.conformal};
     if (!(now == made_)) {
-      if (elliptic) {
+      if (elliptic()) {
         fine.set_placed_frame(strips_mesh({}, strips_of_ellipse(1, 1, 0, 2 * l.across), 2 * l.along), place);
         coarse.set_placed_frame(strips_mesh({}, strips_of_ellipse(1, 1, 0, l.across), l.along), place);
       } else if (shape_.lattice) {
@@ -541,7 +603,7 @@ class AutomaticFrames final : public FrameMaker {
       }
       made_ = now;
       made_.mesh = fine.revision.mesh;
-    } else if (elliptic && (!(place == fine.place()) || placed_on_ != fine.revision.axes)) {
+    } else if (elliptic() && (!(place == fine.place()) || placed_on_ != fine.revision.axes)) {
       fine.place_frame(place);
       coarse.place_frame(place);
     }
@@ -556,6 +618,7 @@ class AutomaticFrames final : public FrameMaker {
   };
 
   StripLevels strips_;
+  StepFrames steps_;
   std::unique_ptr<Solver> coarse_;
   bool coarse_solved_ = false;  // the last pair solved it
   bool missed_corners_ = false;
@@ -573,6 +636,8 @@ class AutomaticFrames final : public FrameMaker {
   std::int64_t shapes_ = 0;              ///< number of shapes found so far
   std::size_t level_ = levels.size();    ///< levels.size(): none yet
   double asked_ = 0;
+  bool ended_inaccurate_ = false;  ///< the last pair was the finest one, and not fine enough
+  bool steps_on_lattice_ = false;  ///< the last step has one frame alone
   Made made_;
   std::int64_t placed_on_ = -1;  ///< revision of the axes of the last placed frame
 };

@@ -26,17 +26,15 @@ struct Cover {
   }
 };
 
-Cover cover_of(const Outline& outline, std::int64_t along, std::int64_t across) {
-  const Rectangle b = outline.box();
-  return {b, (b.x_greatest - b.x_least) / static_cast<double>(along),
-          (b.y_greatest - b.y_least) / (outline.more_strips() * static_cast<double>(across))};
-}
-
 /// Takes all covers together or, on conformal frames, those beside each other.
 std::vector<Cover> covers_of(const FrameShape& shape, std::int64_t along, std::int64_t across) {
   std::vector<Cover> cover;
-  for (const Outline& outline : shape.outline) {
-    Cover now = cover_of(outline, along, across);
+  const std::vector<Rectangle> box = shape.boxes();
+  for (std::size_t i = 0; i < box.size(); ++i) {
+    const Rectangle& b = box[i];
+    const double more = shape.outline.empty() ? 1 : shape.outline[i].more_strips();
+    Cover now{b, (b.x_greatest - b.x_least) / static_cast<double>(along),
+              (b.y_greatest - b.y_least) / (more * static_cast<double>(across))};
     for (auto before = cover.begin(); before != cover.end();) {
       if (shape.conformal && !now.beside(*before)) {
         ++before;
@@ -120,15 +118,20 @@ std::optional<double> end_of_body(const std::function<double(double)>& gap, doub
   return inside;
 }
 
+std::vector<Rectangle> FrameShape::boxes() const {
+  if (outline.empty()) {
+    const double x = std::hypot(place.length, place.shear), y = place.width;
+    return {{-x, x, -y, y}};
+  }
+  std::vector<Rectangle> each;
+  for (const Outline& of : outline) each.push_back(of.box());
+  return each;
+}
+
 void FrameShape::find_box() {
   constexpr double wider = 1.15;
-  if (outline.empty()) {
-    const double x = wider * std::hypot(place.length, place.shear), y = wider * place.width;
-    box = {-x, x, -y, y};
-    return;
-  }
   Rectangle all{INFINITY, -INFINITY, INFINITY, -INFINITY};
-  for (const Outline& each : outline) all = around(all, each.box());
+  for (const Rectangle& each : boxes()) all = around(all, each);
   const double x = 0.5 * (all.x_least + all.x_greatest), y = 0.5 * (all.y_least + all.y_greatest),
                half_x = 0.5 * wider * (all.x_greatest - all.x_least),
                half_y = 0.5 * wider * (all.y_greatest - all.y_least);

@@ -29,11 +29,14 @@ struct FrameShape {
   AtBodyEnds at_body_ends = AtBodyEnds::closer;
   /// True: one regular lattice lies over all outlines, because strips do not follow their shapes.
   bool lattice = false;
+  /// True: pressures of half-spaces cause slip that strips resolve slowly, so that there are lattices.
+  bool unlike = false;
   bool conformal = false;  ///< frames follow the bodies' surfaces
   /// True: a half-space or rigid body ends at the contact, where pressures have no bound; lattices are finer across.
   bool sharp = false;
   Rectangle box{};  ///< around all of the contact, a little wider
 
+  std::vector<Rectangle> boxes() const;  ///< around the patches
   /// Sets box.
   void find_box();
 };

@@ -44,6 +44,7 @@ bool fit_parabola(std::span<const EdgePoint> point, double& origin, std::array<d
 
 Outline::Outline(double x, double y, double radius) : x_middle_(x), y_middle_(y), half_height_(radius) {
   for (Side& side : side_) side = {{0.5 * pi}, {radius}, {1}};
+  end_[0].y = y - radius, end_[1].y = y + radius;
 }
 
 void Outline::find_end(std::span<const EdgePoint> point, int which) {

@@ -127,6 +127,33 @@ TEST(automatic_proofs_long, unlike_bodies_roll_freely_on_a_wide_ellipse) {
   }
 }
 
+// A rigid partner and high friction: what is called success is as near to a fine lattice as was asked, and the estimate
+// holds.
+TEST(automatic_proofs_long, rigid_partners_under_high_friction) {
+  struct Case {
+    double ratio, nu, mu, along, across;
+  };
+  for (const Case& c : {Case{0.45, 0.02, 0.87, -0.9, 0.2}, {1.0, 0.25, 1.0, 0.5, 0.5}, {3.0, 0.3, 0.8, 0.1, 0.6}}) {
+    const Elastic body{.shear = 80000, .poisson = c.nu};
+    const Hertz hertz = ellipse(c.ratio, 1, body.young() / (1 - c.nu * c.nu));
+    // The creepage is a part of what makes linear theory's force that of friction.
+    const double unit = 0.6 * c.mu * hertz.load / (body.shear * c.ratio * 4);
+    RollingPair own(body, std::nullopt), fine(body, std::nullopt);
+    for (RollingPair* pair : {&own, &fine}) hertzian(*pair, hertz, c.mu).creep(unit * c.along, unit * c.across, 0);
+    constexpr double asked = 0.01;
+    own.option("frame_accuracy", asked);
+    ASSERT_EQ(own.solve(), ROLLCON_OK);
+    fine.rectangle(ElementType::quad4, 96, 96, 1.2 * c.ratio, 1.2);
+    ASSERT_EQ(fine.solve(), ROLLCON_OK);
+    const auto f = own.solution().force, g = fine.solution().force;
+    const double error = std::hypot(f[0] - g[0], f[1] - g[1]) / (c.mu * hertz.load);
+    constexpr double of_lattice = 0.003;
+    report("force over friction's", std::hypot(g[0], g[1]) / (c.mu * hertz.load));
+    expect_error("force beside a lattice of 96 x 96", error, asked);
+    expect_error("  beside what was told", error, own.stat("error_estimate") + of_lattice);
+  }
+}
+
 // ------------------------------------------------------------------------------------ creep curve
 
 // The curve of a contact with b = 2 a goes from stick to slip, forward and from the forces back to the creepages.

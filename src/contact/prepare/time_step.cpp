@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "contact/prepare/before_touch.hpp"
+#include "mesh/lattice_values.hpp"
 #include "support/error.hpp"
 #include "support/index.hpp"
 
@@ -56,7 +58,7 @@ void tangential_displacements(const Compliance& compliance, const Prepared& on, 
     for (std::size_t c = 0; c < 3; ++c) work.traction[3 * k + c] = lambda[c][k];
   work.displacement.resize(3 * n);
   compliance.apply({x, on.frame.y}, work.traction.data(), work.displacement.data());
-  for (std::size_t c = 0; c < 2; ++c) {
+  for (std::size_t c = 0; to && c < 2; ++c) {
     to[c].resize(n);
     for (std::size_t k = 0; k < n; ++k) to[c][k] = work.displacement[3 * k + c];
   }
@@ -75,28 +77,21 @@ void carry_between_frames(StepHistory& h, const Prepared& on, int threads) {
 }
 
 // Carries displacements by integrals at every step, where rows are not formed.
-void carry_by_integrals(StepHistory& h, const Prepared& on) {
-  tangential_displacements(*on.compliance, on, Where::upstream, h.last.lambda, h.work, h.carried);
+void carry_by_integrals(StepHistory& h, const Prepared& on, const std::vector<double> (&lambda)[3]) {
+  tangential_displacements(*on.compliance, on, Where::upstream, lambda, h.work, h.carried);
 }
 
-// Finds what particles that were apart shift until they touch. Near the contact's edge shift and gap have one shape,
-// whose ratio is that of compliances times that of tangential traction and pressure just after (docs/time.md).
-void find_shift_before_touch(StepHistory& h, Problem& p, bool moved) {
-  StepWorkspace& work = h.work;
-  MotionValues before = h.last.motion;
-  before[approach] -= p.datum;
-  p.before_touch.assign(at(p.nodes), 0.0);
-  work.apart.clear();
-  for (std::size_t k = 0; k < at(p.nodes); ++k)
-    if (p.used[k] && (moved || !(h.last.lambda[2][k] < 0))) work.apart.push_back(static_cast<std::int32_t>(k));
-  for (auto& image : work.image) image.resize(at(p.nodes));
-  if (!moved) p.op->images(normal_component, {}, work.apart, h.last.lambda, work.image);
-  for (const std::int32_t i : work.apart) {
-    const std::size_t k = at(i);
-    const double gap = p.rigid_gap(k, before) - (moved ? work.displacement[3 * k + 2] : work.image[2][k]);
-    const double ratio = (p.op->own(0, 0, k) + p.op->own(1, 1, k)) / (2 * p.op->own(2, 2, k));
-    p.before_touch[k] = std::max(0.0, ratio * gap);
-  }
+using Tractions = std::vector<double>[3];
+
+// Returns the tractions of the step before on the scene's frame, where it is a lattice of the library's own choice in
+// `moved`; null: they lie on a frame of another kind.
+const Tractions* tractions_before(const PastStep& last, const Prepared& on, const Scene& scene, Tractions& moved) {
+  if (lies_on(last, on, scene)) return &last.lambda;
+  if (scene.frame_given() || !on.lattice || !last.on || !lies_along_axes(*on.lattice)) return nullptr;
+  const std::optional<Lattice> before = find_lattice(last.on->frame);
+  if (!before || !lies_along_axes(*before)) return nullptr;
+  for (std::size_t c = 0; c < 3; ++c) carry_to_lattice(*before, last.lambda[c], *on.lattice, moved[c]);
+  return &moved;
 }
 
 }  // namespace
@@ -124,16 +119,21 @@ void carry_past(StepHistory& h, Preparation& preparation, const Scene& scene) {
   Prepared& on = *preparation.made;
   Problem& p = on.problem;
   const std::size_t n = on.frame.x.size();
-  const bool none = !h.last.loaded || on.frictionless, moved = !none && !lies_on(h.last, on, scene);
+  const bool none = !h.last.loaded || on.frictionless;
   for (auto& v : h.carried) v.resize(n);
   if (!none) {
-    if (moved)
+    Tractions moved;
+    const Tractions* const lambda = tractions_before(h.last, on, scene, moved);
+    const bool rolls_in = !scene.frame_given();
+    if (!lambda)
       carry_between_frames(h, on, preparation.threads);
     else if (p.op->tangential || p.op->all_at_once())
-      preparation.carried.apply(on, preparation.rows, h.last.lambda, h.carried);
+      preparation.carried.apply(on, preparation.rows, *lambda, h.carried);
     else
-      carry_by_integrals(h, on);
-    if (on.step == StepKind::shift && preparation.procedure.standard()) find_shift_before_touch(h, p, moved);
+      carry_by_integrals(h, on, *lambda);
+    if (!lambda && rolls_in && on.lattice && on.distance != 0)
+      tangential_displacements(*h.last.on->compliance, on, Where::nodes, h.last.lambda, h.work, nullptr);
+    if (preparation.procedure.standard()) find_shift_before_touch(h.last, lambda, h.work, on, rolls_in);
   }
   for (const auto& [slip, c] : {std::pair{&p.slip1, std::size_t{0}}, std::pair{&p.slip2, std::size_t{1}}}) {
     slip->resize(n);
