@@ -80,10 +80,15 @@ StepFrame choose_step_frame(const std::optional<Lattice>& last, const StepContac
   return {{x.start, x.end(), y.start, y.end()}, x.cells, y.cells, last && x == before[0] && y == before[1]};
 }
 
-double error_of_step(const StepFrame& frame, const StepContact& contact, double distance) {
+/// Returns the error that cells and a step's way cause.
+ErrorEstimate estimate(const StepFrame& frame, const StepContact& contact, double distance) {
   const double cells = std::min(contact.length / frame.cell_along(), contact.width / frame.cell_across());
   const double rolled_in = 4 * distance / (std::numbers::pi * contact.length);
-  return error_of_cells / (cells * cells) + error_of_rolling * rolled_in * rolled_in;
+  ErrorEstimate e;
+  e.known = true;
+  e.normal = error_of_cells / (cells * cells);
+  e.tangential = e.tractions = e.normal + error_of_rolling * rolled_in * rolled_in;
+  return e;
 }
 
 Rectangle widened(const Rectangle& box) {
@@ -128,8 +133,8 @@ Status StepFrames::solve(Solver& solver, const StepContact& given) {
     }
     const bool rolls = last.loaded && scene.step_kind() == StepKind::rolling;
     const double distance = rolls ? solver.solution().prepared->distance : 0;
-    const double error = error_of_step(frame, contact, distance);
-    return error <= contact.accuracy ? status : tell_long_step(solver, contact, distance, error);
+    const ErrorEstimate& error = solver.derived().error_estimate = estimate(frame, contact, distance);
+    return error.worst() <= contact.accuracy ? status : tell_long_step(solver, contact, distance, error.worst());
   }
 }
 
