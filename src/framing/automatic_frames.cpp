@@ -217,7 +217,9 @@ class AutomaticFrames final : public FrameMaker {
       contact.width = std::min(contact.width, b.y_greatest - b.y_least);
     }
     const Status status = steps_.solve(fine, contact);
-    return beyond_bounds_ && (status == Status::ok || status == Status::inaccurate) ? tell_beyond_bounds(fine) : status;
+    if (status != Status::ok && status != Status::inaccurate) return status;
+    if (beyond_bounds_) return tell_beyond_bounds(fine);
+    return status == Status::ok ? tell_if_inclined(fine) : status;
   }
 
   Status tell_beyond_bounds(const Solver& fine) const {
