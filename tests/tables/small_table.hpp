@@ -30,7 +30,9 @@ inline TableGrid grid(int magnitudes) {
 inline std::vector<double> solve(const TableGrid& grid, int parts = 1, int threads = 2) {
   std::vector<double> sample(static_cast<std::size_t>(SampleLayout(grid).size()),
                              std::numeric_limits<double>::quiet_NaN());
-  for (int part = 0; part < parts; ++part) solve_samples(grid, part, parts, threads, sample);
+  Context context;
+  context.set_threads(threads);
+  for (int part = 0; part < parts; ++part) solve_samples(grid, part, parts, context, sample);
   return sample;
 }
 
