@@ -54,7 +54,7 @@ bool surfaces_deform(const PairOfBodies& pair) {
 
 /// Says whether slip that pressures cause converges slowly on strips.
 bool very_unlike(const PairOfBodies& pair) {
-  constexpr double very = 0.15;
+  constexpr double very = 0.1;
   return std::abs(dundurs_beta(pair)) > very;
 }
 
