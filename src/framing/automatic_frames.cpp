@@ -58,6 +58,12 @@ bool very_unlike(const PairOfBodies& pair) {
   return std::abs(dundurs_beta(pair)) > very;
 }
 
+/// Says whether friction and that slip move the edge so far that no fitted frame follows it.
+bool unlike_under_friction(const PairOfBodies& pair, double friction) {
+  constexpr double far = 0.1;
+  return very_unlike(pair) && std::abs(dundurs_beta(pair)) * friction > far;
+}
+
 class AutomaticFrames final : public FrameMaker {
  public:
   /// Solves until the tilts that moments ask for, which move the contact along the bodies, fit the frames. Frames are
@@ -197,6 +203,7 @@ class AutomaticFrames final : public FrameMaker {
     /// Option conformal, and the accuracy by which it is chosen.
     std::int64_t conformal = -1;
     double accuracy = 0;
+    bool unlike = false;
     bool tilted = false;
     Tilts tilts{};
     bool operator==(const Found&) const = default;
@@ -233,7 +240,7 @@ class AutomaticFrames final : public FrameMaker {
     // Friction carries a little less on strips than it does; pairs of frames share loads that feel that.
     if (!strips_may_fit(fine.scene, fine.bodies()) || limit_differs(fine.scene)) return std::nullopt;
     find_shape(fine);
-    if (shape_.unlike) return std::nullopt;
+    if (very_unlike(fine.pair())) return std::nullopt;
     const bool sharp =
         std::any_of(shape_.outline.begin(), shape_.outline.end(), [&](const Outline& o) { return ends_sharply(o); });
     if (beyond_bounds_ || sharp || shape_.conformal) return std::nullopt;
@@ -338,10 +345,12 @@ class AutomaticFrames final : public FrameMaker {
       shape_.outline.clear();
       const HertzContact hertz =
           find_ellipse(fine, {(*quadratic)[0], (*quadratic)[1], (*quadratic)[2]}, contact_modulus(fine.pair()));
-      shape_.unlike = shape_.lattice = very_unlike(pair);
-      gap_at_ = [g = *quadratic](double x, double y) { return g[0] * x * x + g[1] * y * y + g[2] * x * y; };
+      shape_.unlike = shape_.lattice = unlike_under_friction(pair, scene.friction(0, 0));
       const FramePlace before = std::exchange(shape_.place, place_of_disc(hertz.larger, hertz.smaller, hertz.angle));
-      if (shape_.lattice && !(shape_.place == before)) ++shapes_;
+      if (shape_.lattice) {
+        if (!(shape_.place == before)) ++shapes_;
+        gap_at_ = [g = *quadratic](double x, double y) { return g[0] * x * x + g[1] * y * y + g[2] * x * y; };
+      }
       shape_.load = hertz.load;
       shape_.stretch = stretch_by_friction(dundurs_beta(fine.pair()), scene.friction(0, 0));
       shape_.find_box();
@@ -366,6 +375,8 @@ class AutomaticFrames final : public FrameMaker {
     }
     now.conformal = scene.has_gap() || pair.meshed() ? -1 : conformal_;
     now.accuracy = now.conformal >= 0 ? scene.options.frame_accuracy : 0;
+    now.unlike =
+        pair.half_spaces() && !pair.meshed() && !pair.creeps() && unlike_under_friction(pair, scene.friction(0, 0));
     now.tilted = scene.tilts();
     if (now.tilted) now.tilts = tilts_for(fine);
     if (!shape_.outline.empty() && now == found_) return;
@@ -429,7 +440,7 @@ class AutomaticFrames final : public FrameMaker {
     shape_.outline = patches.outline;
     shape_.find_box();
     constexpr double too_hollow = 0.1;
-    shape_.unlike = pair.half_spaces() && !pair.meshed() && !pair.creeps() && very_unlike(pair);
+    shape_.unlike = now.unlike;
     // Half-spaces that creep are fast on lattices.
     shape_.lattice = shape_.unlike || (now.speed != 0 && pair.half_spaces()) ||
                      std::any_of(shape_.outline.begin(), shape_.outline.end(),

@@ -118,11 +118,13 @@ std::optional<double> end_of_body(const std::function<double(double)>& gap, doub
   return inside;
 }
 
+static Rectangle around_ellipse(const FramePlace& place) {
+  const double x = std::hypot(place.length, place.shear), y = place.width;
+  return {-x, x, -y, y};
+}
+
 std::vector<Rectangle> FrameShape::boxes() const {
-  if (outline.empty()) {
-    const double x = std::hypot(place.length, place.shear), y = place.width;
-    return {{-x, x, -y, y}};
-  }
+  if (outline.empty()) return {around_ellipse(place)};
   std::vector<Rectangle> each;
   for (const Outline& of : outline) each.push_back(of.box());
   return each;
@@ -130,8 +132,8 @@ std::vector<Rectangle> FrameShape::boxes() const {
 
 void FrameShape::find_box() {
   constexpr double wider = 1.15;
-  Rectangle all{INFINITY, -INFINITY, INFINITY, -INFINITY};
-  for (const Rectangle& each : boxes()) all = around(all, each);
+  Rectangle all = outline.empty() ? around_ellipse(place) : outline.front().box();
+  for (const Outline& of : outline) all = around(all, of.box());
   const double x = 0.5 * (all.x_least + all.x_greatest), y = 0.5 * (all.y_least + all.y_greatest),
                half_x = 0.5 * wider * (all.x_greatest - all.x_least),
                half_y = 0.5 * wider * (all.y_greatest - all.y_least);
