@@ -74,14 +74,17 @@ class AutomaticFrames final : public FrameMaker {
     steps_on_lattice_ = fine.scene.step_kind() != StepKind::steady && lattices_fit(fine);
     if (steps_on_lattice_ && !shape_.sharp) return solve_step(fine);
     steps_on_lattice_ = false;
+    fitted_instead_ = false;
     try {
-      return solve_within(fine);
+      const Status status = solve_within(fine);
+      if (!shape_.unlike || (status != Status::not_converged && status != Status::rim_contact)) return status;
+      fitted_instead_ = true;
     } catch (const Error& error) {
       // Frames that follow surfaces are not made on slopes beyond 60 degrees.
       if (error.status() != Status::err_mesh || conformal_ != 0 || !shape_.conformal) throw;
       conformal_ = -1;
-      return solve_within(fine);
     }
+    return solve_within(fine);
   }
 
   void end_step(Status status) override {
@@ -345,7 +348,7 @@ class AutomaticFrames final : public FrameMaker {
       shape_.outline.clear();
       const HertzContact hertz =
           find_ellipse(fine, {(*quadratic)[0], (*quadratic)[1], (*quadratic)[2]}, contact_modulus(fine.pair()));
-      shape_.unlike = shape_.lattice = unlike_under_friction(pair, scene.friction(0, 0));
+      shape_.unlike = shape_.lattice = !fitted_instead_ && unlike_under_friction(pair, scene.friction(0, 0));
       const FramePlace before = std::exchange(shape_.place, place_of_disc(hertz.larger, hertz.smaller, hertz.angle));
       if (shape_.lattice) {
         if (!(shape_.place == before)) ++shapes_;
@@ -505,7 +508,7 @@ class AutomaticFrames final : public FrameMaker {
 
   /// Gives longer strips to patches whose edge friction moves outwards, or that the search found too small.
   Status solve_on_fitting(Solver& fine) {
-    constexpr double longer = 1.02;
+    const double longer = shape_.unlike ? 1.1 : 1.02;
     constexpr int most_trials = 5;
     Status status = solve_pair(fine);
     for (int trial = 0; status == Status::rim_contact && !elliptic() && trial < most_trials; ++trial) {
@@ -635,7 +638,8 @@ class AutomaticFrames final : public FrameMaker {
   std::unique_ptr<Solver> coarse_;
   bool coarse_solved_ = false;  // the last pair solved it
   bool missed_corners_ = false;
-  std::int64_t conformal_ = 0;  ///< option for this solve
+  std::int64_t conformal_ = 0;   ///< option for this solve
+  bool fitted_instead_ = false;  ///< lattices of unlike bodies gave way to fitted frames
   Inclination inclination_;
   PatchSearch search_;
   std::unique_ptr<HertzFriction> hertz_friction_;  ///< made when it is asked for
