@@ -415,14 +415,14 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_context_set_threads(rollcon_cont
 
 /*
  * Lets the ranks of an MPI program share lists. All ranks of the communicator make the same calls
- * with the same data; from now on rollcon_contact_solve_many, rollcon_wheelrail_solve_many,
- * rollcon_wheelrail_find_wear and rollcon_table_make on this context, and on what was made from
- * it, are calls of all ranks together: each rank solves its share, and all have the results and
- * statuses of all, the same to the bit as on one rank. What fails on one rank fails on all of
- * them, with the number of the rank in the text; a rank that is asked to stop leaves its cases
- * cancelled. All other calls are each rank's own. The communicator stays the caller's, who frees
- * it after the context. ROLLCON_ERR_STATE: MPI does not run. ROLLCON_ERR_UNSUPPORTED: the build
- * is without MPI (rollcon_has_feature "mpi").
+ * with the same data. From then on rollcon_contact_solve_many, rollcon_wheelrail_solve_many,
+ * rollcon_wheelrail_find_wear and rollcon_table_make are joint calls of all ranks, on this
+ * context and on all that is made from it: each rank solves its share, and every rank gets all
+ * results and statuses, the same to the bit as on one rank. A failure on one rank is a failure on
+ * all of them, and the text names the rank. The cases left to a rank that is asked to stop are
+ * cancelled. All other calls are each rank's own. The communicator remains the caller's, who
+ * frees it after the context. ROLLCON_ERR_STATE: MPI does not run. ROLLCON_ERR_UNSUPPORTED: the
+ * build is without MPI (rollcon_has_feature "mpi").
  *   communicator  its Fortran handle: MPI_Comm_c2f(communicator) in C, communicator%MPI_VAL in
  *                 mpi_f08
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_UNSUPPORTED.
@@ -591,8 +591,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_load(rollcon_context *conte
  * Changed in its loads and prescribed displacements alone, and prepared, it takes the equations
  * of the first, and their factors: so several load cases of one body cost one assembly and
  * factorisation. (Finite elements factorise once more, with nothing condensed, for all cases
- * after the first, unless option keep_factors is 0; boundary elements integrate over the loaded
- * and moved elements alone.)
+ * after the first, unless option keep_factors is 0; boundary elements integrate over loaded and
+ * moved elements only.)
  *   copy  new handle
  * Ownership: The caller owns the new handle: release it. *copy is NULL after a failure.
  * Also returns: ROLLCON_ERR_MEMORY.

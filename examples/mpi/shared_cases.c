@@ -1,8 +1,8 @@
-/* Solves a list of creepages on all ranks of an MPI program, as a creep curve.
+/* Solves a list of creepages, as creep curves need it, on all ranks of an MPI program.
 
        mpiexec -n 4 shared_cases
 
-   Every rank makes the same calls with the same data, and has all results in the end. Rank 0 prints some of them. The
+   Every rank makes the same calls with the same data, and gets all results. Rank 0 prints some of them. The
    library must be built with ROLLCON_WITH_MPI=ON. */
 #include <mpi.h>
 #include <stdio.h>
@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
   must(rollcon_context_create(ROLLCON_ABI, &context));
-  must(rollcon_context_set_threads(context, 1)); /* the processes are the threads */
+  must(rollcon_context_set_threads(context, 1)); /* each process has one thread */
   must(rollcon_context_set_communicator(context, (int32_t)MPI_Comm_c2f(MPI_COMM_WORLD)));
   must(rollcon_body_create(context, ROLLCON_BODY_HALFSPACE, &wheel));
   must(rollcon_body_create(context, ROLLCON_BODY_HALFSPACE, &rail));

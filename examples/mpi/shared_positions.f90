@@ -1,5 +1,5 @@
 ! A vehicle code that runs on several ranks wants the forces of a wheel over its lateral shift. Every rank makes the
-! same calls with the same data and has all forces in the end; each solves its share of the positions.
+! same calls with the same data, solves its share of the positions, and gets all forces.
 !
 !     mpiexec -n 4 shared_positions
 !

@@ -118,7 +118,7 @@ std::int32_t with_table(const char* function, const rollcon_table* handle, F&& b
   return with_object(function, Kind::table, handle, [&](Object& object) { return body(*object.table); });
 }
 
-/// Makes the body of a call one of all ranks of its object's context: what throws on one of them throws on all.
+/// Makes the body of a call a joint one of all ranks of its object's context: an error on one rank is one on all.
 template <class F>
 auto together(const F& body) {
   return [&](auto& object) { return object.context().ranks().together([&] { return body(object); }); };

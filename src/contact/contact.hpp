@@ -36,7 +36,7 @@ class FrameMaker {
   /// Ends or repeats a time step, as Solver's functions of these names do.
   virtual void end_step(Status status) = 0;
   virtual void repeat_step() = 0;
-  /// Gives the solver's scene a regular frame as time steps have it.
+  /// Gives the solver's scene the regular frame of a time step.
   virtual void lay(Solver& solver, const Rectangle& sides, std::int64_t along, std::int64_t across) = 0;
 };
 using MakeFrameMaker = std::unique_ptr<FrameMaker> (*)();

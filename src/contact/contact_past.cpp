@@ -17,7 +17,7 @@ namespace rollcon {
 namespace {
 
 // The numbers are magic, version, count of all, nodes, checksum of frame and bodies, loaded, time, steps, four motions;
-// sides and cells of a lattice that the library made, else zeros; tractions t1, t2, n of all nodes, checksum of all
+// sides and cells of a lattice that the library made, or zeros; tractions t1, t2, n of all nodes, checksum of all
 // before it.
 constexpr double magic = 7274830.5, version = 3;
 constexpr std::size_t of_lattice = 12, header = of_lattice + 6;

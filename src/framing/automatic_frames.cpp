@@ -40,8 +40,8 @@ struct Level {
 };
 constexpr std::array levels{Level{6, 4, 0.012},    Level{8, 6, 0.0053},   Level{12, 8, 0.0026},  Level{16, 12, 0.0013},
                             Level{24, 16, 0.0007}, Level{32, 24, 0.0004}, Level{48, 36, 0.0002}, Level{64, 48, 0.0001}};
-/// Counts the levels of all contacts. More are for lattices of half-spaces, whose operators are no matrices: one for
-/// bodies that creep, all for very unlike ones.
+/// Count the levels that contacts have. Lattices of half-spaces have more, because their operators are no matrices: one
+/// more for bodies that creep, all levels for very unlike ones.
 constexpr std::size_t usual_levels = 5, creeping_levels = 6;
 
 using Tilts = std::array<double, 2>;
@@ -52,13 +52,13 @@ bool surfaces_deform(const PairOfBodies& pair) {
                      [](const Body* body) { return !body->has_surface() || (body->meshed() && !body->rigid()); });
 }
 
-/// Says whether slip that pressures cause converges slowly on strips.
+/// Says whether the slip that pressures cause converges slowly on strips.
 bool very_unlike(const PairOfBodies& pair) {
   constexpr double very = 0.1;
   return std::abs(dundurs_beta(pair)) > very;
 }
 
-/// Says whether friction and that slip move the edge so far that no fitted frame follows it.
+/// Says whether friction and the slip that pressures cause move the edge so far that no fitted frame follows it.
 bool unlike_under_friction(const PairOfBodies& pair, double friction) {
   constexpr double far = 0.1;
   return very_unlike(pair) && std::abs(dundurs_beta(pair)) * friction > far;
@@ -139,7 +139,7 @@ class AutomaticFrames final : public FrameMaker {
   /// Holds slopes of the patches against the plane of the axes.
   struct Inclination {
     Vec2 mean{}, turned{};  ///< mean slopes, and their root mean square differences from them
-    double within = 0;      ///< that of slopes across from the means of their own patches
+    double within = 0;      ///< the same of slopes across from the means of their own patches
     double off() const { return off_by_plane(std::atan(length(mean)), std::atan(length(turned))); }
     double off_across() const { return off_by_plane(std::atan(mean[1]), std::atan(turned[1])); }
     double bent() const { return off_by_plane(0, std::atan(within)); }
@@ -203,7 +203,7 @@ class AutomaticFrames final : public FrameMaker {
     double speed = 0;  ///< speed of bodies that creep; else 0
     std::array<std::int64_t, 2> pose{-1, -1};
     std::int64_t axes = -1;
-    /// Option conformal, and the accuracy by which it is chosen.
+    /// Hold the option conformal and the accuracy by which it was chosen.
     std::int64_t conformal = -1;
     double accuracy = 0;
     bool unlike = false;
@@ -212,8 +212,8 @@ class AutomaticFrames final : public FrameMaker {
     bool operator==(const Found&) const = default;
   };
 
-  /// Says whether steps have lattices, and finds the contact's shape then. Half-spaces have the same response wherever
-  /// nodes lie.
+  /// Says whether time steps have lattices and, if so, finds the contact's shape. Half-spaces have the same response
+  /// wherever nodes lie.
   bool lattices_fit(Solver& fine) {
     if (fine.bodies().meshed() || fine.scene.tilts() || fine.scene.options.conformal > 0) return false;
     find_shape(fine);
@@ -298,14 +298,14 @@ class AutomaticFrames final : public FrameMaker {
         return StripLevels::tell_inaccurate(fine, reached);
       }
     }
-    // The finest pair alone is solved after it was not fine enough; the scene after an easier one begins anew.
+    // The finest pair alone is solved while it is not fine enough. Once it is, the next scene begins anew.
     if (std::exchange(ended_inaccurate_, false)) level_ = levels.size();
     if (beyond_bounds_) return tell_beyond_bounds(fine);
     if (missed_corners_) return tell_missed_corner(fine);
     return tell_if_inclined(fine);
   }
 
-  /// Tells inclined normals that frames do not follow; those that follow surfaces do so across the rolling direction.
+  /// Reports inclined normals that frames do not follow. Frames follow surfaces across the rolling direction alone.
   Status tell_if_inclined(const Solver& fine) const {
     Vec2 mean = inclination_.mean, turned = inclination_.turned;
     if (shape_.conformal) mean[1] = turned[1] = 0;
@@ -325,7 +325,7 @@ class AutomaticFrames final : public FrameMaker {
     if (shape_.unlike && !shape_.conformal) return levels.size();
     return found_.speed != 0 && shape_.lattice ? creeping_levels : usual_levels;
   }
-  /// Returns the error of the finer frame of a level that is usual for the shape.
+  /// Returns the error that the finer frame of a level usually has for the shape.
   double usual_error(std::size_t level) const {
     constexpr double unlike = 0.23;  // error times intervals, 24 random contacts on rigid bodies
     return shape_.unlike ? unlike / static_cast<double>(2 * levels[level].across) : levels[level].usual;
@@ -444,7 +444,7 @@ class AutomaticFrames final : public FrameMaker {
     shape_.find_box();
     constexpr double too_hollow = 0.1;
     shape_.unlike = now.unlike;
-    // Half-spaces that creep are fast on lattices.
+    // Lattices are fast for half-spaces that creep.
     shape_.lattice = shape_.unlike || (now.speed != 0 && pair.half_spaces()) ||
                      std::any_of(shape_.outline.begin(), shape_.outline.end(),
                                  [](const Outline& outline) { return outline.hollow() > too_hollow; });
@@ -579,11 +579,11 @@ class AutomaticFrames final : public FrameMaker {
            (loaded(Direction::longitudinal) || loaded(Direction::lateral));
   }
 
-  /// Says whether frames are an ellipse's.
+  /// Says whether frames are those of an ellipse.
   bool elliptic() const { return shape_.outline.empty() && !shape_.lattice; }
 
   FrameFamily family(Solver& on) const {
-    // Differences halve where intervals do, or a little faster.
+    // Differences halve, or shrink a little more, when intervals are halved.
     constexpr double order_of_unlike = 1.2;
     if (shape_.unlike) return {order_of_unlike, 1, usual_error(level_)};
     // Contacts fill a stretched ellipse on the side that friction moves them to, on small frames as far as nodes tell
@@ -654,7 +654,7 @@ class AutomaticFrames final : public FrameMaker {
   std::size_t level_ = levels.size();    ///< levels.size(): none yet
   double asked_ = 0;
   bool ended_inaccurate_ = false;  ///< the last pair was the finest one, and not fine enough
-  bool steps_on_lattice_ = false;  ///< the last step has one frame alone
+  bool steps_on_lattice_ = false;  ///< the last step has a single frame, no pair
   Made made_;
   std::int64_t placed_on_ = -1;  ///< revision of the axes of the last placed frame
 };

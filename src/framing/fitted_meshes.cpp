@@ -18,7 +18,7 @@ struct Cover {
   Rectangle box{};
   double along = 0, across = 0;
 
-  /// Says whether less than two cells are between both.
+  /// Says whether both are less than two cells apart.
   bool beside(const Cover& other) const {
     const double x = 2 * std::max(along, other.along), y = 2 * std::max(across, other.across);
     return box.x_least - x < other.box.x_greatest && other.box.x_least - x < box.x_greatest &&
@@ -26,7 +26,7 @@ struct Cover {
   }
 };
 
-/// Takes all covers together or, on conformal frames, those beside each other.
+/// Returns one cover for all outlines or, on conformal frames, one for each group of outlines beside each other.
 std::vector<Cover> covers_of(const FrameShape& shape, std::int64_t along, std::int64_t across) {
   std::vector<Cover> cover;
   const std::vector<Rectangle> box = shape.boxes();
@@ -49,7 +49,7 @@ std::vector<Cover> covers_of(const FrameShape& shape, std::int64_t along, std::i
   return cover;
 }
 
-// Counts intervals of a stretched range with one more on either side, or up to where a body ends before.
+// Counts the intervals of a stretched range with one more on either side. The range stops earlier where a body ends.
 std::int64_t intervals(double stretch, double& low, double& high, double size,
                        const std::function<double(double)>& gap) {
   const double more = size + 0.5 * (stretch - 1) * (high - low), middle = 0.5 * (low + high);
@@ -79,8 +79,8 @@ RectangleCells cells_over(const FrameShape& shape, const GapBetween& gap, Cover 
   return {b, nx, ny};
 }
 
-// Draws outermost strips back that leave the body in their middle or at their ends, and all strips between them and the
-// middle.
+// Draws back outermost strips that leave the body in their middle or at their ends, and with them all strips between
+// them and the middle.
 void keep_on_body(std::vector<Strip>& strip, const GapBetween& gap) {
   const std::size_t half = strip.size() / 2;
   for (const bool upper : {false, true}) {
@@ -98,7 +98,7 @@ void keep_on_body(std::vector<Strip>& strip, const GapBetween& gap) {
   }
 }
 
-// Cuts strips that would end a little before or beyond where a body does end there.
+// Cuts a strip at the end of a body if the strip would end a little before it or beyond it.
 void cut_where_body_ends(Strip& strip, const GapBetween& gap) {
   const double middle = 0.5 * (strip.from + strip.to), before = 0.05 * (strip.to - strip.from);
   const auto along = [&](double x) { return gap(x, strip.y); };

@@ -15,8 +15,8 @@ namespace rollcon {
 
 /// Tells what frames are made for.
 struct FrameShape {
-  /// Factor on outlines, which are too short by up to 3 parts in a thousand. Strips that are too short by 2 % cost 1.5
-  /// % of the force, too long by as much up to 0.2 %.
+  /// Factor on outlines, which are too short by up to 3 parts in a thousand. Strips that are 2 % too short cost 1.5 %
+  /// of the force; strips that are 2 % too long cost up to 0.2 %.
   static constexpr double usual_stretch = 1.004;
 
   /// Hertz's ellipse, a stretched disc.
@@ -44,11 +44,11 @@ struct FrameShape {
 /// Makes strips over each outline, cut where a body ends. gap: infinite where one of the bodies is not.
 SurfaceMesh strips_over(const FrameShape& shape, const GapBetween& gap, const Axes& axes, std::int64_t along,
                         std::int64_t across);
-/// Makes a lattice over all outlines, with so many intervals over the smallest each way and one more beyond all, up to
-/// where a body ends. Conformal frames have a lattice for each group of outlines beside each other.
+/// Makes a lattice over all outlines, with the given numbers of intervals over the smallest one. One more interval lies
+/// on every side, unless a body ends before. Conformal frames have one for each group of outlines beside each other.
 SurfaceMesh lattice_over(const FrameShape& shape, const GapBetween& gap, const Axes& axes, std::int64_t along,
                          std::int64_t across);
-/// Returns the last place between both that has a gap; none if all have or if that inside has none.
+/// Returns the last place from `inside` to `outside` that has a gap; none if all places have one or `inside` has none.
 std::optional<double> end_of_body(const std::function<double(double)>& gap, double inside, double outside);
 
 }  // namespace rollcon

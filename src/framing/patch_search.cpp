@@ -289,7 +289,7 @@ void PatchSearch::add_outlines(const std::vector<PatchEdge>& edge, const EdgePoi
     }
 }
 
-// The other patches widen the gap as their loads do from afar.
+// Loads of the other patches widen the gap as they do from afar.
 PatchSearch::Inclined PatchSearch::inclined(const PatchScene& scene, std::size_t which,
                                             const std::function<double(double x, double y)>& cosine) const {
   const double area = lattice_.spacing_along() * lattice_.spacing_across();

@@ -44,7 +44,7 @@ class PatchSearch {
   void solve(Solver& solver);
   SearchGrid close_in(Solver& contact, const PatchScene& scene);
   std::vector<PatchEdge> look(Solver& contact, const PatchScene& scene);
-  /// Holds a patch's scene in a plane of its own, y' = middle + (y - middle) / cosine, and the axes' plane for points.
+  /// Holds a patch's scene in a plane of its own, y' = middle + (y - middle) / cosine. back(): y from y'.
   struct Inclined {
     PatchScene scene;
     double middle = 0, cosine = 1;

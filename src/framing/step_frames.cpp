@@ -14,8 +14,8 @@
 namespace rollcon {
 namespace {
 
-/// Hold the error of creepages under given forces times the square of the number of cells over the contact, and over
-/// the square of the part of the contact that rolls in within a step (docs/time.md).
+/// Hold errors of creepages under given forces: that of cells times the square of their number over the contact, and
+/// that of rolling divided by the square of the part of the contact that rolls in within a step (docs/time.md).
 constexpr double error_of_cells = 3.8, error_of_rolling = 0.4;
 
 /// Returns how many cells the contact has at least each way: they cause a third of the error asked for.
@@ -44,7 +44,7 @@ struct Axis {
 
 /// Returns the cells over a range; `last`: those of the step before, null if there are none.
 Axis choose_axis(const Axis* last, double least, double greatest, double extent, double wanted) {
-  // Parts of the cells wanted: least and greatest numbers, and more cells beyond where the contact grows.
+  // Parts of the number of cells wanted: its bounds, and the margin that is added where the contact grows.
   constexpr double fewest = 0.7, most = 2, margin = 0.1;
   constexpr double most_cells = 1024, far = 1e6;
   const double middle = 0.5 * (least + greatest);
@@ -57,7 +57,7 @@ Axis choose_axis(const Axis* last, double least, double greatest, double extent,
     spacing = same ? last->spacing : std::ldexp(last->spacing, static_cast<int>(std::lround(std::log2(ratio))));
     start = last->start;
   }
-  // Numbers count from the start.
+  // Cells are numbered from the start.
   std::int64_t low = to_index(std::floor((least - start) / spacing)) - 1,
                high = to_index(std::ceil((greatest - start) / spacing)) + 1;
   if (same && low >= 0 && high <= last->cells) {
@@ -80,7 +80,7 @@ StepFrame choose_step_frame(const std::optional<Lattice>& last, const StepContac
   return {{x.start, x.end(), y.start, y.end()}, x.cells, y.cells, last && x == before[0] && y == before[1]};
 }
 
-/// Returns the error that cells and a step's way cause.
+/// Returns the error that the cells and the way of a step cause.
 ErrorEstimate estimate(const StepFrame& frame, const StepContact& contact, double distance) {
   const double cells = std::min(contact.length / frame.cell_along(), contact.width / frame.cell_across());
   const double rolled_in = 4 * distance / (std::numbers::pi * contact.length);

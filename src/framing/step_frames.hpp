@@ -1,6 +1,6 @@
 #pragma once
-/// Chooses the regular frames of time steps, which stay from step to step as long as they fit the contact, and else get
-/// more or fewer of the same cells, or cells of half or twice the size.
+/// Chooses the regular frames of time steps. They stay from step to step as long as they fit the contact; otherwise
+/// they get more or fewer of the same cells, or cells of half or twice the size.
 
 #include <cstdint>
 

@@ -46,12 +46,13 @@ class StripLevels final : public MovingFrame {
   bool missed_corners_ = false;
 };
 
-/// Tells that a plane frame is not accurate enough for normals with these angles, if so.
+/// Reports normals that a plane frame is not accurate enough for, by their angles.
 Status tell_inclined(const Solver& fine, double inclined, double turned);
 
-/// Returns the part by which normal forces on a plane frame are off, as pressures act along n of the axes: those whose
-/// normals are inclined by an angle carry 1 / cos(angle) times as much. turned: root mean square angle by which normals
-/// turn to both sides of their mean; forces of balls in grooves are off by 0.55 of it beside conformal frames.
+/// Returns the relative error of normal forces on a plane frame, where pressures act along n of the axes. Contacts
+/// whose normals are inclined by an angle carry 1 / cos(angle) times as much. turned: root mean square angle by which
+/// normals turn to both sides of their mean; forces of balls in grooves differ by 0.55 of that from those on conformal
+/// frames.
 double off_by_plane(double inclined, double turned);
 
 }  // namespace rollcon

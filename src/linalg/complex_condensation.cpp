@@ -144,7 +144,7 @@ std::vector<Complex> ComplexCondensation::inverse(std::span<const Complex> value
   return inverse_of(factorised(value, false).back(), std::ssize(step_.back().row), scale);
 }
 
-// Nothing acts on the other unknowns, so that each front's own follow from those that come later.
+// No load acts on the other unknowns, so each front's own unknowns follow from those of later fronts.
 std::vector<Complex> ComplexCondensation::everywhere(std::span<const Complex> value, double scale) const {
   const std::vector<Front> front = factorised(value, true);
   const std::size_t all = order_.size(), m = step_.back().row.size();

@@ -18,8 +18,8 @@ class ComplexCondensation {
   /// Returns the inverse of the condensed matrix, times a scale, column-major in the order of its unknowns. value: that
   /// of each entry of the pattern. Throws ZeroPivot. Safe for several threads.
   std::vector<std::complex<double>> inverse(std::span<const std::complex<double>> value, double scale) const;
-  /// Returns what all unknowns of the pattern are under a right-hand side `scale` at each condensed unknown in turn,
-  /// column-major. Throws ZeroPivot. Safe for several threads.
+  /// Returns all unknowns of the pattern, column-major, under a right-hand side of `scale` at each condensed unknown in
+  /// turn. Throws ZeroPivot. Safe for several threads.
   std::vector<std::complex<double>> everywhere(std::span<const std::complex<double>> value, double scale) const;
   std::int64_t nonzeros() const { return nonzeros_; }
 

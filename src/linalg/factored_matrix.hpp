@@ -19,7 +19,7 @@ class FactoredMatrix final : public SystemFactor {
   bool factor();
   void solve(double* b, std::int64_t count) const override;
   void eliminate(double* b, std::int64_t count) const override;
-  /// Takes the square of the fraction of size() that the unknowns from `first` on are of the time.
+  /// Takes a part of the full time: the square of the fraction of the unknowns that are from `first` on.
   void substitute(double* b, std::int64_t count, std::int64_t first) const override;
   void release();
 

@@ -1,4 +1,4 @@
-/// Stands for hierarchical factors in a build without hmat-oss.
+/// Stands in for hierarchical factors in a build without hmat-oss.
 
 #include "linalg/hierarchical_factor.hpp"
 #include "support/error.hpp"

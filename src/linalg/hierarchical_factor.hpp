@@ -1,6 +1,6 @@
 #pragma once
 /// Factorises a large matrix whose blocks of places far from each other have low rank: a hierarchical matrix and its LU
-/// by hmat-oss. Calls from several threads take turns, since hmat-oss has variables of its own.
+/// by hmat-oss. Calls from several threads take turns, because hmat-oss keeps variables of its own.
 
 #include <array>
 #include <cstdint>
@@ -26,9 +26,9 @@ struct Pivot {
   std::array<double, 3> place{};
 };
 
-/// Says whether this build can factorise so.
+/// Says whether this build has hierarchical factors.
 bool has_hierarchical_factor();
-/// Returns bytes that factors of so many unknowns of a surface may take at their peak, by a fit of measurements.
+/// Returns a fit of measured bytes that the factors of this many unknowns on a surface take at their peak.
 double hierarchical_bytes(std::int64_t unknowns, double accuracy);
 
 /// Assembles and factorises. Each row and each column has one pivot. accuracy: relative error of the blocks and of what

@@ -1,5 +1,5 @@
-/// Factorises by hmat-oss (GPL-2.0-or-later). Exceptions of callbacks do not pass its frames while it assembles: the
-/// first is kept, blocks that follow are left empty, and it is thrown again once hmat-oss returns.
+/// Factorises by hmat-oss (GPL-2.0-or-later). Exceptions of callbacks are not thrown through it while it
+/// assembles: the first is kept, blocks that follow are left empty, and it is thrown again once hmat-oss returns.
 
 #include <hmat/hmat.h>
 
@@ -21,8 +21,8 @@
 namespace rollcon {
 namespace {
 
-constexpr int leaf = 200;                  ///< most unknowns of a cluster that is not divided
-constexpr double admissible = 4;           ///< a cluster's size over the distance of another up to which ranks are low
+constexpr int leaf = 200;         ///< most unknowns of a cluster that is not divided
+constexpr double admissible = 4;  ///< largest size of a cluster over its distance from another at which ranks are low
 constexpr std::int64_t whole = 1'000'000;  ///< entries up to which blocks are computed in full
 
 std::mutex& one_at_a_time() {

@@ -12,7 +12,7 @@ namespace {
 constexpr std::int64_t run = 3;  ///< neighbouring rows of a sample, which often belong to one point
 constexpr std::size_t first_sample = 96, check_sample = 24;
 
-/// Returns `count` places of rows in runs spread over a block.
+/// Returns the places of `count` rows, in runs spread over a block.
 std::vector<std::int64_t> spread(std::int64_t rows, std::size_t count, double offset) {
   std::vector<std::int64_t> chosen;
   const double step = static_cast<double>(rows) / (static_cast<double>(count) / run);
@@ -47,7 +47,7 @@ struct Chosen {
   std::vector<double> weights;  ///< column-major: column.size() x all
 };
 
-/// Factorises a sample of rows with the largest columns first: the first ones give the others.
+/// Factorises a sample of rows with the largest columns first, and writes the other columns by the first ones.
 Chosen choose_columns(std::vector<double>& sample, int m, int n, double accuracy) {
   std::vector<int> order(at(n), 0);
   std::vector<double> tau(at(std::min(m, n))), work(1);

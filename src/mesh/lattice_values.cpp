@@ -8,7 +8,7 @@
 namespace rollcon {
 namespace {
 
-/// Holds the nodes of a line of one grid that a node of another takes values from, and their weights.
+/// Holds the nodes of a line of one grid from which a node of another takes its value, and their weights.
 struct Share {
   std::int64_t first = 0;
   std::vector<double> weight;

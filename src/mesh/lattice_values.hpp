@@ -8,9 +8,9 @@
 
 namespace rollcon {
 
-/// Carries values of bilinear fields between grids without holes that lie along the axes: exactly where the other
-/// grid's nodes include the first one's, with their integral where its cells are larger by a whole number. What lies
-/// beyond the other grid is left out.
+/// Carries values of bilinear fields between grids without holes that lie along the axes. They are carried exactly if
+/// the other grid's nodes include the first one's, and keep their integral if its cells are a whole number of times as
+/// large. Values beyond the other grid are left out.
 void carry_to_lattice(const Lattice& from, std::span<const double> value, const Lattice& to,
                       std::vector<double>& carried);
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Collects the answers of a list, each found by itself over the ranks of the context and the threads of parallel_for:
-/// one that fails leaves the others alone.
+/// Collects the answers of a list, which the ranks of the context and the threads of parallel_for find one by one. An
+/// answer that fails leaves the others as they are.
 
 #include <cstdint>
 #include <mutex>
@@ -36,8 +36,8 @@ class Batch {
     return false;
   }
 
-  /// Gives all ranks what any has taken: the statuses, and in `row`, which each rank has, `width` numbers of each
-  /// answer, `stride` apart. All ranks call it with the same lists.
+  /// Gives all ranks the statuses that any of them has taken, and the numbers. `row` of each rank has `width` numbers
+  /// for each answer, `stride` apart. All ranks call it with the same lists.
   void give(double* row, std::int64_t width, std::int64_t stride);
   /// Gives answer i the status of answer `from`.
   void repeat(std::int64_t i, std::int64_t from) { status_[at(i)] = status_[at(from)]; }

@@ -19,7 +19,7 @@ struct Ranks::OnAll : Thrown, OfAnother {
   using Thrown::Thrown;
 };
 
-// The least of (rank that fails, count, -count) says whether one fails, and whether all have equally many rows.
+// The least of (rank that fails, count, -count) says whether a rank fails, and whether all have the same count.
 void Ranks::tell(Status status, const char* text, std::int64_t count) const {
   std::int64_t found[3] = {status == Status::ok ? size_ : rank_, count, -count};
   least(found, 3);

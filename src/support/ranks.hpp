@@ -19,8 +19,8 @@ class Ranks {
   /// Says whether work i is this rank's.
   bool mine(std::int64_t i) const { return i % size_ == rank_; }
 
-  /// Does a call's work, which may give() in between. Where it throws on one rank it throws on all of them, so that
-  /// none waits for another: the first failing rank's status, and its text after its number.
+  /// Does a call's work, which may give() in between. If it throws on one rank it throws on all of them, so that
+  /// none waits for another. They get the status of the first rank that fails, and its text after its number.
   template <class Work>
   auto together(const Work& work) const {
     if (size_ == 1) return work();
@@ -45,13 +45,13 @@ class Ranks {
   struct OfAnother {};  ///< marks exceptions that all ranks know of
   template <class Thrown>
   struct OnAll;
-  /// Tells all ranks that this one goes on with `count` rows. Throws what another rank fails with.
+  /// Tells all ranks that this one goes on with `count` rows. Throws if another rank fails, with its status.
   void agree(std::int64_t count) const;
   /// Tells all ranks of the exception in flight, from a catch block.
   void disagree() const;
   void tell(Status status, const char* text, std::int64_t count) const;
 
-  // Members below are all that knows MPI.
+  // Only the members below know MPI.
   /// Replaces each value by the least of all ranks.
   void least(std::int64_t* value, int n) const;
   /// Replaces bytes by those of a rank.

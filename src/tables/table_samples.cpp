@@ -241,7 +241,7 @@ void solve_samples(const TableGrid& grid, std::int64_t part, std::int64_t parts,
       solve_chain(grid, chain, w, to);
     });
   } catch (const Cancelled&) {
-    // Samples that are still wanted tell all ranks.
+    // All ranks see this by the samples that are still wanted.
   }
   std::vector<std::uint8_t> known;
   for (const double v : sample) known.push_back(std::isnan(v) ? 0 : 1);

@@ -14,7 +14,7 @@
 namespace rollcon {
 namespace {
 
-/// Solves each position; take() takes the results of one that was solved, `width` numbers in its row of `rows`.
+/// Solves each position. take() puts the results of a solved position, `width` numbers, into its row of `rows`.
 template <class Take>
 Status solve_each(WheelRail& wheel, const PositionList& list, std::int32_t* status, double* rows, std::int64_t width,
                   const Take& take) {

@@ -165,7 +165,7 @@ TEST(viscoelastic, cylinder_is_that_of_hunter) {
   }
 }
 
-// Panek and Kalker's rigid sphere and roller (J. Inst. Maths Applics 26, 1980): their integral equation, solved apart.
+// Panek and Kalker's integral equation of a rigid sphere and roller (J. Inst. Maths Applics 26, 1980) is solved apart.
 TEST(viscoelastic, sphere_and_roller_are_those_of_panek_and_kalker) {
   constexpr double approach = 0.04, half = 2.1, modulus = 210 / (1 - 0.4 * 0.4), creep_time = 2;
   constexpr int cells = 32;

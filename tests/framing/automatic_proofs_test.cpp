@@ -127,8 +127,8 @@ TEST(automatic_proofs_long, unlike_bodies_roll_freely_on_a_wide_ellipse) {
   }
 }
 
-// A rigid partner and high friction: what is called success is as near to a fine lattice as was asked, and the estimate
-// holds.
+// Results on a rigid partner under high friction that are called a success are as near to a fine lattice's as was
+// asked, and their error estimates hold.
 TEST(automatic_proofs_long, rigid_partners_under_high_friction) {
   struct Case {
     double ratio, nu, mu, along, across;
@@ -136,7 +136,7 @@ TEST(automatic_proofs_long, rigid_partners_under_high_friction) {
   for (const Case& c : {Case{0.45, 0.02, 0.87, -0.9, 0.2}, {1.0, 0.25, 1.0, 0.5, 0.5}, {3.0, 0.3, 0.8, 0.1, 0.6}}) {
     const Elastic body{.shear = 80000, .poisson = c.nu};
     const Hertz hertz = ellipse(c.ratio, 1, body.young() / (1 - c.nu * c.nu));
-    // The creepage is a part of what makes linear theory's force that of friction.
+    // The creepage is a part of that at which linear theory has the force of full friction.
     const double unit = 0.6 * c.mu * hertz.load / (body.shear * c.ratio * 4);
     RollingPair own(body, std::nullopt), fine(body, std::nullopt);
     for (RollingPair* pair : {&own, &fine}) hertzian(*pair, hertz, c.mu).creep(unit * c.along, unit * c.across, 0);

@@ -41,7 +41,7 @@ TEST(time_steps_on_made_frames_long, from_cattaneo_to_steady_rolling) {
       EXPECT_NE(pair.plan().find(words), std::string::npos) << pair.plan();
     expect_error("the last step beside steady rolling", pair.solution().creep[0] / steady.solution().creep[0] - 1,
                  asked);
-    // Longer steps miss that, and say so.
+    // Longer steps miss this, and report it.
     ASSERT_EQ(rollcon_contact_set_step(pair.handle(), ROLLCON_ROLLING_STEP, 0.3 * 3.5), ROLLCON_OK);
     for (int k = 0; k < 6; ++k) EXPECT_EQ(pair.solve(), ROLLCON_INACCURATE);
     const double off = std::abs(pair.solution().creep[0] / steady.solution().creep[0] - 1);

@@ -1,4 +1,4 @@
-// Tests what only MUMPS does of the sparse factorisations: factors on the disk.
+// Tests what MUMPS alone among the sparse factorisations does: it keeps factors on the disk.
 
 #include <sys/resource.h>
 
@@ -32,7 +32,7 @@ double apart(const std::vector<double>& a, const std::vector<double>& b) {
   return error / size;
 }
 
-/// Leaves this process so many bytes of data beyond what it has.
+/// Limits this process to so many bytes of data beyond those that it has.
 class Limit {
  public:
   explicit Limit(double bytes) {

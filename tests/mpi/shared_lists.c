@@ -25,7 +25,7 @@ static void must(int32_t status) {
   MPI_Abort(MPI_COMM_WORLD, 2);
 }
 
-/* Compares bits, so that numbers that are none count as well. */
+/* Compares bits, so that NaN equals NaN. */
 static int same(const void* a, const void* b, size_t bytes) {
   return memcmp(a, b, bytes) == 0;
 }

@@ -1,6 +1,6 @@
 #pragma once
-/// Provides the rolling of a rigid body without friction on a half-space of one relaxation time by a solution of its
-/// own: Panek and Kalker's integral equation with pressures that are constant on rectangles, collocation in their
+/// Solves the rolling of a rigid body without friction on a half-space of one relaxation time, independently of the
+/// library: Panek and Kalker's integral equation with pressures that are constant on rectangles, collocation in their
 /// middles, Love's closed form filtered by quadrature, and an active set solved by elimination.
 
 #include <algorithm>

@@ -32,12 +32,12 @@ class ContextPlain:
 
     def set_communicator(self, communicator: int) -> None:
         """Lets the ranks of an MPI program share lists. All ranks of the communicator make the
-        same calls with the same data; from now on solve_many(), solve_many(), find_wear() and
-        make() on this context, and on what was made from it, are calls of all ranks together:
-        each rank solves its share, and all have the results and statuses of all, the same to the
-        bit as on one rank. What fails on one rank fails on all of them, with the number of the
-        rank in the text; a rank that is asked to stop leaves its cases cancelled. All other calls
-        are each rank's own. The communicator stays the caller's, who frees it after the context.
+        same calls with the same data. From then on solve_many(), solve_many(), find_wear() and
+        make() are joint calls of all ranks, on this context and on all that is made from it: each
+        rank solves its share, and every rank gets all results and statuses, the same to the bit
+        as on one rank. A failure on one rank is a failure on all of them, and the text names the
+        rank. The cases left to a rank that is asked to stop are cancelled. All other calls are
+        each rank's own. The communicator remains the caller's, who frees it after the context.
         ERR_STATE: MPI does not run. ERR_UNSUPPORTED: the build is without MPI
         (rollcon_has_feature "mpi").
 

@@ -46,7 +46,7 @@ std::vector<double> System::given_tractions(const BodyMesh& loaded) const {
   return given;
 }
 
-// Returns columns of G for traction nodes with unknown tractions; -1: none.
+// Returns the column of G of each traction node with unknown tractions; -1 for the other nodes.
 std::vector<std::int32_t> System::needed_fans(std::int32_t& columns) const {
   std::vector<std::int32_t> column(at(fans_.size()), -1);
   columns = 0;
@@ -60,7 +60,7 @@ std::vector<std::int32_t> System::needed_fans(std::int32_t& columns) const {
   return column;
 }
 
-/// Places the rows of a pack of points go to, column by column.
+/// Holds the places that the rows of a pack of points go to, column by column.
 struct System::PackTarget {
   const std::int32_t* row;  ///< row of (point, component), -1: none
   std::int64_t count;       ///< count of points

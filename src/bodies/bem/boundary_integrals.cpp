@@ -53,7 +53,7 @@ struct BoundaryIntegrals::Data {
 /// Computes rows at one pack of points.
 class BoundaryIntegrals::Rows {
  public:
-  /// columns: where no element is named all are meant, and where there is no h nodes have columns of their own.
+  /// columns: if it names no element, all are taken; if it has no h, each node has a column of its own.
   Rows(const Data& data, std::span<const CollocationPoint> points, const Columns& columns, double* h, double* g)
       : data_(data), points_(points), columns_(columns), h_(h), g_(g) {
     Vec3 centre{};
@@ -67,7 +67,7 @@ class BoundaryIntegrals::Rows {
     tolerance_ = {h ? data.tolerance * free_term : infinity, g ? data.tolerance * single_layer_scale() : infinity};
   }
 
-  /// Adds all blocks up in the one at h.
+  /// Sums all blocks into the one at h.
   void run_sums() {
     summed_ = true;
     run();
@@ -234,8 +234,8 @@ class BoundaryIntegrals::Rows {
       }
   }
 
-  /// Does for the integrals of one element with the point what rigid_motion() does for all: they depend on the rule
-  /// until then.
+  /// Subtracts, as rigid_motion() does for all elements, the sum of the integrals of one element that has the point.
+  /// The integrals depend on the quadrature rule until this is done.
   void rigid_motion_of(const ElementGeometry& element, const OnElement& on) {
     Shape shape;
     evaluate_shape(element.type, on.reference.x, on.reference.y, shape);

@@ -59,11 +59,11 @@ class BoundaryIntegrals {
     const std::int32_t* g = nullptr;  ///< by entry of the mesh's connectivity
     std::int64_t g_count = 0;
   };
-  /// Overwrites such rows over some elements alone: column k of h stands where node k does in rows(). The free term is
-  /// that of the elements with the point.
+  /// Overwrites rows as rows() does, with integrals over some elements alone: column k of h is laid out as node k is in
+  /// rows(). The free term is that of the elements with the point.
   void rows_over(std::span<const CollocationPoint> points, const Columns& columns, double* h, double* g) const;
-  /// Overwrites what the free term still lacks, with the other sign: the sum of the blocks of all nodes over the
-  /// elements without the point; 9 * lanes doubles.
+  /// Overwrites 9 * lanes doubles with what the free term still lacks, with opposite sign: the sum of the blocks of all
+  /// nodes over the elements without the point.
   void sums(std::span<const CollocationPoint> points, double* total) const;
 
   /// Returns the number of kernel evaluations (U and T together count once per point and quadrature point).

@@ -25,7 +25,7 @@ void CollocationBlocks::Lists<Item>::build(std::size_t lists, const std::vector<
   for (const auto& [k, what] : from) item[at(next[at(k)]++)] = what;
 }
 
-/// Holds columns as parts of blocks of integrals.
+/// Holds columns as sums of parts of blocks of integrals.
 struct CollocationBlocks::Gathered {
   struct Piece {
     std::int64_t column;
@@ -50,7 +50,7 @@ CollocationBlocks::CollocationBlocks(const BodyMesh& mesh, const TractionNodes& 
     if (unknowns.displacement[k] >= 0)
       terms.push_back(
           {unknowns.displacement[k], {static_cast<std::int32_t>(k / 3), static_cast<int>(k % 3), false, 1}});
-  // Unknown: traction times size over G, so that all entries are of order one.
+  // Tractions times size over G are the unknowns, so that all entries are of order one.
   for (std::size_t k = 0; k < unknowns.traction.size(); ++k)
     if (unknowns.traction[k] >= 0)
       terms.push_back({unknowns.traction[k],

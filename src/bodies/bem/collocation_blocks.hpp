@@ -1,6 +1,6 @@
 #pragma once
-/// Gives a boundary-element body's equations by blocks of rows and columns, or as sums of columns: integrals are taken
-/// over the elements that the columns stand on alone.
+/// Gives a boundary-element body's equations by blocks of rows and columns, or as sums of columns. Integrals are taken
+/// only over the elements that the columns belong to.
 
 #include <cstdint>
 #include <span>
@@ -15,7 +15,7 @@ namespace rollcon::bem {
 
 class CollocationBlocks final : public BlockMatrix {
  public:
-  /// Says how much a column takes of what a displacement of a node, or a traction over G of a traction node, does.
+  /// Holds a part of a column: a factor on the effect of a node's displacement or a traction node's traction over G.
   struct Term {
     std::int32_t of = 0;
     int component = 0;

@@ -14,9 +14,9 @@
 namespace rollcon::bem {
 namespace {
 
-/// Unknowns from which hierarchical factors are sooner there than dense ones.
+/// Holds the number of unknowns from which hierarchical factors are made faster than dense ones.
 constexpr std::int64_t crossing = 12'000;
-/// Part of a rigid motion by which it may come out wrong.
+/// Holds the largest accepted error of a rigid motion, relative to the motion.
 constexpr double most_rigid_error = 0.01;
 
 }  // namespace
@@ -52,8 +52,8 @@ void System::factorize_hierarchically(const CollocationBlocks& blocks) {
   count_peak(factor_bytes());
 }
 
-// Moves all that is held as a rigid body does: the solution is known, and shows the errors of blocks and factors where
-// they are amplified most.
+// Prescribes a rigid motion of all that is held. Its solution is known, and shows the errors of blocks and factors
+// where they are amplified most.
 void System::check_rigid_motion(const CollocationBlocks& blocks) {
   BodyMesh moved;
   const auto motion = [&](const Vec3& x) {
@@ -74,8 +74,8 @@ void System::check_rigid_motion(const CollocationBlocks& blocks) {
   if (rigid_error_ <= most_rigid_error) return;
   factor_.reset();
   fail(Status::err_singular,
-       "the hierarchical factors of the boundary-element body move it %.2g beside a rigid motion of its supports, at "
-       "most %g: take a smaller factor_accuracy, or factor = 1",
+       "the hierarchical factors of the boundary-element body have an error of %.2g under a rigid motion of its "
+       "supports; allowed: at most %g; take a smaller factor_accuracy, or factor = 1",
        rigid_error_, most_rigid_error);
 }
 

@@ -240,7 +240,7 @@ LiftedColumns lift_columns(const SurfaceMesh& surface, const LiftedSurface& lift
     for (std::size_t k = 0; k < nodes; ++k) {
       const std::int32_t a = from[k], b = from[(k + 1) % nodes];
       if (a < 0 && b < 0) continue;
-      // Edges with one wanted end share no column: two of one element would overwrite each other's integrals.
+      // Edges with one wanted end share no column: two edges of one element would overwrite each other's integrals.
       const std::array<std::int32_t, 2> ends{std::min(a, b), std::max(a, b)};
       std::int32_t& own = to[nodes + k] = static_cast<std::int32_t>(result.size());
       if (ends[0] >= 0) own = of_ends.try_emplace(ends, own).first->second;

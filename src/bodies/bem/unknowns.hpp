@@ -36,7 +36,7 @@ struct Unknowns {
   std::vector<CollocationPoint> point;  ///< points, in an order that keeps neighbours in space together
   std::vector<std::int32_t> row;        ///< row of (point, component), -1: not an equation
   std::vector<std::int32_t> fan;        ///< traction node that an element's inner point belongs to; -1: a node's point
-  /// Returns the unknown by row that is at home where the row's equation is written.
+  /// Returns, for each row, the unknown that belongs to the place at which the row's equation is written.
   std::vector<std::int32_t> column_of_rows(const TractionNodes& fans) const;
 };
 

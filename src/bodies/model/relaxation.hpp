@@ -27,8 +27,8 @@ struct Relaxation {
   std::vector<ModulusPoint> point;  ///< with ascending frequencies, if moduli were given: the terms fit them
   double misfit = 0;                ///< largest error of the terms relative to a modulus given
   bool operator==(const Relaxation&) const = default;
-  /// Returns the complex modulus, as a part of Young's modulus, at an angular frequency: between points linear in the
-  /// logarithm of the frequency; beyond them the storage modulus stays and the loss modulus fades.
+  /// Returns the complex modulus, as a part of Young's modulus, at an angular frequency. It is linear in
+  /// the logarithm of the frequency between points; beyond them the storage modulus stays and the loss modulus fades.
   std::complex<double> modulus(double frequency) const;
 };
 

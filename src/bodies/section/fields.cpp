@@ -88,8 +88,8 @@ SectionFields::Stations SectionFields::by_angle(const std::vector<double>& angle
 }
 
 // Displacements across the way go with the cosine of forces across it and with the sine, of opposite sign, of forces
-// along it; those along the way with the others. What lags goes with the sine for the cosine, and with the cosine, of
-// opposite sign, for the sine.
+// along it; those along the way with the others. Lagging parts have the sine in place of the cosine,
+// and the cosine, of opposite sign, in place of the sine.
 void SectionFields::sum(Stations& all, int threads) const {
   if (force_.empty()) return;
   const BlasThreads blas(threads);

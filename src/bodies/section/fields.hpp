@@ -11,8 +11,8 @@ namespace rollcon::section {
 
 class SectionFields final : public BodyFields {
  public:
-  /// Takes forces as System::load() numbers them, and displacements of the plane nodes under the body's own loads;
-  /// empty: none; and the rate at which a body that creeps passes by. The system must outlive the fields.
+  /// Takes forces in the order of System::load(), displacements of the plane nodes under the body's own loads (empty:
+  /// none), and the rate at which a body that creeps passes by. The system must outlive the fields.
   SectionFields(const System& system, std::vector<double> force, std::vector<double> own, double rate)
       : system_(system), force_(std::move(force)), own_(std::move(own)), rate_(rate) {}
   void at_points(std::int64_t n, const double* xyz, double* displacement, double* stress, int threads) const override;
@@ -24,12 +24,12 @@ class SectionFields final : public BodyFields {
     std::int64_t element = 0;
     double xi = 0, eta = 0;
   };
-  /// Holds displacements of plane nodes: at each angle a row of values, and one of derivatives by the angle.
+  /// Holds displacements of plane nodes: for each angle a row of values and a row of derivatives by the angle.
   struct Moved {
     RowMatrix<double> across, along;  ///< along e1 and e2, in turn; along the way
   };
-  /// Holds the points asked for by their angles, ascending, and displacements there. Those that follow the first are
-  /// convolved with the moduli of each way to relax: stresses are elastic ones of them.
+  /// Holds the points asked for, in ascending order of their angles, and displacements there. The first displacements
+  /// are the body's; each of the others is convolved with the moduli of one way to relax, for stresses.
   struct Stations {
     std::vector<double> angle;
     std::vector<std::vector<std::int64_t>> point;

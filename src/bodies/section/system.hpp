@@ -40,7 +40,7 @@ struct Response {
   RowMatrix<double> part, lags;  ///< real and imaginary parts; elastic bodies have none that lags
 };
 
-/// Holds displacements [column][3 * plane node + c]: real parts, and imaginary ones of bodies that creep.
+/// Holds displacements [column][3 * plane node + c]: real parts and, for bodies that creep, imaginary ones.
 struct Displaced {
   std::vector<double> part, lags;
 };
@@ -75,11 +75,11 @@ class System final : public ResponseCache {
   /// Returns displacements of all plane nodes, times n of the sample, under a unit force of each column, while the body
   /// passes by at a rate.
   Displaced sample_everywhere(std::size_t sample, double rate) const;
-  /// Returns the number of ways in which materials relax at a rate, and one for those that do not.
+  /// Returns one more than the number of ways in which materials relax at a rate: one for those that do not relax.
   std::size_t relaxations(double rate) const { return rate == 0 ? 1 : 1 + creeping_.size(); }
-  /// Returns the number of an element's way, and what its moduli are multiples of.
+  /// Returns the number of the way in which an element relaxes. unit: the elasticity that its moduli are multiples of.
   std::size_t relaxation_of(std::int64_t element, double rate, Elastic& unit) const;
-  /// Returns the modulus of a way, as a multiple of this, in a sample.
+  /// Returns the modulus of a way in a sample, as a multiple of that elasticity.
   std::complex<double> modulus(std::size_t way, std::size_t sample, double rate) const;
 
  private:

@@ -9,7 +9,7 @@
 namespace rollcon {
 namespace {
 
-/// Interpolates gaps on a regular frame by their powers 2/3, which are linear beyond a contact's edge.
+/// Interpolates the power 2/3 of gaps on a regular frame, because it is linear beyond a contact's edge.
 class GapBetweenPlaces {
  public:
   GapBetweenPlaces(const Lattice& lattice, std::vector<double>& gap) : lattice_(lattice), root_(gap) {
@@ -38,7 +38,7 @@ class GapBetweenPlaces {
   std::vector<double>& root_;
 };
 
-/// Returns the length over which particles that roll in count from touch: gaps grow faster than shifts far from edges.
+/// Returns how far upstream the gap of particles that roll in is taken: far from edges gaps grow faster than shifts.
 double counted_distance(const PastStep& last, const Prepared& on) {
   constexpr double most = 0.4;  // part of the contact's length
   double least = INFINITY, greatest = -INFINITY;
@@ -50,8 +50,8 @@ double counted_distance(const PastStep& last, const Prepared& on) {
 
 }  // namespace
 
-// Near the contact's edge shift and gap have one shape, whose ratio is that of compliances times that of tangential
-// traction and pressure just after. The gap is that of the particle at the beginning of the step.
+// Shift and gap have the same shape near the contact's edge. Their ratio is that of the compliances times that of
+// tangential traction to pressure just after touch. The gap is that of the particle at the beginning of the step.
 void find_shift_before_touch(const PastStep& last, const std::vector<double> (*lambda)[3], StepWorkspace& work,
                              Prepared& on, bool rolls_in) {
   Problem& p = on.problem;

@@ -83,8 +83,8 @@ void carry_by_integrals(StepHistory& h, const Prepared& on, const std::vector<do
 
 using Tractions = std::vector<double>[3];
 
-// Returns the tractions of the step before on the scene's frame, where it is a lattice of the library's own choice in
-// `moved`; null: they lie on a frame of another kind.
+// Returns the tractions of the step before on the scene's frame. They are carried to `moved` if the frame is a lattice
+// that the library chose. null: they lie on a frame of another kind.
 const Tractions* tractions_before(const PastStep& last, const Prepared& on, const Scene& scene, Tractions& moved) {
   if (lies_on(last, on, scene)) return &last.lambda;
   if (scene.frame_given() || !on.lattice || !last.on || !lies_along_axes(*on.lattice)) return nullptr;

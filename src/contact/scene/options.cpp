@@ -25,7 +25,7 @@ const SettingTable<Options>& table() {
        "or rigid body pressures have no bound, and means have."},
       {"conformal", &Options::conformal, -1, 1,
        "1: frames on half-spaces with profiles follow these across the rolling direction, with normals that turn; -1: "
-       "they lie in the plane of the axes; 0: so they do but for inclined patches of frames that the library makes."},
+       "they lie in the plane of the axes; 0: they do, too, unless the library makes them for inclined patches."},
       {"convection", &Options::convection, scheme_names().c_str(), "Scheme of the convective derivative in the slip."},
       {"linear_solver", &Options::linear_solver, "auto|lu|gmres|gmres_adaptive",
        "Solver of the linear systems; auto chooses by size. gmres_adaptive: tolerance by "

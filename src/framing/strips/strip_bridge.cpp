@@ -11,11 +11,11 @@
 namespace rollcon::strips {
 namespace {
 
-// Heights of the neighbours' bumps over the wall: where a neck is filled less, rows across it are hard to find, where
-// it is dug out more, one of its sides may lose contact.
+// Heights of the neighbours' bumps are parts of the wall. Rows across a neck that is filled less are hard to find, and
+// a side of a neck that is dug out more may lose contact.
 constexpr double heights[] = {-0.9, -0.45, 0.22, 0.44};
 
-/// Returns the weight of a neighbour in the cubic through all, at no bump.
+/// Returns the weight of a neighbour in the cubic through all of them, taken where there is no bump.
 constexpr double weight(std::size_t which) {
   double w = 1;
   for (std::size_t i = 0; i < std::size(heights); ++i)
@@ -112,7 +112,7 @@ bool halves(const StripState& state, Vec2& first, Vec2& second) {
   return true;
 }
 
-/// Gives rates of gaps whose bumps move with the neck: those of the gap, and differences of bumps.
+/// Gives the rates of gaps whose bumps move with the neck: the rate of the gap and a difference of two bumps.
 class NeckRate {
  public:
   void set(const StripScene& scene, const PlaneField& rate, const StripSolution& solution) {
@@ -139,7 +139,7 @@ class NeckRate {
       if (!(bump_[k].neck.wall > 0)) factor_[0] = factor_[1] = 0;
     }
   }
-  /// Takes the bump's height over the wall.
+  /// Returns the rate for a bump whose height is this part of the wall.
   const PlaneField& of(double height) {
     for (const int k : {0, 1}) bump_[k].height = factor_[k] * height * bump_[k].neck.wall;
     return bump_[1];

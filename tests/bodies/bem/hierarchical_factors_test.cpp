@@ -17,7 +17,7 @@ using bem::CollocationBlocks;
 
 constexpr double young = 200, poisson = 0.3;
 
-/// Holds a brick with a clamped face, one that slides and, where there is one, a node held alone.
+/// Holds a brick with a clamped face, a sliding one and, if asked for, a node held alone.
 struct Brick {
   explicit Brick(ElementType type, bool alone) {
     mesh.surface = surfaces::block(surfaces::brick({3, 2, 2}, {3, 1.5, 2}), type);
@@ -76,7 +76,7 @@ TEST(CollocationBlocks, are_parts_of_the_matrix) {
       expect_error(surfaces::name_of(type) + (alone ? ", a node held alone" : "") + ", of entries near .5", error,
                    1e-6);
 
-      // Each row is at home with a column of its own, the largest or nearly so.
+      // Each row belongs to one column and each column to one row.
       const std::vector<std::int32_t> column = unknowns.column_of_rows(brick.fans);
       std::vector<int> taken(n, 0);
       for (const std::int32_t k : column) ++taken[static_cast<std::size_t>(k)];

@@ -110,7 +110,7 @@ TEST(CreepingSection, keeps_its_latest_rates_and_goes_to_files) {
   EXPECT_GT(difference(rows(elastic.body(), 2), first), 0.05) << "it is no equal body";
 }
 
-/// Returns stresses below the tread, under a load, at its ends and beyond it. top: displacement of a loaded node.
+/// Returns stresses below the tread: under a load, at its ends and beyond it. top: displacement of a loaded node.
 std::vector<double> stresses_under_load(Body& body, double rate, double& top) {
   AsEquations& equations = *body.response()->as_equations();
   const auto loads = equations.loads({{0, 1, 2, 3, 4, 5, 6, 7, 8}, {}, {}, rate}, 1);
@@ -138,8 +138,8 @@ std::vector<double> stresses_under_load(Body& body, double rate, double& top) {
   return stress;
 }
 
-// Moduli that are everywhere the same multiple of elastic ones, in each harmonic another, leave the stresses of given
-// tractions as they are, but not the displacements.
+// Moduli that are a multiple of the elastic ones, the same everywhere but another in each harmonic, leave the stresses
+// of given tractions as they are, but not the displacements.
 TEST(CreepingSection, stresses_inside_carry_the_load) {
   std::vector<double> nearly = fast_times;
   for (double& t : nearly) t *= 1 + 1e-10;

@@ -45,7 +45,7 @@ std::vector<Term> interior_stencil(const Lattice& lattice, const SparseRows& con
   return terms;
 }
 
-/// Returns the largest offset of a term along either axis.
+/// Returns the largest offset of any term along either axis.
 std::int64_t margin_of(const std::vector<Term>& terms) {
   std::int64_t margin = 0;
   for (const Term& t : terms) margin = std::max({margin, std::abs(t.i), std::abs(t.j)});
