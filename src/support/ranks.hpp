@@ -13,7 +13,7 @@ class Ranks {
  public:
   Ranks() = default;
   /// Takes the ranks of MPI's communicator, given by its Fortran handle. Throws err_unsupported in a build without MPI,
-  /// and err_argument where MPI does not run or the handle is none.
+  /// and err_state where MPI does not run or the handle is none.
   static Ranks of(std::int32_t communicator);
 
   /// Says whether work i is this rank's.

@@ -45,7 +45,7 @@ class System final : public ResponseCache {
   void require_factor() const;
   void factorize_dense(int threads);
   void factorize_hierarchically(const CollocationBlocks& blocks);
-  /// Throws err_inaccurate where the factors do not move the body rigidly with its supports.
+  /// Throws err_singular where the factors do not move the body rigidly with its supports.
   void check_rigid_motion(const CollocationBlocks& blocks);
   struct PackTarget;
   std::vector<std::int32_t> needed_fans(std::int32_t& columns) const;
