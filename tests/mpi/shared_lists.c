@@ -162,7 +162,7 @@ static void tables_are_those_of_one_rank(const scene* alone, const scene* shared
 /* The last rank gives no room for results; it and all others fail. */
 static void what_fails_on_one_rank_fails_on_all(const scene* shared) {
   double result[CASES * WIDTH], value[CASES][2];
-  char number[16];
+  char number[24];
   int32_t status;
   int64_t width;
   fill_cases(value);
