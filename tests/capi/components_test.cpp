@@ -76,7 +76,8 @@ TEST_F(components, rigid_bodies_have_meshes_in_every_build) {
 TEST_F(components, licences_are_those_of_what_is_linked) {
   const std::string info = rollcon_build_info();
   const auto has = [](const char* name) { return rollcon_has_feature(name) != 0; };
-  EXPECT_EQ(info.find("GPL") != std::string::npos, has("cholmod") || has("umfpack") || has("fftw") || has("hmat")) << info;
+  EXPECT_EQ(info.find("GPL") != std::string::npos, has("cholmod") || has("umfpack") || has("fftw") || has("hmat"))
+      << info;
   EXPECT_EQ(info.find("CHOLMOD") != std::string::npos, has("cholmod")) << info;
   EXPECT_EQ(info.find("MUMPS") != std::string::npos, has("mumps")) << info;
   EXPECT_EQ(info.find("UMFPACK") != std::string::npos, has("umfpack")) << info;
