@@ -104,6 +104,15 @@ def compiles_alone(command, file, folders):
     return result.returncode, result.stdout
 
 
+def lacks_header(command, file, folders):
+    """Says whether a header is not on this machine, as those of components that the build does not have."""
+    words = shlex.split(command["command"])
+    kept = [word for word in words[1:] if re.match(r"-([DI]|std)", word) and "pch" not in word] + folders
+    result = subprocess.run([words[0], *kept, "-E", "-o", os.devnull, "-x", "c++", file],
+                            cwd=command["directory"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    return result.returncode != 0
+
+
 def in_parts(output, parts):
     """Returns the output with places in parts instead of in the joined source."""
     def part(match):
@@ -139,6 +148,15 @@ def main():
     if options.changed:
         changed = changed_files(options.changed)
         sources = affected(sources, changed)
+    first = next(command for command in commands if parts_of(pathlib.Path(command["file"])))
+    folders = system_folders(commands)
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        lacking = {source for source, lacks in zip(sources, pool.map(
+            lambda source: lacks_header(first, source, folders), sources)) if lacks}
+    for source in sorted(lacking):
+        print(f"clang-tidy: {source} is left out: a header that it includes is not found")
+    sources = [source for source in sources if source not in lacking]
+    changed -= lacking
     folder = build / "tidy"
     folder.mkdir(exist_ok=True)
     runs = commands_for(commands, sources, folder, options.jobs)
@@ -153,8 +171,6 @@ def main():
 
     by_itself = {command["file"]: command for command in commands}
     files = sorted(file for file in changed if re.search(r"/src/.*\.[ch]pp$", file) and os.path.exists(file))
-    first = next(command for command in commands if parts_of(pathlib.Path(command["file"])))
-    folders = system_folders(commands)
     failed = 0
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         outcomes = [*pool.map(lambda file: compiles_alone(by_itself.get(file, first), file, folders), files),
