@@ -69,15 +69,15 @@ class AutomaticFrames final : public FrameMaker {
   /// Solves until the tilts that moments ask for, which move the contact along the bodies, fit the frames. Frames are
   /// made for the tilts found last, until these change by little compared with the bodies' flattening.
   Status solve(Solver& fine) override {
-    missed_corners_ = false;
+    missed_corners_ = fitted_instead_ = false;
     conformal_ = fine.scene.options.conformal;
     steps_on_lattice_ = fine.scene.step_kind() != StepKind::steady && lattices_fit(fine);
     if (steps_on_lattice_ && !shape_.sharp) return solve_step(fine);
     steps_on_lattice_ = false;
-    fitted_instead_ = false;
     try {
       const Status status = solve_within(fine);
-      if (!shape_.unlike || (status != Status::not_converged && status != Status::rim_contact)) return status;
+      const bool cut_off = status == Status::rim_contact && !beyond_bounds_;
+      if (!shape_.unlike || (status != Status::not_converged && !cut_off)) return status;
       fitted_instead_ = true;
     } catch (const Error& error) {
       // Frames that follow surfaces are not made on slopes beyond 60 degrees.
@@ -140,7 +140,6 @@ class AutomaticFrames final : public FrameMaker {
   struct Inclination {
     Vec2 mean{}, turned{};  ///< mean slopes, and their root mean square differences from them
     double within = 0;      ///< the same of slopes across from the means of their own patches
-    double off() const { return off_by_plane(std::atan(length(mean)), std::atan(length(turned))); }
     double off_across() const { return off_by_plane(std::atan(mean[1]), std::atan(turned[1])); }
     double bent() const { return off_by_plane(0, std::atan(within)); }
   };

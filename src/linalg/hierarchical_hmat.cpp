@@ -73,11 +73,14 @@ void prepare_block(int row, int rows, int column, int columns, int* row_place, i
                    int* /*column_back*/, void* context, hmat_block_info_t* info) {
   auto& assembly = *static_cast<Assembly*>(context);
   // hmat-oss asserts that there are data, and may ask for them.
-  auto* const block = new (std::nothrow) Block{};
-  info->user_data = block;
-  info->release_user_data = [](void* data) { delete static_cast<Block*>(data); };
-  if (!block) std::terminate();
+  static Block none;
+  info->user_data = &none;
+  info->release_user_data = [](void* data) {
+    if (data != &none) delete static_cast<Block*>(data);
+  };
   assembly.guarded([&] {
+    auto* const block = new Block{};
+    info->user_data = block;
     std::vector<std::int32_t> named_rows, named_columns;
     for (int k = 0; k < rows; ++k) named_rows.push_back(assembly.row[at(row_place[row + k])]);
     for (int k = 0; k < columns; ++k) named_columns.push_back(assembly.column[at(column_place[column + k])]);

@@ -135,9 +135,10 @@ class NeckRate {
       moved.field[1] = &rate;
       moved.factor[1] = k == 0 ? step : -step;
       bump_[k].neck = neck_between(moved, first, second);
-      factor_[k] = (k == 0 ? 0.5 : -0.5) / step;
-      if (!(bump_[k].neck.wall > 0)) factor_[0] = factor_[1] = 0;
+      if (!(bump_[k].neck.wall > 0)) return;
     }
+    factor_[0] = 0.5 / step;
+    factor_[1] = -factor_[0];
   }
   /// Returns the rate for a bump whose height is this part of the wall.
   const PlaneField& of(double height) {
