@@ -34,6 +34,18 @@ std::vector<double> row_areas(const std::vector<double>& across) {
   return area;
 }
 
+// Returns weights of values at some places for that of their polynomial at another place.
+template <std::size_t count>
+std::array<double, 3> extrapolated(double to, const std::array<double, count>& from) {
+  std::array<double, 3> weight{};
+  for (std::size_t i = 0; i < count; ++i) {
+    weight[i] = 1;
+    for (std::size_t j = 0; j < count; ++j)
+      if (j != i) weight[i] *= (to - from[j]) / (from[i] - from[j]);
+  }
+  return weight;
+}
+
 }  // namespace
 
 double usual_row(double t) {
@@ -68,12 +80,15 @@ StripLayout::StripLayout(StripCounts of, int number_of_parts, std::vector<double
         turn[at] = foot[f] * across[line - 1 + f];
       }
     for (int i = 1; i < n; ++i) {
-      const double step = upstream_part * (along[i + 1] - along[i - 1]) / 2;
+      const auto difference = [&](int node) { return upstream_part * (along[node + 1] - along[node - 1]) / 2; };
+      const double step = difference(i);
       StripPoint p{row, row, part, 1, 0, along[i], across[line]};
       node.push_back(p);
       const bool carried = i + 2 < n;
-      const double next = carried ? upstream_part * (along[i + 2] - along[i]) / 2 : 0;
-      carry.push_back(carried ? step / 2 / (along[i + 1] + next / 2 - along[i] - step / 2) : 0);
+      const auto middle = [&](int at) { return along[at] + difference(at) / 2; };
+      carry.push_back(i + 3 < n ? extrapolated(along[i], std::array{middle(i), middle(i + 1), middle(i + 2)})
+                      : carried ? extrapolated(along[i], std::array{middle(i), middle(i + 1)})
+                                : std::array{1.0, 0.0, 0.0});
       p.half = carried ? along[i] : along[i] + step / 2;
       slip_place.push_back(p);
       p.half = along[i] + step;

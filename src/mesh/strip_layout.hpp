@@ -2,6 +2,7 @@
 /// Lays strips on a contact along the rolling direction: rows of nodes whose chords' ends and whose width are unknowns.
 /// Each part of the contact (convex along rolling) has rows of its own. See docs/theory.md, section 4.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -47,10 +48,11 @@ class StripLayout {
   std::vector<StripPoint> node;      ///< nodes inside, row by row
   std::vector<StripPoint> upstream;  ///< places 0.6 of the mean spacing further on, for differences along x
   std::vector<double> spacing;       ///< distance of node and upstream over the half chord
-  /// Differences belong between node and upstream place; slip at the node is s + carry (s - s of the next node
-  /// upstream). Slip of the last two nodes of a chord is taken between: what pressures of unlike bodies cause bends
-  /// sharply at the edge.
-  std::vector<double> carry;
+  /// Differences belong between node and upstream place. Slip at the node is extrapolated from them: these are the
+  /// weights of the node's difference and of those of the next two nodes upstream. Slip of the last two nodes of a chord
+  /// is taken between, and the node before takes the next one alone: what pressures of unlike bodies cause bends sharply
+  /// at the edge.
+  std::vector<std::array<double, 3>> carry;
   std::vector<StripPoint> slip_place;  ///< places where slip is taken
   /// Places where gaps vanish: the nodes, then beside the chords' ends and beyond the ends of the widths.
   std::vector<StripPoint> observers;

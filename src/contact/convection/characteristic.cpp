@@ -158,8 +158,8 @@ void convect_on_strips(const Frame& frame, Convection& c) {
         c.rows.value.insert(c.rows.value.end(), {value, -value});
       };
       if (const std::size_t i = inside[k]; i < node.size()) {
-        add(i, 1 + l.carry[i]);
-        if (l.carry[i] != 0) add(i + 1, -l.carry[i] * l.spacing[i] / l.spacing[i + 1]);
+        for (std::size_t j = 0; j < l.carry[i].size(); ++j)
+          if (l.carry[i][j] != 0) add(i + j, l.carry[i][j] * l.spacing[i] / l.spacing[i + j]);
       }
       c.rows.start.push_back(static_cast<std::int64_t>(c.rows.column.size()));
     }

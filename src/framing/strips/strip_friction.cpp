@@ -55,8 +55,10 @@ void StripSolver::slip_rows(const StripScene& scene, const StripState& state, bo
   }
   for (int i = 0; i < l.nodes; ++i) {
     const auto carry_from_next = [&](std::vector<double>& rows, std::size_t first, int columns) {
+      const auto [own, next, after] = l.carry[i];
+      if (next == 0) return;
       double* row = rows.data() + (first + i) * columns;
-      for (int j = 0; j < columns && l.carry[i] != 0; ++j) row[j] += l.carry[i] * (row[j] - row[j + columns]);
+      for (int j = 0; j < columns; ++j) row[j] = own * row[j] + next * row[j + columns] + after * row[j + 2 * columns];
     };
     for (int k = 0; k < kinds; ++k) carry_from_next(compliance_[k], 0, l.nodes);
     for (int d = 0; d < 2 && rates; ++d) {
