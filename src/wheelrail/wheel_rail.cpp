@@ -18,9 +18,9 @@ struct Level {
   double accuracy;
   Fineness fineness;
 };
-constexpr Level levels[] = {{0.02, {{8, 8}, {9, 10}, {12, 22}}},
-                            {0.01, {{10, 9}, {12, 12}, {20, 40}}},
-                            {0.005, {{12, 10}, {14, 16}, {32, 64}}}};
+constexpr Level levels[] = {{0.02, {{8, 8}, {8, 12}, {12, 22}}},
+                            {0.01, {{9, 12}, {12, 16}, {20, 40}}},
+                            {0.005, {{11, 12}, {14, 16}, {32, 64}}}};
 
 Fineness fineness_for(double accuracy, bool conformal, bool on_lattices) {
   Fineness fineness = std::end(levels)[-1].fineness;

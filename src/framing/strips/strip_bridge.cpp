@@ -13,7 +13,7 @@ namespace {
 
 // Heights of the neighbours' bumps are parts of the wall. Rows across a neck that is filled less are hard to find, and
 // a side of a neck that is dug out more may lose contact.
-constexpr double heights[] = {-0.9, -0.45, 0.22, 0.44};
+constexpr double heights[] = {-1.1, -0.55, 0.18, 0.36};
 
 /// Returns the weight of a neighbour in the cubic through all of them, taken where there is no bump.
 constexpr double weight(std::size_t which) {
@@ -172,23 +172,34 @@ bool StripContact::bridge(const StripScene& scene, const Rectangle& box, StripCo
   StripScene other = scene;
   other.gap = &gap;
   const double wall = solution.neck.wall;
-  const auto find = [&](std::size_t i, bool near) {
-    gap.height = heights[i] * wall;
-    return finder_.find(other, box, counts, solution.neighbour[i], near, patient).status == StripStatus::solved;
+  const auto find_at = [&](double height, StripState& state, bool near) {
+    gap.height = height * wall;
+    return finder_.find(other, box, counts, state, near, patient).status == StripStatus::solved;
+  };
+  const auto find = [&](std::size_t i, bool near) { return find_at(heights[i], solution.neighbour[i], near); };
+  const auto go_on = [&](StripState& state, double from, double to, int steps) {
+    for (int step = 1; step <= steps; ++step) {
+      gap.height = (from + (to - from) * step / steps) * wall;
+      if (finder_.solver().solve(other, state, StripStart::solution).status != StripStatus::solved) return false;
+    }
+    return true;
   };
   const auto reach = [&](std::size_t i, std::size_t from, int steps) {
     solution.neighbour[i] = solution.neighbour[from];
-    for (int step = 1; step <= steps; ++step) {
-      gap.height = (heights[from] + (heights[i] - heights[from]) * step / steps) * wall;
-      if (finder_.solver().solve(other, solution.neighbour[i], StripStart::solution).status != StripStatus::solved)
-        return false;
-    }
-    return true;
+    return go_on(solution.neighbour[i], heights[from], heights[i], steps);
+  };
+  // Necks that are filled up more are found more easily.
+  const auto find_filled = [&](std::size_t i) {
+    for (const double more : {2.0, 4.0})
+      if (find_at(more * heights[i], solution.neighbour[i], false) &&
+          go_on(solution.neighbour[i], more * heights[i], heights[i], 10))
+        return true;
+    return false;
   };
   // One neighbour of either sign is found by itself, the other one from it.
   constexpr int steps = 5;
   for (const auto& [far, near] : {std::pair<std::size_t, std::size_t>{0, 1}, {3, 2}}) {
-    const bool first = find(far, warm), both = warm && find(near, true);
+    const bool first = find(far, warm) || (far == 0 && find_filled(far)), both = warm && find(near, true);
     if (both && first) continue;
     if (first ? reach(near, far, 1) || reach(near, far, steps) || find(near, false)
               : (both || find(near, false)) && (reach(far, near, 1) || reach(far, near, steps)))
