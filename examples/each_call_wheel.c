@@ -175,6 +175,12 @@ static void wheels(rollcon_context* context) {
   must(rollcon_wheelrail_get_stat(right, "pitch_rate", &total));
   printf("a force of 2 kN along: pitch rate %.4f\n", total);
   must(rollcon_wheelrail_prescribe_longitudinal(right, ROLLCON_BY_MOTION, 0));
+  must(rollcon_wheelrail_set_track(right, 1435, 14, 0));
+  must(rollcon_wheelrail_set_roller(right, 500, 0.1)); /* a rig: the roller turns, beside the forward speed */
+  must(rollcon_wheelrail_solve(right));
+  must(rollcon_wheelrail_get_patch_stat(right, 0, "longitudinal_creepage", &total));
+  printf("on a roller: creepage %.4f\n", total);
+  must(rollcon_wheelrail_set_roller(right, 0, 0));
   must(rollcon_wheelrail_set_track(right, 1435, 14, atan(1.0 / 40)));
   must(rollcon_wheelrail_set_friction(right, "by_angle", 4, by_angle));                   /* a lubricated gauge face */
   must(rollcon_wheelrail_set_law_by_angle(right, "exponential", 2, 8, falling_by_angle)); /* friction that falls */

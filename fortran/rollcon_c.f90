@@ -1686,6 +1686,16 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_place_rail
 
+    function rollcon_wheelrail_set_roller(wheelrail, radius, rate) &
+        result(rc) bind(C, name="rollcon_wheelrail_set_roller")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      real(c_double), value :: radius
+      real(c_double), value :: rate
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_set_roller
+
     function rollcon_wheelrail_set_tape_circle(wheelrail, y) &
         result(rc) bind(C, name="rollcon_wheelrail_set_tape_circle")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr

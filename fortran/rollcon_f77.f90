@@ -1485,6 +1485,15 @@ subroutine rcwplr(iwr, y, z, cant, ierr)
   ierr = rollcon_wheelrail_place_rail(wheelrail_of(iwr), y, z, cant)
 end subroutine
 
+!> Makes the rail a roller of a test rig.
+subroutine rcwrol(iwr, radius, rate, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ierr
+  double precision :: radius, rate
+  ierr = rollcon_wheelrail_set_roller(wheelrail_of(iwr), radius, rate)
+end subroutine
+
 !> Says where on the wheel's profile the radius of rollcon_wheelrail_set_wheelset is measured, after that call, w.
 subroutine rcwtap(iwr, y, ierr)
   use rollcon_f77_support

@@ -23,6 +23,7 @@ module rollcon_wheelrail_plain
     procedure :: set_track => wheelrail_set_track
     procedure :: set_wheelset => wheelrail_set_wheelset
     procedure :: place_rail => wheelrail_place_rail
+    procedure :: set_roller => wheelrail_set_roller
     procedure :: set_tape_circle => wheelrail_set_tape_circle
     procedure :: set_flexibility => wheelrail_set_flexibility
     procedure :: set_rail_springs => wheelrail_set_rail_springs
@@ -240,6 +241,20 @@ contains
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
     call finish(rollcon_wheelrail_place_rail(self%p, y, z, cant), self%p, 'rc_wheelrail%place_rail', stat, errmsg)
+  end subroutine
+
+  !> Makes the rail a roller of a test rig: its profile turns about an axis along y that lies the radius below the top
+  !> of the rail, or below the origin of a rail that is placed by its origin (rollcon_wheelrail_place_rail). The contact
+  !> runs over the roller with its rate times the radius plus the forward speed of the wheelset, which is 0 on a rig; x
+  !> of the position counts from above the axis. The track has no cant then. Rollers take no profiles that vary, no
+  !> tables, no conformal contacts and no sections (ROLLCON_ERR_UNSUPPORTED from the solve).
+  subroutine wheelrail_set_roller(self, radius, rate, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    real(rc_real), intent(in) :: radius
+    real(rc_real), intent(in) :: rate
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_wheelrail_set_roller(self%p, radius, rate), self%p, 'rc_wheelrail%set_roller', stat, errmsg)
   end subroutine
 
   !> Says where on the wheel's profile the radius of rollcon_wheelrail_set_wheelset is measured, after that call, which

@@ -2367,6 +2367,21 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_place_rail(
     rollcon_wheelrail *wheelrail, double y, double z, double cant);
 
 /*
+ * Makes the rail a roller of a test rig: its profile turns about an axis along y that lies the
+ * radius below the top of the rail, or below the origin of a rail that is placed by its origin
+ * (rollcon_wheelrail_place_rail). The contact runs over the roller with its rate times the radius
+ * plus the forward speed of the wheelset, which is 0 on a rig; x of the position counts from
+ * above the axis. The track has no cant then. Rollers take no profiles that vary, no tables, no
+ * conformal contacts and no sections (ROLLCON_ERR_UNSUPPORTED from the solve).
+ *   radius     of the roller, > 0, length; more than its profile is deep; 0: a rail (standard)
+ *   rate       at which the roller turns about y, 1/time; > 0 where wheels on it roll forward
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ * Source: docs/wheelrail.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_roller(
+    rollcon_wheelrail *wheelrail, double radius, double rate);
+
+/*
  * Says where on the wheel's profile the radius of rollcon_wheelrail_set_wheelset is measured,
  * after that call, which takes it where the profile has z = 0.
  *   y          of the tape circle in the profile, length
@@ -2426,7 +2441,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_position(
 /*
  * Sets the velocity of the wheelset.
  *   velocity   [6]; rates of the position, length/time and 1/time; the forward speed, the first,
- *              is not 0; the pitch rate of a wheel that rolls forward is negative
+ *              is not 0 but on a roller; the pitch rate of a wheel that rolls forward is negative
  * Also returns: ROLLCON_ERR_NONFINITE.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_velocity(

@@ -111,6 +111,8 @@ class Body {
   void extrude_profile(const double* origin, const double* along, const double* z_axis);
   /// Places the profile with its y along the axis and its points at radius + z from it. err_state: there is no profile.
   void revolve_profile(const double* origin, const double* axis, double radius);
+  /// Takes the mirror image of the profile in its y axis; what varies it is lost.
+  void turn_profile_over();
   /// Takes the profile as that at one place of several, at this length along the body or angle round it; feature: n arc
   /// lengths of points that correspond, see ProfileSlice. Profiles that are set later leave it. err_state: no profile.
   void add_slice(double u, std::int64_t n, const double* feature);

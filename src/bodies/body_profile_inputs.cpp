@@ -200,6 +200,14 @@ void Body::extrude_profile(const double* origin, const double* along, const doub
   p.z = normalized(z);
 }
 
+void Body::turn_profile_over() {
+  const std::lock_guard lock(mutex_);
+  require_profile();
+  BodyProfile turned;
+  turned.curve = std::make_shared<const ProfileCurve>(turned_over(*model_->profile.nominal()));
+  model_->profile = std::move(turned);
+}
+
 void Body::revolve_profile(const double* origin, const double* axis, double radius) {
   require_finite_vector(origin, "origin");
   const Vec3 unit = unit_vector(axis, "axis");

@@ -554,6 +554,13 @@ rollcon_status rollcon_wheelrail_place_rail(rollcon_wheelrail *wheelrail, double
   });
 }
 
+rollcon_status rollcon_wheelrail_set_roller(rollcon_wheelrail *wheelrail, double radius,
+    double rate) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    self.set_roller(radius, rate);
+  });
+}
+
 rollcon_status rollcon_wheelrail_set_tape_circle(rollcon_wheelrail *wheelrail, double y) {
   return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
     self.set_tape_circle(y);

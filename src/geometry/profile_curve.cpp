@@ -161,4 +161,13 @@ std::vector<Vec2> ProfileCurve::points() const {
   return found;
 }
 
+ProfileCurve turned_over(const ProfileCurve& curve) {
+  std::vector<ProfilePiece> piece = curve.pieces();
+  for (ProfilePiece& p : piece) {
+    for (Vec2* v : {&p.start, &p.along, &p.square, &p.cube}) (*v)[1] = 0 - (*v)[1];
+    p.curvature = 0 - p.curvature;
+  }
+  return ProfileCurve(std::move(piece));
+}
+
 }  // namespace rollcon

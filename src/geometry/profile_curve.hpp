@@ -73,4 +73,7 @@ class ProfileCurve {
   std::vector<ProfileBox> block_;
 };
 
+/// Returns the mirror image of a curve in the y axis.
+ProfileCurve turned_over(const ProfileCurve& curve);
+
 }  // namespace rollcon

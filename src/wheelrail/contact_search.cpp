@@ -33,6 +33,7 @@ void require_long_waves(const ProfileSlices& slices, double radius, const char* 
 ContactSearch::ContactSearch(const WheelShape& wheel, const RailShape& rail)
     : shape_(wheel),
       side_(wheel.axis[1] < 0 ? -1 : 1),
+      roller_(rail.roller),
       wheel_(wheel.curve, {{0, 0}, {side_, 0}, {0, 1}}, VisibleProfile::Seen::from_greater_z),
       rail_(rail.curve, in_track(rail), VisibleProfile::Seen::from_lesser_z) {
   double least = wheel_.cells().back().z[1];
@@ -52,11 +53,12 @@ ContactSearch::ContactSearch(const WheelShape& wheel, const RailShape& rail)
 template <class Use>
 auto ContactSearch::with_gap(const Pose& wheel, double along, Use use) const {
   const WheelLocus locus(wheel.place(shape_.centre), side_ * wheel.turn(shape_.axis), shape_.radius);
-  if (!wheel_heights_ && !rail_heights_) return use(ProfileGap(wheel_, rail_, locus, nullptr));
+  if (!wheel_heights_ && !rail_heights_ && !roller_) return use(ProfileGap(wheel_, rail_, locus, nullptr));
   const Vec3 down = wheel.turn({0, 0, 1});
   const WheelAxes& axes = locus.axes();
   const VaryingPair varying(wheel_heights_ ? &*wheel_heights_ : nullptr, rail_heights_ ? &*rail_heights_ : nullptr,
-                            rail_, along, std::atan2(dot(down, axes.ahead), dot(down, axes.down)), shape_.radius);
+                            rail_, roller_, along, std::atan2(dot(down, axes.ahead), dot(down, axes.down)),
+                            shape_.radius);
   return use(ProfileGap(wheel_, rail_, locus, &varying));
 }
 

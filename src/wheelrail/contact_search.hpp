@@ -1,7 +1,7 @@
 #pragma once
-/// Finds where a wheel meets a rail that runs along x: from profiles and the wheel's pose to patches in which
-/// the undeformed surfaces overlap. Lengths are in any unit; axes: x forward, y to the right, z down, the rail on the
-/// right. For one on the left the caller mirrors.
+/// Finds where a wheel meets a rail that runs along x, or a roller: from profiles and the wheel's pose to patches in
+/// which the undeformed surfaces overlap. Lengths are in any unit; axes: x forward, y to the right, z down, the rail on
+/// the right. For one on the left the caller mirrors.
 
 #include <memory>
 #include <optional>
@@ -22,13 +22,14 @@ struct WheelShape {
   std::shared_ptr<const ProfileSlices> slices = nullptr;  ///< null: the same all round
 };
 
-/// Holds a profile that is extruded along x (see ExtrudedProfile), in the axes of the track.
+/// Holds a profile that is extruded along x (see ExtrudedProfile), or revolved, in the axes of the track.
 struct RailShape {
   std::shared_ptr<const ProfileCurve> curve;
   Vec3 origin{0, 0, 0};
   Vec3 along{1, 0, 0};                                    ///< (-1, 0, 0) mirrors the profile
   Vec3 down{0, 0, 1};                                     ///< direction of the profile's z, at right angles to `along`
   std::shared_ptr<const ProfileSlices> slices = nullptr;  ///< null: the same all along
+  std::optional<double> roller = std::nullopt;            ///< z of the axis along y about which it is revolved
 };
 
 /// Tells where a rigid wheel touches first.
@@ -46,7 +47,7 @@ class ContactSearch {
 
   /// Returns how far the wheel, its body axes in this pose, may sink along z until it touches the rail; negative where
   /// they overlap, infinite where it is not above the rail. Exact to rounding.
-  /// along: place of a rail that varies where x is 0.
+  /// along: place of a rail that varies, or distance from a roller's axis, where x is 0.
   double first_touch(const Pose& wheel, double along = 0) const;
   /// Returns the point that touches, the first by y of several or of a line; nullopt where none is above the rail.
   std::optional<TouchPoint> touch(const Pose& wheel, double along = 0) const;
@@ -64,7 +65,8 @@ class ContactSearch {
   auto with_gap(const Pose& wheel, double along, Use use) const;
 
   WheelShape shape_;
-  double side_;  ///< -1: the profile's y points to the left
+  double side_;                   ///< -1: the profile's y points to the left
+  std::optional<double> roller_;  ///< see RailShape
   VisibleProfile wheel_, rail_;
   std::optional<SliceHeights> wheel_heights_, rail_heights_;
   std::vector<Overlap> overlap_;

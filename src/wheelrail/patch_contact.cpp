@@ -317,7 +317,7 @@ void PatchContact::lay_axes() {
 Axes PatchContact::axes_of(const OverlapPatch& patch) const {
   Axes axes;
   axes.n = -1.0 * patch.normal;
-  axes.t1 = (now_.motion.speed > 0 ? 1.0 : -1.0) * patch.along;
+  axes.t1 = (now_.motion.onward > 0 ? 1.0 : -1.0) * patch.along;
   axes.t2 = cross(axes.n, axes.t1);
   const double x = 0.5 * (patch.back + patch.front), y = 0.5 * (patch.low + patch.high);
   axes.origin = patch.reference + x * patch.along + y * patch.lateral;
@@ -375,11 +375,12 @@ void PatchContact::take_creepages() {
   const Vec3 turning = motion.velocity.angular - motion.rail.angular;
   // Speed at which both surfaces run through the contact, on average.
   const double through = motion.speed - 0.5 * (wheel[0] + rail[0]), speed = std::abs(through);
-  if (!(through * motion.speed > 0))
+  if (!(through * motion.onward > 0))
     fail(Status::err_argument,
-         "the pitch rate, entry 5 of velocity, is %g: with the forward speed, entry 0, of %g surfaces run backwards "
-         "through the contact; a wheel that rolls has about %g",
-         motion.velocity.angular[1], motion.speed, -motion.speed / now_.patch.rolling_radius);
+         "the pitch rate, entry 5 of velocity, is %g: with the speed %g along the rail surfaces run backwards through "
+         "the "
+         "contact; a wheel that rolls has about %g",
+         motion.velocity.angular[1], motion.onward, -motion.onward / now_.patch.rolling_radius);
   now_.creepages = {dot(slip, now_.patch.along) / speed, dot(slip, now_.patch.lateral) / speed,
                     -dot(turning, now_.patch.normal) / speed};
 }

@@ -37,8 +37,9 @@ struct Fineness {
 struct WheelMotion {
   Pose pose;
   Velocity velocity, rail;
-  double speed = 0;  ///< forward speed of the wheelset; not 0
-  double along = 0;  ///< place of a rail that varies where x is 0
+  double speed = 0;   ///< forward speed of the contact
+  double onward = 0;  ///< speed at which the contact moves on over the rail's material; not 0
+  double along = 0;   ///< place of a rail that varies, or distance from a roller's axis, where x is 0
 };
 
 /// Holds the friction of a patch: a law with one greatest coefficient, or those at points across it, linear between.

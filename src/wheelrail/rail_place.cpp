@@ -50,8 +50,12 @@ RailShape place_rail(std::shared_ptr<const ProfileCurve> curve, const TrackGauge
         "the rail's profile is highest at its end (y = %g, z = %g) and steeper than 45 degrees there; allowed: z down, "
         "the running surface between its ends",
         curve->at(peak).x[0], curve->at(peak).x[1]);
-  if (track.by_origin) return {std::move(curve), {0, track.y, track.z}, {1, 0, 0}, {0, s, c}};
-  if (track.height == 0) return {std::move(curve), {0, 0.5 * track.gauge, 0}, {1, 0, 0}, {0, s, c}};
+  RailShape rail{.along = {1, 0, 0}, .down = {0, s, c}};
+  if (track.by_origin || track.height == 0) {
+    rail.origin = track.by_origin ? Vec3{0, track.y, track.z} : Vec3{0, 0.5 * track.gauge, 0};
+    rail.curve = std::move(curve);
+    return rail;
+  }
   int below = highest;
   while (below > 0 && canted(below * step)[1] - top < track.height) --below;
   if (canted(below * step)[1] - top < track.height)
@@ -65,12 +69,22 @@ RailShape place_rail(std::shared_ptr<const ProfileCurve> curve, const TrackGauge
     const double middle = 0.5 * (deep + shallow);
     (canted(middle)[1] - top < track.height ? shallow : deep) = middle;
   }
-  RailShape rail;
   rail.origin = {0, 0.5 * track.gauge - canted(deep)[0], -top};
-  rail.along = {1, 0, 0};
-  rail.down = {0, s, c};
   rail.curve = std::move(curve);
   return rail;
+}
+
+void revolve(RailShape& rail, const TrackGauge& track, double radius) {
+  if (track.cant != 0)
+    fail(Status::err_argument,
+         "cant is %g beside a roller; allowed: 0 (turn the profile itself, or give the rail's deviation a roll)",
+         track.cant);
+  const double axis = radius + (track.by_origin ? track.z : 0);
+  double deepest = 0;
+  for (const Vec2& x : rail.curve->points()) deepest = std::max(deepest, rail.origin[2] + x[1] - (axis - radius));
+  if (!(deepest < radius))
+    fail(Status::err_argument, "radius of the roller is %g; allowed: > %g, how deep its profile is", radius, deepest);
+  rail.roller = axis;
 }
 
 // Compares both sides of y = 0: what is as high or as deep on both, a roller's crown, says nothing.

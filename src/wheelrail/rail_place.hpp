@@ -19,6 +19,10 @@ struct TrackGauge {
 /// gauge side the profile does not reach down to the gauge's height, or its z points up.
 RailShape place_rail(std::shared_ptr<const ProfileCurve> curve, const TrackGauge& track);
 
+/// Makes the rail a roller with this radius where z is 0 or, if the rail is placed by its origin, the profile's z is.
+/// err_argument: the track has cant, or the profile reaches the roller's axis.
+void revolve(RailShape& rail, const TrackGauge& track, double radius);
+
 /// Throws err_argument unless the profile keeps on one side of the axis, z points down and a flange lies at lesser y.
 void require_wheel_profile(const ProfileCurve& curve, double radius);
 

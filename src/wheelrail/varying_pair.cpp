@@ -14,10 +14,11 @@ constexpr double farthest = 0.25, closest_station = 0.005, farthest_station = 0.
 }  // namespace
 
 VaryingPair::VaryingPair(const SliceHeights* wheel, const SliceHeights* rail, const VisibleProfile& rail_profile,
-                         double along, double turned, double radius)
+                         std::optional<double> roller, double along, double turned, double radius)
     : wheel_(wheel),
       rail_(rail),
       rail_profile_(rail_profile),
+      roller_(roller),
       along_(along),
       turned_(turned),
       station_(farthest_station) {
@@ -40,7 +41,22 @@ std::optional<SliceHeight> VaryingPair::rail(double x, double y) const {
   h.z = p.z;
   h.y = p.slope;
   h.yy = p.dslope / p.dy;
-  return h;
+  return roller_ ? revolved(h, along_ + x) : h;
+}
+
+// Turns the section about the roller's axis.
+std::optional<SliceHeight> VaryingPair::revolved(const SliceHeight& h, double u) const {
+  const double r = *roller_ - h.z, square = r * r - u * u;
+  if (!(r > 0 && square > 0)) return std::nullopt;
+  const double c = std::sqrt(square), cube = square * c;
+  SliceHeight turned;
+  turned.z = h.z + u * u / (r + c);
+  turned.u = u / c;
+  turned.y = r * h.y / c;
+  turned.uu = r * r / cube;
+  turned.uy = u * r * h.y / cube;
+  turned.yy = (r * h.yy - h.y * h.y) / c + r * r * h.y * h.y / cube;
+  return turned;
 }
 
 VisiblePoint VaryingPair::rail_section(double x, double y) const {
@@ -94,7 +110,10 @@ double VaryingPair::rough_gap(const WheelLocus& locus, double y, double z, doubl
   if (rail_) return rail_->rough(along_ + x[0], x[1]) - x[2];
   if (!(x[1] >= rail_profile_.low() && x[1] <= rail_profile_.high())) return infinite;
   near_ = rail_profile_.cell_at_y(x[1], near_);
-  return rail_profile_.cells()[near_].cubic_z(x[1]) - x[2];
+  const double section = rail_profile_.cells()[near_].cubic_z(x[1]);
+  if (!roller_) return section - x[2];
+  const double away = *roller_ - section, u = along_ + x[0], square = away * away - u * u;
+  return square > 0 ? section + u * u / (away + std::sqrt(square)) - x[2] : infinite;
 }
 
 std::optional<int> VaryingPair::best_station(const WheelLocus& locus, double y, double z, double& lowest,
@@ -122,9 +141,13 @@ std::optional<int> VaryingPair::best_station(const WheelLocus& locus, double y, 
   return best;
 }
 
-// Between stations a circle sinks by an eighth of their distance squared over the radius.
+// Between stations a circle sinks by an eighth of their distance squared over the radius; a roller bends away, too.
 double VaryingPair::slack(const WheelLocus& locus) const {
-  return 0.2 * farthest_station * farthest_station * locus.axes().radius + (wheel_ ? wheel_->slack() : 0) +
+  const double radius = locus.axes().radius;
+  // The ends of a rail's profile are lowest.
+  const double deepest = std::max(rail_profile_.cells().front().z[0], rail_profile_.cells().back().z[1]);
+  const double bent = roller_ ? radius * (1 + radius / (*roller_ - deepest)) : radius;
+  return 0.2 * farthest_station * farthest_station * bent + (wheel_ ? wheel_->slack() : 0) +
          (rail_ ? rail_->slack() : 0);
 }
 

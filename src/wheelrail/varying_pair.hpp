@@ -1,6 +1,6 @@
 #pragma once
-/// Finds where circles of a wheel can touch a rail when one of them, or both, vary along the track or round the axis:
-/// the gap along z is least there along x.
+/// Finds where circles of a wheel can touch a rail when one of them, or both, vary along the track or round the axis,
+/// or the rail is a roller: the gap along z is least there along x.
 
 #include <optional>
 
@@ -11,10 +11,11 @@ namespace rollcon {
 
 class VaryingPair {
  public:
-  /// Takes heights of what varies, else null, and the rail's profile where it does not; along: the rail's place where x
-  /// is 0; turned: angle by which the wheel has turned from below to ahead; radius: the wheel's.
-  VaryingPair(const SliceHeights* wheel, const SliceHeights* rail, const VisibleProfile& rail_profile, double along,
-              double turned, double radius);
+  /// Takes heights of what varies, else null, and the rail's profile where it does not; roller: z of the axis about
+  /// which that is revolved, if it is; along: the rail's place where x is 0; turned: angle by which the wheel has
+  /// turned from below to ahead; radius: the wheel's.
+  VaryingPair(const SliceHeights* wheel, const SliceHeights* rail, const VisibleProfile& rail_profile,
+              std::optional<double> roller, double along, double turned, double radius);
 
   struct Rough {
     double gap, y, slack;  ///< gap: infinite beside the rail; slack: its greatest error
@@ -46,6 +47,8 @@ class VaryingPair {
     double lean_y() const { return gap_ty * y[1] + gap_t * yy[1] - ty[1] * gap_y - t[1] * gap_yy; }
   };
   std::optional<At> at(const WheelLocus& locus, const VisiblePoint& p, double angle) const;
+  /// Returns the height of a roller with this section at the distance u from above its axis; nullopt beside it.
+  std::optional<SliceHeight> revolved(const SliceHeight& section, double u) const;
   /// Finds the station, 0: the lowest point, where the gap is nearly least; nullopt: beside the rail.
   std::optional<int> best_station(const WheelLocus& locus, double y, double z, double& lowest, double& at_y) const;
   double rough_gap(const WheelLocus& locus, double y, double z, double turn_c, double turn_s, double angle,
@@ -56,6 +59,7 @@ class VaryingPair {
 
   const SliceHeights *wheel_, *rail_;
   const VisibleProfile& rail_profile_;
+  std::optional<double> roller_;
   double along_, turned_;
   double station_;                           ///< angle between places that are tried
   static constexpr int most_stations = 200;  ///< on either side

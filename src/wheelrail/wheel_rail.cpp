@@ -60,10 +60,18 @@ void WheelRail::prepare() {
                                               : nullptr;
   if (missing) fail(Status::err_state, "something is missing: call %s first", missing);
   require_friction();
+  if (onward(in_) == 0)
+    fail(Status::err_argument, "%s is 0; allowed: any other",
+         roller_ > 0 ? "the speed along the roller, its rate times its radius plus entry 0 of velocity,"
+                     : "the forward speed, entry 0 of velocity,");
   prepare_search();
-  if ((wheel_varies_ | rail_varies_) != 0 && (in_.table || in_.options.conformal))
-    fail(Status::err_unsupported, "the profile of the %s varies, which %s does not: %s",
-         wheel_varies_ ? "wheel" : "rail", in_.table ? "a table" : "the option conformal",
+  const char* bent = wheel_varies_ != 0  ? "the profile of the wheel varies"
+                     : rail_varies_ != 0 ? "the profile of the rail varies"
+                     : roller_ > 0       ? "the rail is a roller"
+                                         : nullptr;
+  if (bent && (in_.table || in_.options.conformal))
+    fail(Status::err_unsupported, "%s, which %s does not take: %s", bent,
+         in_.table ? "a table" : "the option conformal",
          in_.table ? "call rollcon_wheelrail_set_table with NULL" : "set the option to 0");
 }
 
@@ -77,8 +85,13 @@ void WheelRail::prepare_search() {
   follow_bodies();
   if (has_sections()) refuse_for_sections();
   if (search_) return;
+  if (roller_ > 0 && rail_varies_ != 0)
+    fail(Status::err_unsupported,
+         "the rail is a roller (rollcon_wheelrail_set_roller), and its profile varies; allowed: "
+         "profiles that are the same all round");
   wheel_ = given_wheel_->with_profile_alone();
   rail_ = given_rail_->with_profile_alone();
+  if (roller_ > 0) rail_->turn_profile_over();
   const Vec3 centre{0, 0, -radius_}, axis{0, 1, 0};
   place_profiles(*wheel_, *rail_);
   rail_shape_.slices = rail_->slices();

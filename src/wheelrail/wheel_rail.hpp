@@ -41,6 +41,9 @@ class WheelRail {
   /// Places the rail by its profile's origin, y from the middle of the track to the rail's side.
   void place_by_origin(double y, double z, double cant);
   void set_wheelset(double back_to_back, double flange_back, double radius);
+  /// Makes the rail a roller about an axis along y that has this radius at its top (placed by its origin: there) and
+  /// turns at this rate about y; 0: a rail, which rests. Position and velocity count from above the axis then.
+  void set_roller(double radius, double rate);
   /// Takes the radius of the wheelset where the wheel's profile has this y.
   void set_tape_circle(double y);
   /// Displaces the wheel in the wheelset's axes: x, y, z, roll, yaw, pitch, and their rates.
@@ -169,6 +172,7 @@ class WheelRail {
     bool position_given = false, velocity_given = false, friction_given = false, by_force = false, by_pull = false;
     double pull = 0;                                  ///< force on the wheel along the wheelset's x
     std::array<double, 2> stiffness{}, rail_force{};  ///< springs of the rail along y and z
+    double roller_rate = 0;
     WheelOptions options;
     double load = 0;
     std::shared_ptr<const ForceTable> table;
@@ -191,6 +195,8 @@ class WheelRail {
   void set_place(const TrackGauge& track);
   void take_wheel_profile(std::shared_ptr<const ProfileCurve> curve, double nominal, const std::optional<double>& tape);
   Vec3 rail_pivot(const RailDeviation& deviation) const;
+  /// Returns the speed at which the contact moves on over the rail's material.
+  double onward(const Inputs& in) const { return in.velocity.x + roller_ * in.roller_rate; }
   Vec3 centre_at(double y, double z) const { return {0, y, z - nominal_radius_}; }
   /// Returns the wheel's pose in the track; bend: its displacement in the wheelset.
   Pose wheel_pose(const WheelsetState& position, double z, const WheelsetState& bend) const;
@@ -267,6 +273,7 @@ class WheelRail {
   std::size_t wheel_varies_ = 0, rail_varies_ = 0;   ///< numbers of their variations that were taken
   double side_;                                      ///< -1: everything is solved in a mirror
   std::optional<TrackGauge> track_;
+  double roller_ = 0;  ///< radius of the roller; 0: a rail
   double back_to_back_ = 0, flange_back_ = 0, nominal_radius_ = 0;
   double radius_ = 0;           ///< radius where the wheel's profile has z = 0
   std::optional<double> tape_;  ///< y where the nominal radius counts; none: where z is 0

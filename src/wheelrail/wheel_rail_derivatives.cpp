@@ -203,13 +203,13 @@ WheelRail::Derivative WheelRail::derivative(std::int32_t i) {
       std::any_of(active_.begin(), active_.end(), [](const Slot* slot) { return slot->contact.by_table(); });
   std::array<Totals, entries + shifts> rate{};
   const std::shared_ptr<Kept> here = by_solves ? keep_here() : nullptr;
-  const double speed = std::abs(in.velocity.x);
+  const double speed = std::abs(onward(in));
   // Gaps and slip are smooth to rounding; what is solved again is smooth to less.
   const double small = by_solves ? 2e-6 : 1e-7;
   const bool springs = solved_->stiffness != std::array<double, 2>{};
   for (std::size_t k = 0; k < (springs ? entries + shifts : entries) && !active_.empty(); ++k) {
     const std::size_t of = k < entries ? k % 6 : 0;
-    if (k == 0 ? rail_varies_ == 0 : k == 5 && wheel_varies_ == 0) continue;
+    if (k == 0 ? rail_varies_ == 0 && roller_ == 0 : k == 5 && wheel_varies_ == 0) continue;
     const double unit = of < 3 ? radius_ : 1;
     const double step = k < 6 || k >= entries ? small * unit : 1e-5 * speed * (of < 3 ? 1 : 1 / radius_);
     if (!by_solves) {

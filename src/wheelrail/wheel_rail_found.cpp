@@ -30,7 +30,7 @@ Status WheelRail::find_pitch_rate() {
   };
   constexpr double first = 1e-4, grown = 2.5, farthest = 0.5, enough = 1e-6;
   constexpr int most_secants = 60;
-  const double start = in_.velocity.pitch != 0 ? in_.velocity.pitch : -in_.velocity.x / radius_;
+  const double start = in_.velocity.pitch != 0 ? in_.velocity.pitch : -onward(in_) / radius_;
   double low = start, off_low = off(low), high = low, off_high = off_low;
   if (is_apart(status)) return status;
   // The wheel is pushed forward the more, the faster it turns forwards, which is a negative rate.

@@ -57,11 +57,29 @@ void WheelRail::place_by_origin(double y, double z, double cant) {
 }
 
 void WheelRail::set_place(const TrackGauge& track) {
-  rail_shape_ = place_rail(given_rail_->nominal_profile(), track);
+  RailShape shape = place_rail(given_rail_->nominal_profile(), track);
+  if (roller_ > 0) revolve(shape, track, roller_);
+  rail_shape_ = std::move(shape);
   track_ = track;
   search_.reset();
   solved_.reset();
   ++dimensions_;
+}
+
+void WheelRail::set_roller(double radius, double rate) {
+  require_finite(radius, "radius");
+  require_finite(rate, "rate");
+  if (!(radius >= 0)) fail(Status::err_argument, "radius is %g; allowed: > 0, or 0: a rail", radius);
+  if (radius != roller_) {
+    const double before = std::exchange(roller_, radius);
+    try {
+      if (track_) set_place(*track_);
+    } catch (...) {
+      roller_ = before;
+      throw;
+    }
+  }
+  in_.roller_rate = radius > 0 ? rate : 0;
 }
 
 void WheelRail::set_wheelset(double back_to_back, double flange_back, double radius) {
@@ -162,7 +180,6 @@ void WheelRail::set_position(const double* position) {
 
 void WheelRail::set_velocity(const double* velocity) {
   const WheelsetState now = state_of(velocity, "velocity", side_);
-  if (now.x == 0) fail(Status::err_argument, "the forward speed, entry 0 of velocity, is 0; allowed: any other");
   in_.velocity = now;
   in_.velocity_given = true;
 }
@@ -209,6 +226,7 @@ void WheelRail::follow_bodies() {
   rail_varies_ = rail_varies;
   take_wheel_profile(std::move(wheel), nominal_radius_, tape_);
   rail_shape_ = place_rail(std::move(rail), *track_);
+  if (roller_ > 0) revolve(rail_shape_, *track_, roller_);
   wheel_.reset();
   rail_.reset();
 }

@@ -112,6 +112,7 @@ std::unique_ptr<WheelRail> WheelRail::copy(const std::shared_ptr<Context>& conte
   auto other = std::make_unique<WheelRail>(context ? context : context_, given_wheel_, given_rail_,
                                            static_cast<std::int32_t>(side_));
   other->track_ = track_;
+  other->roller_ = roller_;
   other->rail_shape_ = rail_shape_;
   other->wheel_curve_ = wheel_curve_;
   other->wheel_varies_ = wheel_varies_;

@@ -28,7 +28,11 @@ constexpr double filled_by_two = 0.6, filled_by_one = 0.75;
 void WheelRail::place_profiles(Body& wheel, Body& rail) const {
   const Vec3 centre{0, 0, -radius_}, axis{0, 1, 0};
   wheel.revolve_profile(centre.data(), axis.data(), radius_);
-  rail.extrude_profile(rail_shape_.origin.data(), rail_shape_.along.data(), rail_shape_.down.data());
+  const Vec3& origin = rail_shape_.origin;
+  if (!rail_shape_.roller)
+    return rail.extrude_profile(origin.data(), rail_shape_.along.data(), rail_shape_.down.data());
+  const Vec3 below{0, origin[1], *rail_shape_.roller};
+  rail.revolve_profile(below.data(), axis.data(), *rail_shape_.roller - origin[2]);
 }
 
 // Everything that the map depends on goes into its key.

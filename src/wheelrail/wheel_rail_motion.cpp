@@ -74,8 +74,15 @@ WheelMotion WheelRail::motion_at(double z, const Inputs& in) const {
   motion.velocity = seen_from(rail, {linear, turning, centre});
   motion.rail =
       seen_from(rail, {{0, in.rate.y, in.rate.z}, {in.rate.roll, 0, 0}, rail.place(rail_pivot(in.deviation))});
-  motion.speed = in.velocity.x;
-  if (rail_varies_ != 0) motion.along = in.position.x;
+  motion.speed = motion.onward = in.velocity.x;
+  if (rail_varies_ != 0 || roller_ > 0) motion.along = in.position.x;
+  if (roller_ == 0) return motion;
+  // The contact lies between both axes.
+  const Vec3 rate{0, in.roller_rate, 0}, axis{-motion.along, 0, *rail_shape_.roller};
+  motion.onward = onward(in);
+  motion.speed *= roller_ / (roller_ + radius_);
+  motion.rail.linear = motion.rail.linear + cross(rate, motion.rail.point - axis);
+  motion.rail.angular = motion.rail.angular + rate;
   return motion;
 }
 

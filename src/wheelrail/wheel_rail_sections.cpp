@@ -95,6 +95,7 @@ WholeBodies WheelRail::whole_bodies() const {
 void WheelRail::refuse_for_sections() const {
   const char* what = in_.options.conformal ? "conformal contacts (option conformal)"
                      : in_.table           ? "forces from a table (rollcon_wheelrail_set_table)"
+                     : roller_ > 0         ? "a roller (rollcon_wheelrail_set_roller)"
                                            : nullptr;
   if (what) fail(Status::err_unsupported, "the wheel or the rail is a section, which does not take %s", what);
   if (!given_wheel_->traits().section) return;

@@ -168,7 +168,7 @@ TEST_F(wheelrail, bad_inputs_are_named_and_change_nothing) {
   EXPECT_FAILS(rollcon_wheelrail_set_position(right, bad), NONFINITE, "entry 2 of position");
   EXPECT_FAILS(rollcon_wheelrail_set_position(right, six), ARGUMENT, "roll is 0.6", "-0.5 to 0.5");
   EXPECT_FAILS(rollcon_wheelrail_set_velocity(right, bad), NONFINITE, "entry 2 of velocity");
-  EXPECT_FAILS(rollcon_wheelrail_set_velocity(right, none), ARGUMENT, "forward speed");
+  EXPECT_FAILS(rollcon_wheelrail_set_roller(right, -1, 1), ARGUMENT, "radius is -1", "> 0, or 0: a rail");
   EXPECT_FAILS(rollcon_wheelrail_prescribe_vertical(right, 3, 1), ARGUMENT, "how is 3", "1 (by motion), 2 (by force)");
   EXPECT_FAILS(rollcon_wheelrail_prescribe_vertical(right, ROLLCON_BY_FORCE, -1), ARGUMENT, "force is -1", ">= 0");
   const double friction[] = {-0.1, 0.1, -0.2, 0.1};

@@ -113,6 +113,7 @@ void set_law(World& w) {
   if (w.in.one_in(6)) FUZZ_CALL(w, rollcon_wheelrail_set_rail_springs, h, more.data(), more.data() + 2);
   if (w.in.one_in(6)) FUZZ_CALL(w, rollcon_wheelrail_prescribe_longitudinal, h, few(w, 3), w.in.real());
   if (w.in.one_in(6)) FUZZ_CALL(w, rollcon_wheelrail_set_real, h, "curvature", w.in.real());
+  if (w.in.one_in(12)) FUZZ_CALL(w, rollcon_wheelrail_set_roller, h, w.in.real(), w.in.real());
   if (w.in.one_in(4)) FUZZ_CALL(w, rollcon_wheelrail_set_friction, h, "linear", 3, parameters.data());
   if (w.in.one_in(6)) FUZZ_CALL(w, rollcon_wheelrail_set_law_by_angle, h, "linear", few(w, 2), 4, parameters.data());
   if (w.in.one_in(6)) FUZZ_CALL(w, rollcon_wheelrail_set_friction_memory, h, w.in.real(), w.in.real());

@@ -425,6 +425,7 @@ FUNCTIONS = {
     "rollcon_wheelrail_set_track": (c_int32, [c_void_p, c_double, c_double, c_double]),
     "rollcon_wheelrail_set_wheelset": (c_int32, [c_void_p, c_double, c_double, c_double]),
     "rollcon_wheelrail_place_rail": (c_int32, [c_void_p, c_double, c_double, c_double]),
+    "rollcon_wheelrail_set_roller": (c_int32, [c_void_p, c_double, c_double]),
     "rollcon_wheelrail_set_tape_circle": (c_int32, [c_void_p, c_double]),
     "rollcon_wheelrail_set_flexibility": (c_int32, [
         c_void_p, POINTER(c_double),
@@ -858,6 +859,7 @@ ARGUMENTS = {
         ("wheelrail", ""), ("back_to_back", ""), ("flange_back", ""), ("radius", "")
     ],
     "rollcon_wheelrail_place_rail": [("wheelrail", ""), ("y", ""), ("z", ""), ("cant", "")],
+    "rollcon_wheelrail_set_roller": [("wheelrail", ""), ("radius", ""), ("rate", "")],
     "rollcon_wheelrail_set_tape_circle": [("wheelrail", ""), ("y", "")],
     "rollcon_wheelrail_set_flexibility": [("wheelrail", ""), ("displacement", ""), ("rate", "")],
     "rollcon_wheelrail_set_rail_springs": [("wheelrail", ""), ("stiffness", ""), ("force", "")],

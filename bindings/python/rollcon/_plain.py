@@ -1016,6 +1016,19 @@ class WheelrailPlain:
         """
         self._call("place_rail", y, z, cant)
 
+    def set_roller(self, radius: float, rate: float) -> None:
+        """Makes the rail a roller of a test rig: its profile turns about an axis along y that
+        lies the radius below the top of the rail, or below the origin of a rail that is placed by
+        its origin (place_rail()). The contact runs over the roller with its rate times the radius
+        plus the forward speed of the wheelset, which is 0 on a rig; x of the position counts from
+        above the axis. The track has no cant then. Rollers take no profiles that vary, no tables,
+        no conformal contacts and no sections (ERR_UNSUPPORTED from the solve).
+
+        radius: of the roller, > 0, length; more than its profile is deep; 0: a rail (standard).
+        rate: at which the roller turns about y, 1/time; > 0 where wheels on it roll forward.
+        """
+        self._call("set_roller", radius, rate)
+
     def set_tape_circle(self, y: float) -> None:
         """Says where on the wheel's profile the radius of set_wheelset() is measured, after that
         call, which takes it where the profile has z = 0.
@@ -1076,7 +1089,7 @@ class WheelrailPlain:
         """Sets the velocity of the wheelset.
 
         velocity: rates of the position, length/time and 1/time; the forward speed, the first, is
-          not 0; the pitch rate of a wheel that rolls forward is negative.
+          not 0 but on a roller; the pitch rate of a wheel that rolls forward is negative.
         """
         velocity, velocity_at = vector(velocity, 6)
         self._call("set_velocity", velocity_at)
