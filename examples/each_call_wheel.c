@@ -103,7 +103,8 @@ static void wheels(rollcon_context* context) {
   double w[9];
   char text[64];
   int32_t status;
-  int64_t outside;
+  int64_t outside, numbers;
+  double* past;
   rollcon_body *tread = steel(context, "s1002"), *rail = steel(context, "60e1");
   rollcon_wheelrail *left = wheel_on_rail(context, tread, rail, ROLLCON_LEFT), *copy;
   rollcon_wheelrail* right = wheel_on_rail(context, tread, rail, ROLLCON_RIGHT);
@@ -181,6 +182,19 @@ static void wheels(rollcon_context* context) {
   must(rollcon_wheelrail_get_patch_stat(right, 0, "longitudinal_creepage", &total));
   printf("on a roller: creepage %.4f\n", total);
   must(rollcon_wheelrail_set_roller(right, 0, 0));
+  must(rollcon_wheelrail_set_step(right, ROLLCON_ROLLING_STEP, 5e-5)); /* in time, 1.5 mm each */
+  must(rollcon_wheelrail_solve(right));
+  must(rollcon_wheelrail_solve(right));
+  must(rollcon_wheelrail_repeat_step(right));
+  must(rollcon_wheelrail_past_get(right, 0, NULL, &numbers));
+  past = malloc((size_t)numbers * sizeof *past);
+  must(rollcon_wheelrail_past_get(right, numbers, past, &numbers));
+  must(rollcon_wheelrail_past_set(right, numbers, past)); /* continues this run, or another one */
+  free(past);
+  must(rollcon_wheelrail_solve(right));
+  must(rollcon_wheelrail_get_stat(right, "steps", &total));
+  printf("after %.0f steps in time\n", total);
+  must(rollcon_wheelrail_set_step(right, ROLLCON_STEADY, 0));
   must(rollcon_wheelrail_set_track(right, 1435, 14, atan(1.0 / 40)));
   must(rollcon_wheelrail_set_friction(right, "by_angle", 4, by_angle));                   /* a lubricated gauge face */
   must(rollcon_wheelrail_set_law_by_angle(right, "exponential", 2, 8, falling_by_angle)); /* friction that falls */

@@ -1696,6 +1696,45 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_set_roller
 
+    function rollcon_wheelrail_set_step(wheelrail, kind, dt) &
+        result(rc) bind(C, name="rollcon_wheelrail_set_step")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int32_t), value :: kind
+      real(c_double), value :: dt
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_set_step
+
+    function rollcon_wheelrail_repeat_step(wheelrail) &
+        result(rc) bind(C, name="rollcon_wheelrail_repeat_step")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_repeat_step
+
+    function rollcon_wheelrail_past_get(wheelrail, capacity, past, n_values) &
+        result(rc) bind(C, name="rollcon_wheelrail_past_get")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int64_t), value :: capacity
+      real(c_double), intent(out) :: past(*)
+      integer(c_int64_t), intent(inout) :: n_values
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_past_get
+
+    function rollcon_wheelrail_past_set(wheelrail, n, past) &
+        result(rc) bind(C, name="rollcon_wheelrail_past_set")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: past(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_past_set
+
     function rollcon_wheelrail_set_tape_circle(wheelrail, y) &
         result(rc) bind(C, name="rollcon_wheelrail_set_tape_circle")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr

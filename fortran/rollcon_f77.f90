@@ -1494,6 +1494,44 @@ subroutine rcwrol(iwr, radius, rate, ierr)
   ierr = rollcon_wheelrail_set_roller(wheelrail_of(iwr), radius, rate)
 end subroutine
 
+!> Makes every solve from now on a step in time of length dt.
+subroutine rcwtim(iwr, kind, dt, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, kind, ierr
+  double precision :: dt
+  ierr = rollcon_wheelrail_set_step(wheelrail_of(iwr), narrow(kind), dt)
+end subroutine
+
+!> Lets the next solve start from where the last step did, as if that had not been.
+subroutine rcwrep(iwr, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ierr
+  ierr = rollcon_wheelrail_repeat_step(wheelrail_of(iwr))
+end subroutine
+
+!> Returns what the next step in time starts from, as numbers.
+subroutine rcwsps(iwr, maxn, past, nv, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, maxn, nv, ierr
+  double precision :: past(*)
+  integer(c_int64_t) :: n_values_c
+  n_values_c = 0
+  ierr = rollcon_wheelrail_past_get(wheelrail_of(iwr), int(maxn, c_int64_t), past, n_values_c)
+  nv = int(n_values_c)
+end subroutine
+
+!> Lets the next step start from what rollcon_wheelrail_past_get gave.
+subroutine rcwrps(iwr, n, past, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, n, ierr
+  double precision :: past(*)
+  ierr = rollcon_wheelrail_past_set(wheelrail_of(iwr), int(n, c_int64_t), past)
+end subroutine
+
 !> Says where on the wheel's profile the radius of rollcon_wheelrail_set_wheelset is measured, after that call, w.
 subroutine rcwtap(iwr, y, ierr)
   use rollcon_f77_support
@@ -1695,7 +1733,7 @@ subroutine rcwcpy(iwr, icopy, ierr)
   if (ierr == ROLLCON_OK) icopy = rollcon_id_of(p)
 end subroutine
 
-!> Forgets the solution and the warm starts.
+!> Forgets the solution, the warm starts and what was before a step in time (bodies are at rest).
 subroutine rcwrst(iwr, ierr)
   use rollcon_f77_support
   implicit none

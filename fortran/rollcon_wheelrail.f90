@@ -15,6 +15,7 @@ module rollcon_wheelrail
     procedure :: set_table
     procedure :: get_contact
     procedure :: copy
+    procedure :: past_get
     procedure :: solve_many
     procedure :: find_wear
     procedure :: find_contact_points
@@ -53,6 +54,24 @@ contains
       call rollcon_contact_release(p)
     end if
     call finish(status, self%handle(), 'rc_wheelrail%get_contact', stat, errmsg)
+  end subroutine
+
+  !> Returns what the next step in time starts from, for past_set: of another run, or of another such wheel.
+  subroutine past_get(self, past, stat, errmsg)
+    class(rc_wheelrail), intent(in) :: self
+    real(rc_real), allocatable, intent(out) :: past(:)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    real(rc_real) :: none(1)
+    integer(rc_long) :: n
+    integer(rc_int) :: status
+    n = 0
+    status = rollcon_wheelrail_past_get(self%handle(), 0_rc_long, none, n)
+    if (status == ROLLCON_ERR_CAPACITY) status = ROLLCON_OK
+    if (status < 0) n = 0
+    allocate (past(n))
+    if (status == ROLLCON_OK) status = rollcon_wheelrail_past_get(self%handle(), n, past, n)
+    call finish(status, self%handle(), 'rc_wheelrail%past_get', stat, errmsg)
   end subroutine
 
   !> Makes another wheel on its rail with the same bodies, inputs and last solution.

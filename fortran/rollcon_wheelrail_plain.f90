@@ -24,6 +24,9 @@ module rollcon_wheelrail_plain
     procedure :: set_wheelset => wheelrail_set_wheelset
     procedure :: place_rail => wheelrail_place_rail
     procedure :: set_roller => wheelrail_set_roller
+    procedure :: set_step => wheelrail_set_step
+    procedure :: repeat_step => wheelrail_repeat_step
+    procedure :: past_set => wheelrail_past_set
     procedure :: set_tape_circle => wheelrail_set_tape_circle
     procedure :: set_flexibility => wheelrail_set_flexibility
     procedure :: set_rail_springs => wheelrail_set_rail_springs
@@ -257,6 +260,41 @@ contains
     call finish(rollcon_wheelrail_set_roller(self%p, radius, rate), self%p, 'rc_wheelrail%set_roller', stat, errmsg)
   end subroutine
 
+  !> Makes every solve from now on a step in time of length dt; ROLLCON_STEADY makes it a steady state again.
+  !> ROLLCON_ROLLING_STEP: the wheel rolls on as its velocity says. ROLLCON_SHIFT_STEP: nothing rolls, velocities times
+  !> dt are shifts, and the forward speed may be 0. Patches carry their tractions from step to step and hand them on by
+  !> place where they move, part or merge. The first step starts from the steady state solved last, or from rest where
+  !> there is none (rollcon_wheelrail_reset); a step that fails leaves the one before. Steps do not take sections,
+  !> tables, conformal contacts (ROLLCON_ERR_UNSUPPORTED from the solve) and lists of positions.
+  subroutine wheelrail_set_step(self, kind, dt, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    integer(rc_int), intent(in) :: kind
+    real(rc_real), intent(in) :: dt
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_wheelrail_set_step(self%p, kind, dt), self%p, 'rc_wheelrail%set_step', stat, errmsg)
+  end subroutine
+
+  !> Lets the next solve start from where the last step did, as if that had not been. It works once after each step.
+  subroutine wheelrail_repeat_step(self, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_wheelrail_repeat_step(self%p), self%p, 'rc_wheelrail%repeat_step', stat, errmsg)
+  end subroutine
+
+  !> Lets the next step start from what rollcon_wheelrail_past_get gave. Track and wheelset must be set. Numbers of the
+  !> other side or of other elastic constants, or that were changed, are refused and do not change the past; results of
+  !> the last solve are gone.
+  subroutine wheelrail_past_set(self, past, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    real(rc_real), intent(in), contiguous :: past(:)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_wheelrail_past_set(self%p, size(past, 1, rc_long), past), self%p, 'rc_wheelrail%past_set', &
+      stat, errmsg)
+  end subroutine
+
   !> Says where on the wheel's profile the radius of rollcon_wheelrail_set_wheelset is measured, after that call, which
   !> takes it where the profile has z = 0.
   subroutine wheelrail_set_tape_circle(self, y, stat, errmsg)
@@ -472,7 +510,8 @@ contains
     call finish(rollcon_wheelrail_rollback(self%p, int(place, rc_int)), self%p, 'rc_wheelrail%rollback', stat, errmsg)
   end subroutine
 
-  !> Forgets the solution and the warm starts; keeps what was set and all that was computed for the frames.
+  !> Forgets the solution, the warm starts and what was before a step in time (bodies are at rest); keeps what was set
+  !> and all that was computed for the frames.
   subroutine wheelrail_reset(self, stat, errmsg)
     class(rc_wheelrail_plain), intent(inout) :: self
     integer, intent(out), optional :: stat

@@ -2382,6 +2382,54 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_roller(
     rollcon_wheelrail *wheelrail, double radius, double rate);
 
 /*
+ * Makes every solve from now on a step in time of length dt; ROLLCON_STEADY makes it a steady
+ * state again. ROLLCON_ROLLING_STEP: the wheel rolls on as its velocity says. ROLLCON_SHIFT_STEP:
+ * nothing rolls, velocities times dt are shifts, and the forward speed may be 0. Patches carry
+ * their tractions from step to step and hand them on by place where they move, part or merge. The
+ * first step starts from the steady state solved last, or from rest where there is none
+ * (rollcon_wheelrail_reset); a step that fails leaves the one before. Steps do not take sections,
+ * tables, conformal contacts (ROLLCON_ERR_UNSUPPORTED from the solve) and lists of positions.
+ *   kind       ROLLCON_STEADY, ROLLCON_ROLLING_STEP or ROLLCON_SHIFT_STEP
+ *   dt         > 0, time; ignored if the kind is ROLLCON_STEADY
+ * Also returns: ROLLCON_ERR_NONFINITE.
+ * Source: docs/wheelrail.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_step(rollcon_wheelrail *wheelrail,
+    int32_t kind, double dt);
+
+/*
+ * Lets the next solve start from where the last step did, as if that had not been. It works once
+ * after each step.
+ * Also returns: ROLLCON_ERR_STATE.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_repeat_step(
+    rollcon_wheelrail *wheelrail);
+
+/*
+ * Returns what the next step in time starts from, as numbers: a header with a version, axes,
+ * grids and tractions of patches, a checksum. They serve another run, or another handle of such a
+ * wheel.
+ *   capacity   doubles at past; 0 only asks for the need
+ *   past       [capacity], out; NULL only with capacity 0
+ *   n_values   out, may be NULL; doubles of the past; set after ROLLCON_ERR_CAPACITY too
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_CAPACITY.
+ * Source: docs/wheelrail.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_past_get(
+    const rollcon_wheelrail *wheelrail, int64_t capacity, double *past, int64_t *n_values);
+
+/*
+ * Lets the next step start from what rollcon_wheelrail_past_get gave. Track and wheelset must be
+ * set. Numbers of the other side or of other elastic constants, or that were changed, are refused
+ * and do not change the past; results of the last solve are gone.
+ *   past       [n]; what rollcon_wheelrail_past_get gave
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MEMORY.
+ * Source: docs/wheelrail.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_past_set(rollcon_wheelrail *wheelrail,
+    int64_t n, const double *past);
+
+/*
  * Says where on the wheel's profile the radius of rollcon_wheelrail_set_wheelset is measured,
  * after that call, which takes it where the profile has z = 0.
  *   y          of the tape circle in the profile, length
@@ -2441,7 +2489,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_position(
 /*
  * Sets the velocity of the wheelset.
  *   velocity   [6]; rates of the position, length/time and 1/time; the forward speed, the first,
- *              is not 0 but on a roller; the pitch rate of a wheel that rolls forward is negative
+ *              is not 0 but on a roller or in a shift; the pitch rate of a wheel that rolls
+ *              forward is negative
  * Also returns: ROLLCON_ERR_NONFINITE.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_velocity(
@@ -2670,8 +2719,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_copy(
     const rollcon_wheelrail *wheelrail, rollcon_wheelrail **copy);
 
 /*
- * Forgets the solution and the warm starts; keeps what was set and all that was computed for the
- * frames.
+ * Forgets the solution, the warm starts and what was before a step in time (bodies are at rest);
+ * keeps what was set and all that was computed for the frames.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_reset(rollcon_wheelrail *wheelrail);
 

@@ -561,6 +561,25 @@ rollcon_status rollcon_wheelrail_set_roller(rollcon_wheelrail *wheelrail, double
   });
 }
 
+rollcon_status rollcon_wheelrail_set_step(rollcon_wheelrail *wheelrail, int32_t kind, double dt) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    self.set_step(kind, dt);
+  });
+}
+
+rollcon_status rollcon_wheelrail_repeat_step(rollcon_wheelrail *wheelrail) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    self.repeat_step();
+  });
+}
+
+rollcon_status rollcon_wheelrail_past_set(rollcon_wheelrail *wheelrail, int64_t n,
+    const double *past) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    self.past_set(n, past);
+  });
+}
+
 rollcon_status rollcon_wheelrail_set_tape_circle(rollcon_wheelrail *wheelrail, double y) {
   return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
     self.set_tape_circle(y);

@@ -94,6 +94,15 @@ rollcon_status rollcon_wheelrail_get_resultant(const rollcon_wheelrail* wheelrai
   });
 }
 
+rollcon_status rollcon_wheelrail_past_get(const rollcon_wheelrail* wheelrail, int64_t capacity, double* past,
+                                          int64_t* n_values) {
+  return with_wheelrail(__func__, wheelrail, [&](const WheelRail& w) {
+    const std::vector<double> all = w.past_numbers();
+    if (wants_copy(std::ssize(all), capacity, past, "past", n_values, "doubles"))
+      std::copy(all.begin(), all.end(), past);
+  });
+}
+
 rollcon_status rollcon_wheelrail_get_patch_axes(const rollcon_wheelrail* wheelrail, int32_t patch, double* origin,
                                                 double* axes) {
   return with_wheelrail(__func__, wheelrail, [&](const WheelRail& w) {

@@ -38,6 +38,7 @@ SurfaceMesh rectangle_mesh(const Axes& axes, ElementType type, std::int64_t nx, 
 struct RectangleCells {
   Rectangle box{};
   std::int64_t along = 0, across = 0;
+  bool operator==(const RectangleCells&) const = default;
 };
 
 /// Makes a mesh of several rectangles that do not touch, each as above, one after the other.

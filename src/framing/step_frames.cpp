@@ -120,7 +120,8 @@ Status StepFrames::solve(Solver& solver, const StepContact& given) {
   solver.scale_tangential_loads(1);
   for (int trial = 0;; ++trial) {
     const StepFrame frame = choose_step_frame(before, contact);
-    if (!frame.same || last.mesh != scene.revision.mesh || axes_ != scene.revision.axes)
+    if (frame.same ? last.mesh != scene.revision.mesh || axes_ != scene.revision.axes
+                   : !lies(solver, {frame.sides, frame.along, frame.across}))
       lay(solver, frame.sides, frame.along, frame.across);
     const Status status = solver.solve();
     if (status == Status::rim_contact && trial < most_trials) {
@@ -141,7 +142,13 @@ Status StepFrames::solve(Solver& solver, const StepContact& given) {
 void StepFrames::lay(Solver& solver, const Rectangle& sides, std::int64_t along, std::int64_t across) {
   Scene& scene = solver.scene;
   scene.set_made_frame(rectangle_mesh(scene.axes(), ElementType::quad4, along, across, sides), false, false);
+  laid_ = {sides, along, across};
+  mesh_ = scene.revision.mesh;
   axes_ = scene.revision.axes;
+}
+
+bool StepFrames::lies(const Solver& solver, const RectangleCells& cells) const {
+  return laid_ == cells && mesh_ == solver.scene.revision.mesh && axes_ == solver.scene.revision.axes;
 }
 
 }  // namespace rollcon

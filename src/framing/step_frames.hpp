@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "contact/solver.hpp"
+#include "framing/makers.hpp"
 #include "geometry/rectangle.hpp"
 
 namespace rollcon {
@@ -22,9 +23,14 @@ class StepFrames {
   Status solve(Solver& solver, const StepContact& contact);
   /// Gives the solver's scene a lattice with these sides and numbers of cells.
   void lay(Solver& solver, const Rectangle& sides, std::int64_t along, std::int64_t across);
+  /// Returns the lattice that was laid last.
+  const RectangleCells& laid() const { return laid_; }
+  /// Says whether the scene has this lattice.
+  bool lies(const Solver& solver, const RectangleCells& cells) const;
 
  private:
-  std::int64_t axes_ = -1;  ///< revision of the axes of the last lattice
+  RectangleCells laid_;
+  std::int64_t mesh_ = -1, axes_ = -1;  ///< revisions of the scene when the last lattice was laid
 };
 
 }  // namespace rollcon

@@ -18,30 +18,8 @@
 namespace rollcon {
 namespace {
 
-Vec3 in_axes(const Axes& axes, const Vec3& v) {
-  return {dot(v, axes.t1), dot(v, axes.t2), dot(v, axes.n)};
-}
-
 Vec3 from_axes(const Axes& axes, const Vec3& v) {
   return v[0] * axes.t1 + v[1] * axes.t2 + v[2] * axes.n;
-}
-
-void set_pose(Scene& scene, std::int32_t which, const Axes& axes, const Pose& pose) {
-  std::array<double, 9> rotation{};
-  for (std::size_t j = 0; j < 3; ++j) {
-    Vec3 unit{0, 0, 0};
-    unit[j] = 1;
-    const Vec3 column = in_axes(axes, pose.turn(unit));
-    for (std::size_t i = 0; i < 3; ++i) rotation[3 * i + j] = column[i];
-  }
-  const Vec3 translation = in_axes(axes, pose.translation - axes.origin);
-  scene.set_pose(which, rotation.data(), translation.data());
-}
-
-void set_velocity(Scene& scene, std::int32_t which, const Axes& axes, const Velocity& velocity) {
-  const Vec3 linear = in_axes(axes, velocity.linear), angular = in_axes(axes, velocity.angular),
-             point = in_axes(axes, velocity.point - axes.origin);
-  scene.set_velocity(which, linear.data(), angular.data(), point.data());
 }
 
 }  // namespace
@@ -61,8 +39,9 @@ PatchContact::PatchContact(PatchContact&& other) noexcept = default;
 PatchContact::~PatchContact() = default;
 
 Status PatchContact::solve(const OverlapPatch& patch, const WheelMotion& motion, const PatchFriction& friction,
-                           const Fineness& fineness, double give_way) {
+                           const Fineness& fineness, double give_way, const PatchStep& step) {
   now_.lattice = fineness.lattice;
+  now_.step = step;
   now_.solves = ++solves_;
   now_.patch = patch;
   now_.motion = motion;
@@ -85,7 +64,7 @@ Status PatchContact::solve(const OverlapPatch& patch, const WheelMotion& motion,
   now_.by_table = now_.hertzian = false;
   stand(motion);
   prescribe(give_way, friction);
-  solve_contact(fineness);
+  step.kind == StepKind::steady ? solve_contact(fineness) : solve_step();
   const Loads loads = found_loads();
   take_results(loads.force, loads.moment);
   if (!known) return now_.status;
@@ -244,6 +223,7 @@ void PatchContact::return_to(const Kept& kept) {
   now_ = kept.state;
   now_.solves = ++solves_;
   shown_ = false;
+  begun_.reset();
   if (now_.whole) {
     solve_whole(now_.normal, now_.alone);
     return;
@@ -266,7 +246,10 @@ void PatchContact::return_to(const Kept& kept) {
   }
   stand(now_.motion);
   prescribe(now_.give_way, now_.friction);
-  put_frame(contact_->scene, kept.state.lattice, kept.state.place, false);
+  if (now_.step.kind == StepKind::steady)
+    put_frame(contact_->scene, kept.state.lattice, kept.state.place, false);
+  else
+    frames_.lay(*contact_->solver, now_.cells.box, now_.cells.along, now_.cells.across);
   contact_->solver->return_to(kept.solution);
 }
 
@@ -300,65 +283,13 @@ void PatchContact::give_friction(Scene& scene) const {
   const std::size_t n = friction.points;
   std::array<double, 2 * PatchFriction::most> point{};
   const bool along = dot(now_.axes.t2, now_.patch.lateral) > 0;
-  const double middle = 0.5 * (now_.patch.low + now_.patch.high);
+  const double sign = along ? 1 : -1, middle = dot(now_.axes.origin - now_.patch.reference, sign * now_.axes.t2);
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t from = along ? i : n - 1 - i;
-    point[2 * i] = (along ? 1 : -1) * (friction.lateral[from] - middle);
+    point[2 * i] = sign * (friction.lateral[from] - middle);
     point[2 * i + 1] = friction.at[from];
   }
   scene.set_friction_across(static_cast<std::int64_t>(n), point.data());
-}
-
-// Lays the axes, which are the contact's space: they never change there, and what belongs to the frame stays.
-void PatchContact::lay_axes() {
-  now_.axes = axes_of(now_.patch);
-}
-
-Axes PatchContact::axes_of(const OverlapPatch& patch) const {
-  Axes axes;
-  axes.n = -1.0 * patch.normal;
-  axes.t1 = (now_.motion.onward > 0 ? 1.0 : -1.0) * patch.along;
-  axes.t2 = cross(axes.n, axes.t1);
-  const double x = 0.5 * (patch.back + patch.front), y = 0.5 * (patch.low + patch.high);
-  axes.origin = patch.reference + x * patch.along + y * patch.lateral;
-  return axes;
-}
-
-void PatchContact::stand(const WheelMotion& motion) {
-  now_.motion = motion;
-  lay_axes();
-  place_bodies(contact_->scene, {});
-}
-
-void PatchContact::place_bodies(Scene& scene, const std::array<Pose, 2>& place) const {
-  const WheelMotion& motion = now_.motion;
-  set_pose(scene, 1, now_.axes, composed(motion.pose, place[0]));
-  set_pose(scene, 2, now_.axes, composed({.translation = {-motion.along, 0, 0}}, place[1]));
-  set_velocity(scene, 0, now_.axes, {{motion.speed, 0, 0}, {0, 0, 0}, {0, 0, 0}});
-  set_velocity(scene, 1, now_.axes, motion.velocity);
-  set_velocity(scene, 2, now_.axes, motion.rail);
-}
-
-void PatchContact::put_frame(Scene& scene, const LatticeSize& size, const FramePlace& place, bool given) {
-  scene.options.set_int("conformal", size.conformal ? 1 : 0);
-  scene.set_made_frame(rectangle_mesh({}, ElementType::quad4, size.along, size.across,
-                                      {-place.length, place.length, -place.width, place.width}),
-                       true, given);
-}
-
-// Returns the box of the overlap about the middle of the axes.
-Rectangle PatchContact::box() const {
-  const double along = 0.5 * (now_.patch.front - now_.patch.back), across = 0.5 * (now_.patch.high - now_.patch.low);
-  return {-along, along, -across, across};
-}
-
-// Lays a lattice over the box of the overlap, as much smaller as what the surfaces give way makes the contact.
-FramePlace PatchContact::place() const {
-  const Rectangle all = box();
-  const double left = std::sqrt(std::max(1 - now_.give_way / now_.patch.overlap, 0.01));
-  // Rounding must not decide whether the last nodes are beyond the end of a profile.
-  constexpr double inside = 1 - 1e-6;
-  return {left * all.x_greatest, (now_.patch.cut ? inside : 1) * left * all.y_greatest, 0};
 }
 
 // Takes force and moment on the wheel, in and about the axes of the contact.
@@ -373,6 +304,12 @@ void PatchContact::take_creepages() {
   const Vec3 wheel = motion.velocity.at(now_.patch.reference + now_.patch.overlap * now_.axes.n),
              rail = motion.rail.at(now_.patch.reference), slip = wheel - rail;
   const Vec3 turning = motion.velocity.angular - motion.rail.angular;
+  if (now_.step.kind == StepKind::shift) {
+    const double dt = now_.step.dt;
+    now_.creepages = {dt * dot(slip, now_.patch.along), dt * dot(slip, now_.patch.lateral),
+                      -dt * dot(turning, now_.patch.normal)};
+    return;
+  }
   // Speed at which both surfaces run through the contact, on average.
   const double through = motion.speed - 0.5 * (wheel[0] + rail[0]), speed = std::abs(through);
   if (!(through * motion.onward > 0))

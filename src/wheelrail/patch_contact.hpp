@@ -8,12 +8,14 @@
 #include <vector>
 
 #include "contact/contact.hpp"
+#include "framing/step_frames.hpp"
 #include "framing/strip_frames.hpp"
 #include "geometry/velocity.hpp"
 #include "tables/force_table.hpp"
 #include "wheelrail/contact_search.hpp"
 #include "wheelrail/hertzian_patch.hpp"
 #include "wheelrail/patch_calibration.hpp"
+#include "wheelrail/patch_past.hpp"
 
 namespace rollcon {
 
@@ -58,6 +60,13 @@ struct PatchFriction {
   bool hertzian = false;
 };
 
+/// Says what step in time a patch is solved for.
+struct PatchStep {
+  StepKind kind = StepKind::steady;
+  double dt = 0, accuracy = 0;
+  std::shared_ptr<const WheelPast> past;  ///< start of the step; null where it is steady
+};
+
 /// Holds the bodies that take the place of a wheel and a rail as half-spaces, and their poses in the axes of these.
 struct WholeBodies {
   std::array<std::shared_ptr<Body>, 2> body;
@@ -75,7 +84,11 @@ class PatchContact {
   /// Solves with the overlap as approach, less what the surfaces give way under other patches. Starts warm where the
   /// patch was solved before, which does not show in the results. What a table does not have is solved in full.
   Status solve(const OverlapPatch& patch, const WheelMotion& motion, const PatchFriction& friction,
-               const Fineness& fineness, double give_way);
+               const Fineness& fineness, double give_way, const PatchStep& step = {});
+  /// Returns what the last solve, a step in time, leaves.
+  PatchPast past() const;
+  /// Returns what the last solve, a steady one, is on the regular grid of a step; solves it there.
+  PatchPast steady_past(double accuracy);
   /// Solves the contact of the whole bodies under a normal force, about where solve() found the half-spaces, on a frame
   /// that fits it. The results are this contact's then. Starts from nothing. alone: no other patch is near, and the
   /// frame may be an automatic one; else it is a lattice over the overlap.
@@ -156,6 +169,8 @@ class PatchContact {
     Axes axes;
     LatticeSize lattice;  ///< size that was asked for
     FramePlace place;
+    PatchStep step;
+    RectangleCells cells;    ///< those of a step in time
     bool on_strips = false;  ///< strips fit the patch; the contact is solved when it is asked for
     Vec3 force{}, moment{}, creepages{};
     Vec3 arm{};  ///< from the reference to the centre of the table's ellipse
@@ -171,6 +186,7 @@ class PatchContact {
   };
   void prescribe(double give_way, const PatchFriction& friction);
   Axes axes_of(const OverlapPatch& patch) const;
+  Vec3 middle() const;
   void lay_axes();
   void place_bodies(Scene& scene, const std::array<Pose, 2>& place) const;
   void give_friction(Scene& scene) const;
@@ -184,6 +200,8 @@ class PatchContact {
   Loads found_loads() const;
   void solve_contact(const Fineness& fineness);
   bool solve_on_strips(const Fineness& fineness);
+  void solve_step();
+  StepContact step_contact(double accuracy) const;
   bool solve_law_on_strips();
   bool by_law() const { return now_.on_strips && strips_->by_law(); }
   bool take_table_results(const PatchFriction& friction);
@@ -198,6 +216,8 @@ class PatchContact {
   std::array<Pose, 2> whole_place_{};
   State now_;
   std::unique_ptr<StripFrames> strips_;
+  StepFrames frames_;                                   ///< those of steps in time
+  std::shared_ptr<const WheelPast> begun_;              ///< start of the step that was tried last
   mutable bool shown_ = false;                          ///< the contact has the solution on strips at its nodes
   std::unique_ptr<std::array<StripGivens, 2>> nearby_;  ///< storage of rate()
   std::int64_t solves_ = 0;                             ///< solves so far, resets included

@@ -60,7 +60,7 @@ void WheelRail::prepare() {
                                               : nullptr;
   if (missing) fail(Status::err_state, "something is missing: call %s first", missing);
   require_friction();
-  if (onward(in_) == 0)
+  if (in_.step != StepKind::shift && onward(in_) == 0)
     fail(Status::err_argument, "%s is 0; allowed: any other",
          roller_ > 0 ? "the speed along the roller, its rate times its radius plus entry 0 of velocity,"
                      : "the forward speed, entry 0 of velocity,");
@@ -76,6 +76,7 @@ void WheelRail::prepare() {
 }
 
 void WheelRail::require_ready_for_positions() {
+  refuse_lists();
   require_dimensions();
   require_friction();
   prepare_search();
@@ -100,7 +101,8 @@ void WheelRail::prepare_search() {
   slot_.clear();
   spare_.clear();
   sink_ = 0;
-  derived_ = false;
+  derived_ = can_repeat_ = false;
+  past_.reset();
 }
 
 WheelRail::Slot& WheelRail::add_slot() {
@@ -184,7 +186,7 @@ void WheelRail::solve_patch(Slot& slot, const OverlapPatch& patch, const WheelMo
     PatchFriction friction = friction_of(patch);
     calibrate(patch, slot.give_way, friction);
     slot.contact.solve(patch, motion, friction, fineness_for(in_.options.accuracy, in_.options.conformal, on_lattices_),
-                       slot.give_way);
+                       slot.give_way, {in_.step, in_.dt, in_.options.accuracy, start_});
   } catch (const Error& e) {
     if (!in_.options.conformal || e.status() != Status::err_mesh) throw;
     fail(Status::err_mesh,
@@ -287,7 +289,7 @@ Status WheelRail::find_height_of_half_spaces() {
   on_lattices_ = false;
   Status status = in_.by_force ? meet_force() : solve_at(in_.position.z);
   // Forces may jump where strips begin to fit a patch, and no height have the one that is wanted.
-  if (in_.by_force && status == Status::not_converged) {
+  if (in_.by_force && status == Status::not_converged && in_.step == StepKind::steady) {
     on_lattices_ = true;
     status = meet_force();
   }
@@ -298,6 +300,7 @@ Status WheelRail::solve() {
   forget_cancel();
   prepare();
   for (const auto& slot : slot_) slot->contact.forget_cancel();
+  begin_step();
   solved_.reset();
   derived_ = false;
   const Inputs given = in_;
@@ -327,6 +330,7 @@ Status WheelRail::solve() {
                    status};
   in_.velocity = given.velocity;
   in_.deviation = given.deviation;
+  end_step(status);
   tell(status);
   return status;
 }
@@ -366,6 +370,8 @@ void WheelRail::reset() {
   active_.clear();
   sink_ = 0;
   solved_.reset();
+  past_.reset();
+  can_repeat_ = false;
 }
 
 void WheelRail::require_solved() const {

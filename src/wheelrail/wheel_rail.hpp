@@ -77,6 +77,17 @@ class WheelRail {
   /// Throws err_state where a table gives the forces: it has no tractions and no slip for what is `wanted`.
   void require_solved_friction(const char* wanted) const;
 
+  /// Makes every solve a step of dt (StepKind's numbers); dt counts for nothing where it is steady.
+  void set_step(std::int32_t kind, double dt);
+  /// Makes the next step start from where the last one did. err_state: that did not succeed, or there was none.
+  void repeat_step();
+  /// Returns what the next step starts from, with a header and a checksum. err_state: no step was made.
+  std::vector<double> past_numbers() const;
+  /// Restores what past_numbers() returned. err_argument: numbers of another kind or wheel, and then nothing changes.
+  void past_set(std::int64_t n, const double* past);
+  /// Throws err_unsupported where solves are steps in time.
+  void refuse_lists() const;
+
   /// Returns ok or the first of cancelled, not_converged, derailed, too_deep, rim_contact, coarse, no_contact.
   Status solve();
   /// Forgets warm starts.
@@ -173,6 +184,8 @@ class WheelRail {
     double pull = 0;                                  ///< force on the wheel along the wheelset's x
     std::array<double, 2> stiffness{}, rail_force{};  ///< springs of the rail along y and z
     double roller_rate = 0;
+    StepKind step = StepKind::steady;
+    double dt = 0;
     WheelOptions options;
     double load = 0;
     std::shared_ptr<const ForceTable> table;
@@ -212,6 +225,9 @@ class WheelRail {
   void calibrate(const OverlapPatch& patch, double give_way, PatchFriction& friction);
   PatchFriction friction_of(const OverlapPatch& patch) const;
   std::shared_ptr<const FrictionGiven> law_at(double angle) const;
+  void begin_step();
+  void end_step(Status status);
+  double mark_of_past() const;
   Status meet_force();
   Status find_height();
   Status find_height_of_half_spaces();
@@ -293,6 +309,9 @@ class WheelRail {
   bool on_lattices_ = false;  ///< patches are solved on lattices alone
   std::int64_t solves_ = 0;
   std::optional<Solved> solved_;
+  std::shared_ptr<const WheelPast> past_;   ///< start of the next step in time; null: the last solve was steady
+  std::shared_ptr<const WheelPast> start_;  ///< start of the last step
+  bool can_repeat_ = false;
   bool derived_ = false;  ///< derivative_ belongs to the last solve
   std::array<Derivative, entries> derivative_{};
   std::atomic<bool> cancel_{false};

@@ -199,7 +199,7 @@ WheelRail::Derivative WheelRail::derivative(std::int32_t i) {
   if (derived_) return derivative_[static_cast<std::size_t>(i)];
   const Inputs in = solved_inputs();
   const bool by_solves =
-      in.options.conformal || !in.friction->coulomb_alone() ||
+      in.options.conformal || in.step != StepKind::steady || !in.friction->coulomb_alone() ||
       std::any_of(active_.begin(), active_.end(), [](const Slot* slot) { return slot->contact.by_table(); });
   std::array<Totals, entries + shifts> rate{};
   const std::shared_ptr<Kept> here = by_solves ? keep_here() : nullptr;

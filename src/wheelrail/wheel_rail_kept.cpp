@@ -21,6 +21,8 @@ struct WheelRail::Kept {
   std::size_t slots = 0;
   std::vector<std::size_t> active;
   double z = 0, sink = 0;
+  std::shared_ptr<const WheelPast> past, start;
+  bool can_repeat = false;
   std::int64_t solves = 0;
   std::optional<Solved> solved;
 };
@@ -44,6 +46,9 @@ void WheelRail::keep(Kept& kept) const {
     }
   kept.z = z_;
   kept.sink = sink_;
+  kept.past = past_;
+  kept.start = start_;
+  kept.can_repeat = can_repeat_;
   kept.solves = solves_;
   kept.solved = solved_;
 }
@@ -74,6 +79,9 @@ void WheelRail::return_to(const Kept& kept) {
   for (const std::size_t i : kept.active) active_.push_back(slot_[i].get());
   z_ = kept.z;
   sink_ = kept.sink;
+  past_ = kept.past;
+  start_ = kept.start;
+  can_repeat_ = kept.can_repeat;
   solves_ = kept.solves;
   solved_ = kept.solved;
 }

@@ -580,7 +580,7 @@ contains
 
   subroutine wheelsets()
     real(rc_real), allocatable :: points(:, :), conicity(:), wavelength(:), totals(:, :)
-    real(rc_real), allocatable :: depth(:), rail_depth(:)
+    real(rc_real), allocatable :: depth(:), rail_depth(:), past(:)
     real(rc_real) :: volumes(2)
     integer(rc_int), allocatable :: states(:)
     type(rc_wheelrail) :: other
@@ -614,6 +614,8 @@ contains
     call told('wheelrail_copy', 'wheelrail1 room', stat)
     call told('wheelrail_retain', 'wheelrail2', stat)
     call told('wheelrail_release', 'wheelrail2', stat)
+    call wheelrail%past_get(past, stat)
+    call told('wheelrail_past_get', 'wheelrail1 6 room room', stat)
     call answers(ROLLCON_ERR_STATE)
     call wheelrail%copy(other, stat, message)
     call failed('wheelrail_copy', stat, message)

@@ -370,6 +370,8 @@ class Mapping(MappingCase):
         self.told("wheelrail_copy", "wheelrail1 room")
         self.assertEqual(other.id, wheelrail.id + 1)
         other.close()
+        past = wheelrail.past_get()
+        self.told("wheelrail_past_get", f"wheelrail1 {past.size} room room")
         self.fails(wheelrail.copy)
         self.fails(wheelrail.solve_many, positions, velocities)
         self.fails(rc.contact_points, wheelrail, wheelrail, [1.5])

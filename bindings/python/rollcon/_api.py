@@ -426,6 +426,12 @@ FUNCTIONS = {
     "rollcon_wheelrail_set_wheelset": (c_int32, [c_void_p, c_double, c_double, c_double]),
     "rollcon_wheelrail_place_rail": (c_int32, [c_void_p, c_double, c_double, c_double]),
     "rollcon_wheelrail_set_roller": (c_int32, [c_void_p, c_double, c_double]),
+    "rollcon_wheelrail_set_step": (c_int32, [c_void_p, c_int32, c_double]),
+    "rollcon_wheelrail_repeat_step": (c_int32, [c_void_p]),
+    "rollcon_wheelrail_past_get": (c_int32, [
+        c_void_p, c_int64,
+        POINTER(c_double), POINTER(c_int64)]),
+    "rollcon_wheelrail_past_set": (c_int32, [c_void_p, c_int64, POINTER(c_double)]),
     "rollcon_wheelrail_set_tape_circle": (c_int32, [c_void_p, c_double]),
     "rollcon_wheelrail_set_flexibility": (c_int32, [
         c_void_p, POINTER(c_double),
@@ -860,6 +866,12 @@ ARGUMENTS = {
     ],
     "rollcon_wheelrail_place_rail": [("wheelrail", ""), ("y", ""), ("z", ""), ("cant", "")],
     "rollcon_wheelrail_set_roller": [("wheelrail", ""), ("radius", ""), ("rate", "")],
+    "rollcon_wheelrail_set_step": [("wheelrail", ""), ("kind", "step"), ("dt", "")],
+    "rollcon_wheelrail_repeat_step": [("wheelrail", "")],
+    "rollcon_wheelrail_past_get": [
+        ("wheelrail", ""), ("capacity", ""), ("past", ""), ("n_values", "")
+    ],
+    "rollcon_wheelrail_past_set": [("wheelrail", ""), ("n", ""), ("past", "")],
     "rollcon_wheelrail_set_tape_circle": [("wheelrail", ""), ("y", "")],
     "rollcon_wheelrail_set_flexibility": [("wheelrail", ""), ("displacement", ""), ("rate", "")],
     "rollcon_wheelrail_set_rail_springs": [("wheelrail", ""), ("stiffness", ""), ("force", "")],

@@ -1029,6 +1029,36 @@ class WheelrailPlain:
         """
         self._call("set_roller", radius, rate)
 
+    def set_step(self, kind: int | str, dt: float = 0.0) -> None:
+        """Makes every solve from now on a step in time of length dt; STEADY makes it a steady
+        state again. ROLLING_STEP: the wheel rolls on as its velocity says. SHIFT_STEP: nothing
+        rolls, velocities times dt are shifts, and the forward speed may be 0. Patches carry their
+        tractions from step to step and hand them on by place where they move, part or merge. The
+        first step starts from the steady state solved last, or from rest where there is none
+        (reset()); a step that fails leaves the one before. Steps do not take sections, tables,
+        conformal contacts (ERR_UNSUPPORTED from the solve) and lists of positions.
+
+        kind: STEADY, ROLLING_STEP or SHIFT_STEP.
+        dt: > 0, time; ignored if the kind is STEADY.
+        """
+        self._call("set_step", kind, dt)
+
+    def repeat_step(self) -> None:
+        """Lets the next solve start from where the last step did, as if that had not been. It
+        works once after each step.
+        """
+        self._call("repeat_step")
+
+    def past_set(self, past: ArrayLike) -> None:
+        """Lets the next step start from what past_get() gave. Track and wheelset must be set.
+        Numbers of the other side or of other elastic constants, or that were changed, are refused
+        and do not change the past; results of the last solve are gone.
+
+        past: what rollcon_wheelrail_past_get gave.
+        """
+        past, past_at = reals(past)
+        self._call("past_set", len(past), past_at)
+
     def set_tape_circle(self, y: float) -> None:
         """Says where on the wheel's profile the radius of set_wheelset() is measured, after that
         call, which takes it where the profile has z = 0.
@@ -1089,7 +1119,8 @@ class WheelrailPlain:
         """Sets the velocity of the wheelset.
 
         velocity: rates of the position, length/time and 1/time; the forward speed, the first, is
-          not 0 but on a roller; the pitch rate of a wheel that rolls forward is negative.
+          not 0 but on a roller or in a shift; the pitch rate of a wheel that rolls forward is
+          negative.
         """
         velocity, velocity_at = vector(velocity, 6)
         self._call("set_velocity", velocity_at)
@@ -1196,8 +1227,8 @@ class WheelrailPlain:
         self._call("rollback", place)
 
     def reset(self) -> None:
-        """Forgets the solution and the warm starts; keeps what was set and all that was computed
-        for the frames.
+        """Forgets the solution, the warm starts and what was before a step in time (bodies are at
+        rest); keeps what was set and all that was computed for the frames.
         """
         self._call("reset")
 

@@ -184,6 +184,14 @@ class WheelRail(Settings, WheelrailPlain, Handle):
                            status_at)
         return Wear(worst, status, wheel, rail, volumes)
 
+    def past_get(self) -> np.ndarray:
+        """Returns what the next step in time starts from, [n], for past_set of this or another wheel."""
+        need = c_int64()
+        self._call("past_get", 0, None, byref(need))
+        past, address = room(need.value)
+        self._call("past_get", past.size, address, byref(need))
+        return past
+
     def contact(self, patch: int) -> Contact:
         """Returns the Contact of a patch, to be read: body 1 is the wheel, and the next solve changes it."""
         made = ctypes.c_void_p()

@@ -1,0 +1,43 @@
+#pragma once
+/// Holds what a wheel and its rail remember between steps in time: the tractions of patches at the end of a step, and
+/// where these were. It is a value; patches that move, split or merge find theirs in it by place.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "contact/problem/past.hpp"
+#include "framing/makers.hpp"
+#include "mesh/frame.hpp"
+
+namespace rollcon {
+
+/// Holds one patch, on a regular grid along its axes; these are in the rail, with x from the wheelset.
+struct PatchPast {
+  Axes axes;
+  double weight = 1;  ///< share of the patch in sums
+  double depth = 0;   ///< overlap along the normal, less what other patches make the surfaces give way
+  RectangleCells cells;
+  std::array<std::vector<double>, 3> traction;
+
+  std::int64_t nodes() const { return (cells.along + 1) * (cells.across + 1); }
+};
+
+/// Holds all patches; none: the bodies are at rest.
+struct WheelPast {
+  double time = 0;
+  std::int64_t steps = 0;
+  double sink = 0;  ///< way beyond first touch under a given force
+  std::vector<PatchPast> patch;
+};
+
+/// Returns the point of a new patch's plane where its axes have the coordinates of the past patch that counts most in
+/// the box, which is in the axes as they are given; without one their origin.
+Vec3 origin_from(const WheelPast& past, const Axes& axes, const Rectangle& box);
+/// Gives a step's start the tractions that patches of the past left within the box, in the axes of the new patch, and
+/// returns the grid on which they are. overlap: that of the new patch; what it is more than before is an approach.
+RectangleCells start_from(const WheelPast& past, const Axes& axes, const Rectangle& box, double overlap,
+                          PastStep& start);
+
+}  // namespace rollcon
