@@ -1026,7 +1026,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_profile_shape(rollcon_b
  *   body           a half-space or rigid, without a mesh (else ROLLCON_ERR_STATE)
  *   path           name of the file
  *   unit           factor on its numbers: length of a millimetre, > 0
- *   mirror         0: no; 1: in y, 2: in z, 3: in both
+ *   mirror         0: no; 1: in y, 2: in z, 3: in both; 4: in z where the shape says that it
+ *                  counts upwards, 5: that, and in y
  *   filter_length  that of rollcon_body_set_profile, length
  * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_IO, ROLLCON_ERR_MEMORY.
  * Source: docs/profiles.md.

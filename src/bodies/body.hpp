@@ -99,7 +99,8 @@ class Body {
   void set_profile(std::int64_t n, const double* points, double filter_length);
   /// Takes a profile of a named shape, see profile_of_shape.
   void set_profile_shape(const char* shape, std::int64_t n, const double* parameters);
-  /// Reads a file, see profile_file.hpp, whose numbers count in `unit`; mirror: 1 y, 2 z, 3 both. err_io, err_argument.
+  /// Reads a file, see profile_file.hpp, whose numbers count in `unit`; mirror: 1 y, 2 z, 3 both, 4 z where
+  /// the shape says so, 5 y, too. err_io, err_argument.
   void read_profile(const char* path, double unit, std::int32_t mirror, double filter_length);
   /// Reads a list of slices, see slice_file.hpp, whose profiles' numbers count in `unit`; replaces the profile and all
   /// slices.

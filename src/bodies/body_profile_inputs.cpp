@@ -91,13 +91,29 @@ struct ReadProfile {
   bool reversed;  ///< the file's last point is that of least y
 };
 
+constexpr std::int32_t mirror_y = 1, mirror_z = 2, mirror_z_by_shape = 4;
+
+/// Says whether z of a wheel or rail counts upwards: what is farthest from most of its points, a flange or the sides of
+/// a rail's head, is then at lesser z.
+bool counts_upwards(const std::vector<Vec2>& point) {
+  std::vector<double> z;
+  for (const Vec2& x : point) z.push_back(x[1]);
+  const auto [least, greatest] = std::minmax_element(z.begin(), z.end());
+  const double low = *least, high = *greatest;
+  const auto middle = z.begin() + static_cast<std::ptrdiff_t>(z.size() / 2);
+  std::nth_element(z.begin(), middle, z.end());
+  return *middle - low > high - *middle;
+}
+
 ReadProfile profile_in(const std::string& path, double unit, std::int32_t mirror, double filter_length) {
   ProfileFile file = read_profile_file(path);
-  const std::array<double, 2> factor{mirror & 1 ? -unit : unit, mirror & 2 ? -unit : unit};
+  const bool upwards = (mirror & mirror_z_by_shape) != 0 && counts_upwards(file.point);
+  const std::array<double, 2> factor{mirror & mirror_y ? -unit : unit, upwards || (mirror & mirror_z) ? -unit : unit};
   const double span = std::abs(file.point.back()[0] - file.point.front()[0]);
   for (Vec2& x : file.point)
     for (std::size_t c = 0; c < 2; ++c) x[c] *= factor[c];
   std::string told = file.told.empty() ? "" : path + (": " + file.told) + "; ";
+  if (upwards) told += path + ": z counts upwards there, and is turned over; ";
   if (unit == 1 && span < 1)
     told += path + (": the profile spans " + std::to_string(span)) +
             ", taken as it is: of a file in metres 1000 as unit makes millimetres; ";
@@ -107,10 +123,13 @@ ReadProfile profile_in(const std::string& path, double unit, std::int32_t mirror
   return {std::move(curve), std::move(told), reversed};
 }
 
-void require_file(const char* path, double unit, std::int32_t mirror, double filter_length) {
+void require_file(const char* path, double unit, std::int32_t mirror, double filter_length, bool by_shape) {
   require_pointer(path, "path");
   require_unit(unit);
-  if (mirror < 0 || mirror > 3) fail(Status::err_argument, "mirror is %d; allowed: 0, 1 (y), 2 (z), 3 (both)", mirror);
+  const std::int32_t most = by_shape ? mirror_z_by_shape + mirror_y : mirror_y + mirror_z;
+  if (mirror < 0 || mirror > most)
+    fail(Status::err_argument, "mirror is %d; allowed: 0, 1 (y), 2 (z), 3 (both)%s", mirror,
+         by_shape ? ", 4 (z where the shape says so), 5 (that and y)" : "");
   require_finite(filter_length, "filter_length");
 }
 
@@ -121,14 +140,14 @@ void Body::tell_of_profile(const std::string& told) const {
 }
 
 void Body::read_profile(const char* path, double unit, std::int32_t mirror, double filter_length) {
-  require_file(path, unit, mirror, filter_length);
+  require_file(path, unit, mirror, filter_length, true);
   ReadProfile read = profile_in(path, unit, mirror, filter_length);
   replace_profile(std::move(read.curve));
   tell_of_profile(read.told);
 }
 
 void Body::read_slices(const char* path, double millimetre, double unit, std::int32_t mirror, double filter_length) {
-  require_file(path, unit, mirror, filter_length);
+  require_file(path, unit, mirror, filter_length, false);
   require_finite(millimetre, "millimetre");
   if (!(millimetre > 0)) fail(Status::err_argument, "millimetre is %g; allowed: > 0", millimetre);
   const SliceFile file = read_slice_file(path);

@@ -230,6 +230,27 @@ TEST_F(profile, points_shapes_and_saved_bodies_agree) {
   rollcon_contact_release(c);
 }
 
+// Wheels and rails are read with z downwards, however their files count.
+TEST_F(profile, z_may_be_turned_over_by_its_shape) {
+  const double unit = 1;
+  for (const char* shape : {"s1002", "60e1"}) {
+    ASSERT_OK(rollcon_body_set_profile_shape(upper, shape, 1, &unit));
+    const std::string path = ::testing::TempDir() + shape + ".txt";
+    ASSERT_OK(rollcon_body_write_profile(upper, path.c_str(), 1));
+    double due[2], x[2], tangent[2], curvature = 0;
+    ASSERT_OK(rollcon_body_get_profile_point(upper, 5, due, tangent, &curvature));
+    for (const int upwards : {0, 1}) {
+      ASSERT_OK(rollcon_body_read_profile(lower, path.c_str(), 1, 4, 0));
+      ASSERT_OK(rollcon_body_get_profile_point(lower, 5, x, tangent, &curvature));
+      rollcon::expect_error(std::string(shape) + (upwards ? " upwards" : " downwards"),
+                            std::hypot(x[0] - due[0], x[1] - due[1]), 1e-9);
+      ASSERT_OK(rollcon_body_read_profile(lower, path.c_str(), 1, 2, 0));
+      ASSERT_OK(rollcon_body_write_profile(lower, path.c_str(), 1));
+    }
+    std::remove(path.c_str());
+  }
+}
+
 // The profile is written and read again, in either format, in metres, mirrored twice.
 TEST_F(profile, files_round_trip) {
   const double metre = 1e-3, circle[2] = {0.3, 0.02};
@@ -263,7 +284,7 @@ TEST_F(profile, files_round_trip) {
   EXPECT_FAILS(rollcon_body_read_profile(lower, path.c_str(), 1, 0, 0), IO, path, "no such file");
   EXPECT_FAILS(rollcon_body_read_profile(lower, nullptr, 1, 0, 0), ARGUMENT, "path is NULL");
   EXPECT_FAILS(rollcon_body_read_profile(lower, path.c_str(), 0, 0, 0), ARGUMENT, "unit is 0");
-  EXPECT_FAILS(rollcon_body_read_profile(lower, path.c_str(), 1, 4, 0), ARGUMENT, "mirror is 4");
+  EXPECT_FAILS(rollcon_body_read_profile(lower, path.c_str(), 1, 6, 0), ARGUMENT, "mirror is 6", "4 (z where");
   EXPECT_FAILS(rollcon_body_write_profile(upper, "/nowhere/at/all.txt", 1), IO, "/nowhere/at/all.txt");
   rollcon_body* bare = nullptr;
   ASSERT_OK(rollcon_body_create(context, ROLLCON_BODY_RIGID, &bare));

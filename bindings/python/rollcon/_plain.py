@@ -361,7 +361,8 @@ class BodyPlain:
 
         path: name of the file.
         unit: factor on its numbers: length of a millimetre, > 0.
-        mirror: 0: no; 1: in y, 2: in z, 3: in both.
+        mirror: 0: no; 1: in y, 2: in z, 3: in both; 4: in z where the shape says that it counts
+          upwards, 5: that, and in y.
         filter_length: that of rollcon_body_set_profile, length.
         """
         self._call("read_profile", c_path(path), unit, mirror, filter_length)
