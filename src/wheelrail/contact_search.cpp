@@ -75,11 +75,11 @@ std::optional<TouchPoint> ContactSearch::touch(const Pose& wheel, double along) 
                     side_ * p.y, shape_.radius + p.z};
 }
 
-void ContactSearch::find(const Pose& wheel, std::vector<OverlapPatch>& patch, bool planar, double along) {
+void ContactSearch::find(const Pose& wheel, std::vector<OverlapPatch>& patch, const MergeRule& rule, double along) {
   with_gap(wheel, along, [&](const ProfileGap& gap) {
     find_overlaps(gap, overlap_);
     for (Overlap& o : overlap_) measure(gap, o);
-    gather(gap, overlap_, planar, side_, shape_.radius, patch);
+    gather(gap, overlap_, rule, side_, shape_.radius, patch);
   });
 }
 

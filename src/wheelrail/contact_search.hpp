@@ -51,9 +51,9 @@ class ContactSearch {
   double first_touch(const Pose& wheel, double along = 0) const;
   /// Returns the point that touches, the first by y of several or of a line; nullopt where none is above the rail.
   std::optional<TouchPoint> touch(const Pose& wheel, double along = 0) const;
-  /// Finds patches in the order of y, overwriting `patch`; planar: each has one normal. Once it has seen as many
+  /// Finds patches in the order of y, overwriting `patch`. Once it has seen as many
   /// patches it allocates nothing.
-  void find(const Pose& wheel, std::vector<OverlapPatch>& patch, bool planar = true, double along = 0);
+  void find(const Pose& wheel, std::vector<OverlapPatch>& patch, const MergeRule& rule = {}, double along = 0);
   /// Returns how the wheel's profile varies; null: it does not.
   const ProfileSlices* wheel_slices() const { return shape_.slices.get(); }
   /// Returns the inclination of the rail at y (where it ends: there): atan dz/dy.

@@ -21,10 +21,12 @@ double smooth_step(double value, double from, double to) {
 /// contact, and by the angle between their normals, which have to be one in a planar patch. The bulge of a half-space
 /// around a contact of radius c lessens the approach of an equal one that it nearly touches, 2 c from centre to centre,
 /// by a quarter, at 4 c (radii apart) by an eighth, at 10 c by 4 percent.
-double joined(const ProfileGap& gap, const Overlap& a, const Overlap& b, bool planar) {
-  constexpr double together = 0.3, apart = 1, same_plane = 0.35, other_plane = 0.55;
+double joined(const ProfileGap& gap, const Overlap& a, const Overlap& b, const MergeRule& rule) {
+  constexpr double part_together = 0.3, part_same = 0.35 / 0.55;
+  const double apart = rule.distance, together = part_together * apart;
+  const double other_plane = rule.angle, same_plane = part_same * other_plane;
   const double turned = std::abs(std::atan(a.deepest.rail_slope) - std::atan(b.deepest.rail_slope));
-  const double one_plane = planar ? smooth_step(-turned, -other_plane, -same_plane) : 1;
+  const double one_plane = rule.planar ? smooth_step(-turned, -other_plane, -same_plane) : 1;
   if (b.grown) {
     // Patches that are hardly divided are one, whatever their planes.
     constexpr double divided = 0.3;
@@ -260,15 +262,15 @@ void measure(const ProfileGap& gap, Overlap& o) {
   o.size = std::sqrt(along * std::hypot(across[1], across[2]) / 4);
 }
 
-void gather(const ProfileGap& gap, const std::vector<Overlap>& overlap, bool planar, double side, double radius,
-            std::vector<OverlapPatch>& patch) {
+void gather(const ProfileGap& gap, const std::vector<Overlap>& overlap, const MergeRule& rule, double side,
+            double radius, std::vector<OverlapPatch>& patch) {
   patch.clear();
   const std::size_t n = overlap.size();
   for (std::size_t i = 0; i < n; ++i) {
-    const double before = i > 0 ? joined(gap, overlap[i - 1], overlap[i], planar) : 0;
+    const double before = i > 0 ? joined(gap, overlap[i - 1], overlap[i], rule) : 0;
     double inner = 1;
     for (std::size_t j = i; j < n && inner > before; ++j) {
-      const double after = j + 1 < n ? joined(gap, overlap[j], overlap[j + 1], planar) : 0;
+      const double after = j + 1 < n ? joined(gap, overlap[j], overlap[j + 1], rule) : 0;
       const double share = inner - std::max(before, after);
       if (share > 0) {
         patch.push_back(patch_of(gap, &overlap[i], &overlap[j], side, radius));

@@ -59,9 +59,16 @@ struct Overlap {
 
 void measure(const ProfileGap& gap, Overlap& overlap);
 
-/// Joins overlaps, in the order of s, to patches. planar: normals that differ set them apart. side: -1 where the
+/// Says when neighbouring overlaps are one patch.
+struct MergeRule {
+  bool planar = true;   ///< normals that differ set them apart
+  double distance = 1;  ///< from which they are apart, over the sum of their radii of contact
+  double angle = 0.55;  ///< between their normals, from which they are apart, radian
+};
+
+/// Joins overlaps, in the order of s, to patches. side: -1 where the
 /// profile's y points to the left; radius: that of the wheel at z = 0.
-void gather(const ProfileGap& gap, const std::vector<Overlap>& overlap, bool planar, double side, double radius,
-            std::vector<OverlapPatch>& patch);
+void gather(const ProfileGap& gap, const std::vector<Overlap>& overlap, const MergeRule& rule, double side,
+            double radius, std::vector<OverlapPatch>& patch);
 
 }  // namespace rollcon

@@ -39,9 +39,10 @@ struct Fineness {
 struct WheelMotion {
   Pose pose;
   Velocity velocity, rail;
-  double speed = 0;   ///< forward speed of the contact
-  double onward = 0;  ///< speed at which the contact moves on over the rail's material; not 0
-  double along = 0;   ///< place of a rail that varies, or distance from a roller's axis, where x is 0
+  double speed = 0;           ///< forward speed of the contact
+  double onward = 0;          ///< speed at which the contact moves on over the rail's material; not 0
+  bool by_creepages = false;  ///< slip is that of the creepages at the reference of each patch
+  double along = 0;           ///< place of a rail that varies, or distance from a roller's axis, where x is 0
 };
 
 /// Holds the friction of a patch: a law with one greatest coefficient, or those at points across it, linear between.
@@ -170,7 +171,7 @@ class PatchContact {
     LatticeSize lattice;  ///< size that was asked for
     FramePlace place;
     PatchStep step;
-    RectangleCells cells;    ///< those of a step in time
+    RectangleCells cells;    ///< grid of a step in time
     bool on_strips = false;  ///< strips fit the patch; the contact is solved when it is asked for
     Vec3 force{}, moment{}, creepages{};
     Vec3 arm{};  ///< from the reference to the centre of the table's ellipse
@@ -192,6 +193,7 @@ class PatchContact {
   void give_friction(Scene& scene) const;
   Contact& solved() const { return now_.whole ? *whole_ : *contact_; }
   void stand(const WheelMotion& motion);
+  Velocity flat_velocity() const;
   bool take_hertzian_results(const PatchFriction& friction, double give_way);
   static void put_frame(Scene& scene, const LatticeSize& size, const FramePlace& place, bool given);
   FramePlace place() const;
@@ -216,7 +218,7 @@ class PatchContact {
   std::array<Pose, 2> whole_place_{};
   State now_;
   std::unique_ptr<StripFrames> strips_;
-  StepFrames frames_;                                   ///< those of steps in time
+  StepFrames frames_;                                   ///< makes grids of steps in time
   std::shared_ptr<const WheelPast> begun_;              ///< start of the step that was tried last
   mutable bool shown_ = false;                          ///< the contact has the solution on strips at its nodes
   std::unique_ptr<std::array<StripGivens, 2>> nearby_;  ///< storage of rate()

@@ -68,8 +68,17 @@ void PatchContact::place_bodies(Scene& scene, const std::array<Pose, 2>& place) 
   set_pose(scene, 1, now_.axes, composed(motion.pose, place[0]));
   set_pose(scene, 2, now_.axes, composed({.translation = {-motion.along, 0, 0}}, place[1]));
   set_velocity(scene, 0, now_.axes, {{motion.speed, 0, 0}, {0, 0, 0}, {0, 0, 0}});
-  set_velocity(scene, 1, now_.axes, motion.velocity);
+  set_velocity(scene, 1, now_.axes, motion.by_creepages ? flat_velocity() : motion.velocity);
   set_velocity(scene, 2, now_.axes, motion.rail);
+}
+
+// Returns the wheel's velocity with the rail's turning but for that about the normal: relative to the rail it is that
+// of the creepages at the reference, everywhere.
+Velocity PatchContact::flat_velocity() const {
+  const Velocity &wheel = now_.motion.velocity, &rail = now_.motion.rail;
+  const Vec3 &reference = now_.patch.reference, &n = now_.axes.n;
+  const Vec3 surface = wheel.at(reference + now_.patch.overlap * n);
+  return {surface, rail.angular + dot(wheel.angular - rail.angular, n) * n, reference};
 }
 
 void PatchContact::put_frame(Scene& scene, const LatticeSize& size, const FramePlace& place, bool given) {

@@ -15,6 +15,19 @@ const SettingTable<WheelOptions>& wheel_option_table() {
       {"curvature", &WheelOptions::curvature, -1e6, 1e6,
        "Curvature of the track, above 0 where it turns to the right: the velocity of the wheelset is relative to axes "
        "that follow the track, which turn with the forward speed times this."},
+      {"slip_by_creepages", &WheelOptions::slip_by_creepages, 0, 1,
+       "1: slip is that of longitudinal and lateral creepage and spin at the reference of each patch, for comparison "
+       "with programs that know no more; 0: that of the surfaces, whose rolling radius varies over the patch."},
+      {"merge_distance", &WheelOptions::merge_distance, 1e-3, 1e3,
+       "Distance of two overlaps, over the sum of their radii of contact, from which they are two patches; from 0.3 of "
+       "it down they are one."},
+      {"merge_angle", &WheelOptions::merge_angle, 1e-3, 1.6,
+       "Angle between the normals of two overlaps, radian, from which they are two patches; up to 0.636 of it they may "
+       "be one."},
+      {"spacing_along", &WheelOptions::spacing_along, 0, 1e30,
+       "Steady patches are solved on lattices with about this spacing along the rolling direction, and on no strips; "
+       "0: accuracy says how finely."},
+      {"spacing_across", &WheelOptions::spacing_across, 0, 1e30, "The same across the rolling direction."},
       {"roll_about_origin", &WheelOptions::roll_about_origin, 0, 1,
        "1: deviations of the rail roll about the origin of its profile; 0: about the point where the gauge is "
        "measured, "

@@ -9,30 +9,10 @@
 #include "contact/solver.hpp"
 #include "framing/hertz.hpp"
 #include "support/error.hpp"
+#include "wheelrail/fineness.hpp"
 
 namespace rollcon {
 namespace {
-
-/// Holds what accuracies are solved with (docs/wheelrail.md).
-struct Level {
-  double accuracy;
-  Fineness fineness;
-};
-constexpr Level levels[] = {{0.02, {{8, 8}, {8, 12}, {12, 22}}},
-                            {0.01, {{9, 12}, {12, 16}, {20, 40}}},
-                            {0.005, {{11, 12}, {14, 16}, {32, 64}}}};
-
-Fineness fineness_for(double accuracy, bool conformal, bool on_lattices) {
-  Fineness fineness = std::end(levels)[-1].fineness;
-  for (const Level& level : levels)
-    if (level.accuracy <= accuracy) {
-      fineness = level.fineness;
-      break;
-    }
-  fineness.lattice.conformal = conformal;
-  if (on_lattices) fineness.strips = {0, 0};
-  return fineness;
-}
 
 double depth_of(const OverlapPatch& patch) {
   return patch.share * patch.overlap;
@@ -134,7 +114,7 @@ WheelRail::Slot& WheelRail::slot_for(const OverlapPatch& patch) {
 Status WheelRail::solve_at(double z) {
   z_ = z;
   const WheelMotion motion = motion_at(z);
-  search_->find(motion.pose, found_, !in_.options.conformal, motion.along);
+  search_->find(motion.pose, found_, merge_rule(in_), motion.along);
   for (const auto& slot : slot_) slot->taken = false;
   active_.clear();
   double deepest = 0;
@@ -185,8 +165,8 @@ void WheelRail::solve_patch(Slot& slot, const OverlapPatch& patch, const WheelMo
   try {
     PatchFriction friction = friction_of(patch);
     calibrate(patch, slot.give_way, friction);
-    slot.contact.solve(patch, motion, friction, fineness_for(in_.options.accuracy, in_.options.conformal, on_lattices_),
-                       slot.give_way, {in_.step, in_.dt, in_.options.accuracy, start_});
+    slot.contact.solve(patch, motion, friction, fineness_for(in_.options, on_lattices_, patch), slot.give_way,
+                       {in_.step, in_.dt, in_.options.accuracy, start_});
   } catch (const Error& e) {
     if (!in_.options.conformal || e.status() != Status::err_mesh) throw;
     fail(Status::err_mesh,
@@ -225,7 +205,7 @@ double WheelRail::vertical_force() const {
 double WheelRail::first_sink(double touch) {
   const double little = 1e-6 * radius_;
   const WheelMotion motion = motion_at(touch + little);
-  search_->find(motion.pose, found_, !in_.options.conformal, motion.along);
+  search_->find(motion.pose, found_, merge_rule(in_), motion.along);
   if (found_.empty()) return little;
   const OverlapPatch& patch = *std::max_element(found_.begin(), found_.end(),
                                                 [](const auto& a, const auto& b) { return depth_of(a) < depth_of(b); });

@@ -217,6 +217,9 @@ class WheelRail {
   WheelMotion motion_at(double z, const Inputs& in) const;
   Status solve_at(double z);
   void solve_patch(Slot& slot, const OverlapPatch& patch, const WheelMotion& motion);
+  static MergeRule merge_rule(const Inputs& in) {
+    return {in.options.conformal == 0, in.options.merge_distance, in.options.merge_angle};
+  }
   void place_profiles(Body& wheel, Body& rail) const;
   void prepare_map();
   double along_profile(double y) const;

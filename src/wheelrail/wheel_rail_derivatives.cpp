@@ -56,7 +56,7 @@ void WheelRail::differentiate(const Inputs& in, std::size_t entry, double step, 
     side[s].centre = centre_at(side[s].in.position.y, z);
     side[s].along = attitude_of(side[s].in.position).turn({1, 0, 0});
     side[s].rail = rail_pose(side[s].in.deviation);
-    search_->find(side[s].motion.pose, side[s].found, true, side[s].motion.along);
+    search_->find(side[s].motion.pose, side[s].found, merge_rule(in), side[s].motion.along);
     if (side[s].found.size() != active_.size())
       fail(Status::err_singular, "a patch begins or ends here: the totals have no derivative by entry %d",
            static_cast<int>(entry));

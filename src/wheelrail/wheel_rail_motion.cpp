@@ -75,6 +75,7 @@ WheelMotion WheelRail::motion_at(double z, const Inputs& in) const {
   motion.rail =
       seen_from(rail, {{0, in.rate.y, in.rate.z}, {in.rate.roll, 0, 0}, rail.place(rail_pivot(in.deviation))});
   motion.speed = motion.onward = in.velocity.x;
+  motion.by_creepages = in.options.slip_by_creepages != 0;
   if (rail_varies_ != 0 || roller_ > 0) motion.along = in.position.x;
   if (roller_ == 0) return motion;
   // The contact lies between both axes.
