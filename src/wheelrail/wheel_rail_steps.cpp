@@ -181,9 +181,17 @@ void WheelRail::past_set(std::int64_t count, const double* from) {
   past->steps = to_index(from[5]);
   past->sink = from[6];
   const double* next = from + header;
+  const double* const end = from + n - 1;
   for (double i = 0; i < from[7]; ++i) {
+    constexpr double most = 2048;
+    const bool whole = end - next >= static_cast<std::ptrdiff_t>(of_patch) && next[of_patch - 2] >= 1 &&
+                       next[of_patch - 2] <= most && next[of_patch - 1] >= 1 && next[of_patch - 1] <= most;
+    const std::size_t needed = whole ? numbers_for(to_index(next[of_patch - 2]), to_index(next[of_patch - 1])) : 0;
+    if (!whole || end - next < static_cast<std::ptrdiff_t>(needed))
+      fail(Status::err_argument, "past is not whole: patch %.0f (counting from 0) of %.0f ends beyond its numbers", i,
+           from[7]);
     past->patch.push_back(read(next));
-    next += numbers_for(past->patch.back().cells.along, past->patch.back().cells.across);
+    next += needed;
   }
   past_ = std::move(past);
   start_.reset();

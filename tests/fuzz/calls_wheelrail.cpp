@@ -125,6 +125,8 @@ void set_law(World& w) {
 void solve(World& w) {
   rollcon_wheelrail* h = w.wheelrail();
   if (w.in.one_in(8)) FUZZ_CALL(w, rollcon_wheelrail_reset, h);
+  if (w.in.one_in(8)) FUZZ_CALL(w, rollcon_wheelrail_set_step, h, few(w, 3), w.in.real());
+  if (w.in.one_in(8)) FUZZ_CALL(w, rollcon_wheelrail_repeat_step, h);
   if (w.solves_left-- > 0) FUZZ_CALL(w, rollcon_wheelrail_solve, h);
 }
 
