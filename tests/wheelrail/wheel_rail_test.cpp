@@ -359,7 +359,8 @@ TEST_F(wheel_rail, bad_input_is_refused) {
   refused([&] { w.set_track(1435, 500, 0); }, Status::err_argument, "gauge_height is 500");
   refused([&] { w.set_friction(11); }, Status::err_argument, "is 11; allowed: 0 to 10");
   const double still[6] = {0, 0, 0, 0, 0, 1}, broken[6] = {0, 0, NAN, 0, 0, 0};
-  const auto stopped = make();
+  const auto stopped = make(1);
+  place(*stopped, rows[2]);
   stopped->set_velocity(still);
   refused([&] { stopped->solve(); }, Status::err_argument, "forward speed");
   refused([&] { w.set_position(broken); }, Status::err_nonfinite, "entry 2 of position");
