@@ -4,7 +4,8 @@
     python3 roller_rig.py [radius of the rollers]      500 mm unless given
 
 Prints what the rollers' radius makes of pressures and areas, where a yawed wheelset touches, and the force over the
-creepage of a wheelset that is braked. Leaves roller_rig.png where matplotlib is installed. Units: mm, N, s.
+creepage of a wheelset that is braked, counted from the rate at which it rolls freely. Leaves roller_rig.png where
+matplotlib is installed. Units: mm, N, s.
 """
 import sys
 
@@ -50,11 +51,16 @@ def pull(wheels, roller, yaw, pitch_rate):
 def main():
     context = rc.Context()
     own = float(sys.argv[1]) if len(sys.argv) > 1 else 500.0
-    creepages, rolling, curves = np.linspace(0, 0.01, 11), -SPEED / RADIUS, {}
+    creepages, curves = np.linspace(0, 0.01, 11), {}
     for name, roller in ((f"rollers of {own:g} mm", own), ("rollers of 2000 mm", 2000.0), ("track", 0.0)):
         wheels = wheelset(context, roller)
         right = wheels[1]
-        pull(wheels, roller, 0, rolling)
+        for wheel in wheels:
+            wheel.prescribe_longitudinal("by_force", 0)
+        pull(wheels, roller, 0, -SPEED / RADIUS)
+        rolling = right.stat("pitch_rate")
+        for wheel in wheels:
+            wheel.prescribe_longitudinal("by_motion")
         print(f"{name}: largest pressure {right.patch_stat(0, 'max_pressure'):.0f} MPa, area "
               f"{right.patch_stat(0, 'area'):.1f} mm2")
         pull(wheels, roller, 0.01, rolling)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ctypes
-from ctypes import byref
+from ctypes import byref, c_int64
 from typing import TYPE_CHECKING
 
 import numpy as np
