@@ -96,8 +96,15 @@ bool has_room_for(int, int) {
 
 long owner = process_id();  ///< the process that has the threads which OpenBLAS keeps
 
-/// Makes OpenBLAS map so many buffers, which it keeps: later allocations may leave no room for them. Other callers may
-/// be using buffers of theirs.
+/// Makes OpenBLAS map so many buffers, which it keeps: later allocations may leave no room for them.
+void map_buffers(int count) {
+  if (!blas_memory_alloc || !blas_memory_free) return;
+  std::vector<void*> buffer(static_cast<std::size_t>(std::min(count, 64)));
+  for (void*& b : buffer) b = blas_memory_alloc(0);
+  for (void* b : buffer) blas_memory_free(b);
+}
+
+/// Maps buffers for so many callers. Other callers may be using theirs.
 void require_buffers(int count) {
   // A forked child has none of the threads that OpenBLAS keeps. OpenBLAS makes all of them anew when it next needs one:
   // now, since they may take the buffers that are there before a caller does.
@@ -109,18 +116,16 @@ void require_buffers(int count) {
   buffers = std::max(buffers, count);
   owner = process_id();
   if (restarted > 0) openblas_set_num_threads(openblas_get_num_threads());
-  if (!blas_memory_alloc || !blas_memory_free) return;
-  std::vector<void*> buffer(static_cast<std::size_t>(std::min(held, 64)));
-  for (void*& b : buffer) b = blas_memory_alloc(0);
-  for (void* b : buffer) blas_memory_free(b);
+  map_buffers(held);
 }
 
-/// Says whether OpenBLAS can have so many threads. Each of its own threads has a buffer from its beginning.
+/// Says whether OpenBLAS can have so many threads. Each of its own threads takes a buffer when it begins, mapped here
+/// beside the only caller's, which it would take else.
 bool can_have_threads(int threads) {
-  if (!has_stack_for_threads() ||
-      (threads > most_threads && !has_room_for(threads - most_threads, threads - most_threads)))
-    return false;
-  most_threads = std::max(most_threads, threads);
+  const int more = std::max(threads - most_threads, 0);
+  if (!has_stack_for_threads() || (more > 0 && !has_room_for(more, more))) return false;
+  if (more > 0) map_buffers(1 + more);
+  most_threads += more;
   return true;
 }
 
@@ -130,7 +135,10 @@ BlasThreads::BlasThreads(int threads) {
   if (!openblas_set_num_threads || !openblas_get_num_threads) return;
   const std::lock_guard lock(mutex);
   former_ = openblas_get_num_threads();
-  most_threads = std::max(most_threads, former_);
+  // Threads that the host has added may have taken callers' buffers.
+  const int added = std::max(former_ - most_threads, 0);
+  buffers = std::max(buffers - added, 0);
+  most_threads += added;
   if (scopes == 0) require_buffers(callers + 1);
   if (scopes++ == 0) ++callers;
   if (users++ == 0) hosts_threads = former_;
