@@ -58,6 +58,8 @@ constexpr Statistic statistics[] = {
     {{"seconds_condense", "wall time of condensation"}, of_equations<&S::seconds_condense>},
     {{"bytes", "bytes of equations, factors and cached responses"}, of_equations<&S::bytes>},
     {{"peak_bytes", "the most bytes while they were made"}, of_equations<&S::peak_bytes>},
+    {{"needed_bytes", "bytes foreseen for the factors of boundary elements, before they are made"},
+     of_equations<&S::needed_bytes>},
     {{"imbalance_x", "what reactions miss of tractions along x"}, missed_along<0>},
     {{"imbalance_y", "what reactions miss of tractions along y"}, missed_along<1>},
     {{"imbalance_z", "what reactions miss of tractions along z"}, missed_along<2>},

@@ -39,6 +39,22 @@ std::string slow_factors(const Body& body) {
   return slow_factorization(blas_kernels(), body.response()->statistics().unknowns);
 }
 
+// Tells what the factors of boundary elements were foreseen to take, and what they do.
+std::string memory_of_factors(const Body& body) {
+  if (!body.traits().dense || !body.response()) return {};
+  const BodyStatistics s = body.response()->statistics();
+  if (s.needed_bytes == 0) return {};
+  char text[200];
+  if (s.nonzeros == 0)
+    std::snprintf(text, sizeof text, "%lld unknowns; factors would take about %.3g GB",
+                  static_cast<long long>(s.unknowns), 1e-9 * s.needed_bytes);
+  else
+    std::snprintf(text, sizeof text, "%lld unknowns, %s factors of %.3g GB (foreseen: %.3g GB)",
+                  static_cast<long long>(s.unknowns), s.nonzeros < s.unknowns * s.unknowns ? "hierarchical" : "dense",
+                  8e-9 * static_cast<double>(s.nonzeros), 1e-9 * s.needed_bytes);
+  return text;
+}
+
 void describe_bodies(std::string& text, const Solution& s, const Body& body1, const Body& body2) {
   int number = 1;
   for (const Body* body : {&body1, &body2}) {
@@ -52,7 +68,8 @@ void describe_bodies(std::string& text, const Solution& s, const Body& body1, co
            volume ? "volume" : "surface",
            volume ? (", " + std::to_string(body->mesh().surface.elements()) + " boundary faces").c_str() : "",
            where_prepared(*body));
-      if (const std::string slow = slow_factors(*body); !slow.empty()) line(text, "body %d: %s", number, slow.c_str());
+      for (const std::string& more : {memory_of_factors(*body), slow_factors(*body)})
+        if (!more.empty()) line(text, "body %d: %s", number, more.c_str());
     }
     if (const std::string& what = body->mesh().passed_over; !what.empty())
       text += "body " + std::to_string(number) + ": of its mesh file, " + what + '\n';

@@ -17,8 +17,16 @@ std::unique_ptr<SystemFactor> factor_hierarchically(const BlockMatrix& /*matrix*
                                                     double /*accuracy*/) {
   fail(Status::err_unsupported,
        "body option factor: 2 needs hierarchical factors, which this library was built without (ROLLCON_WITH_HMAT); "
-       "allowed: "
-       "0, 1");
+       "allowed: 0, 1");
+}
+
+void write_hierarchical(const SystemFactor& /*factor*/,
+                        const std::function<void(const void*, std::size_t)>& /*write*/) {}
+
+std::unique_ptr<SystemFactor> read_hierarchical(std::span<const Pivot> /*pivots*/, double /*condition*/,
+                                                const std::function<void(void*, std::size_t)>& /*read*/) {
+  fail(Status::err_unsupported,
+       "the body has hierarchical factors, which this library was built without (ROLLCON_WITH_HMAT)");
 }
 
 }  // namespace rollcon

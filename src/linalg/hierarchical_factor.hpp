@@ -3,7 +3,9 @@
 /// by hmat-oss. Calls from several threads take turns, because hmat-oss keeps variables of its own.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -36,5 +38,12 @@ double hierarchical_bytes(std::int64_t unknowns, double accuracy);
 /// (interrupt.hpp) ends it within a second or so.
 std::unique_ptr<SystemFactor> factor_hierarchically(const BlockMatrix& matrix, std::span<const Pivot> pivots,
                                                     double accuracy);
+
+/// Writes factors that factor_hierarchically() made.
+void write_hierarchical(const SystemFactor& factor, const std::function<void(const void*, std::size_t)>& write);
+/// Takes what write_hierarchical() wrote for the same pivots; condition: that of the factors. `read` throws where there
+/// are not so many bytes. Throws err_io where it is no such thing, and what factor_hierarchically() throws.
+std::unique_ptr<SystemFactor> read_hierarchical(std::span<const Pivot> pivots, double condition,
+                                                const std::function<void(void*, std::size_t)>& read);
 
 }  // namespace rollcon

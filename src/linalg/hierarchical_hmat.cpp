@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <exception>
 #include <limits>
 #include <mutex>
@@ -14,6 +15,7 @@
 #include "linalg/dense.hpp"
 #include "linalg/hierarchical_factor.hpp"
 #include "linalg/skeleton.hpp"
+#include "support/checksum.hpp"
 #include "support/error.hpp"
 #include "support/index.hpp"
 #include "support/interrupt.hpp"
@@ -97,9 +99,13 @@ void compute_block(void* data, int row, int rows, int column, int columns, void*
     std::fill_n(static_cast<double*>(to), at(rows) * at(columns), 0.0);
 }
 
+using Write = std::function<void(const void*, std::size_t)>;
+using Read = std::function<void(void*, std::size_t)>;
+
 class HmatFactor final : public SystemFactor {
  public:
   HmatFactor(const BlockMatrix& matrix, std::span<const Pivot> pivots, double accuracy);
+  HmatFactor(std::span<const Pivot> pivots, double condition, const Read& read);
   ~HmatFactor() override {
     const std::lock_guard lock(one_at_a_time());
     if (matrix_) library().destroy(matrix_);
@@ -113,54 +119,72 @@ class HmatFactor final : public SystemFactor {
   void substitute(double* /*b*/, std::int64_t /*count*/, std::int64_t /*first*/) const override {}
   double condition() const override { return condition_; }
   std::size_t bytes() const override { return bytes_; }
+  void write(const Write& write) const;
 
  private:
+  /// Makes a matrix without entries; the caller has the lock.
+  void make_empty(std::span<const Pivot> pivots);
+  /// Lets it be one of factors, all of whose blocks vanish.
+  void make_zero_factors();
+  void count_bytes();
+  std::uint64_t order() const;
   void assemble(const BlockMatrix& matrix, double accuracy);
   void factorise();
   void estimate_condition(double norm);
 
   std::vector<std::int32_t> row_, column_;  ///< by place
   hmat_matrix_t* matrix_ = nullptr;
+  std::vector<int> order_;  ///< places in the order of the clusters
   double condition_ = 0;
   std::size_t bytes_ = 0;
 };
 
-HmatFactor::HmatFactor(const BlockMatrix& matrix, std::span<const Pivot> pivots, double accuracy) {
+void HmatFactor::make_empty(std::span<const Pivot> pivots) {
   std::vector<double> place;
   for (const Pivot& p : pivots) {
     row_.push_back(p.row);
     column_.push_back(p.column);
     place.insert(place.end(), p.place.begin(), p.place.end());
   }
+  const hmat_interface_t& call = library();
+  hmat_clustering_algorithm_t* const halves = hmat_create_clustering_median();
+  hmat_clustering_algorithm_t* const clustering = hmat_create_clustering_max_dof(halves, leaf);
+  hmat_cluster_tree_t* const tree =
+      hmat_create_cluster_tree(place.data(), 3, static_cast<int>(row_.size()), clustering);
+  hmat_admissibility_t* const admissibility = hmat_create_admissibility_standard(admissible);
+  matrix_ = call.create_empty_hmatrix_admissibility(tree, hmat_copy_cluster_tree(tree), 0, admissibility);
+  hmat_delete_admissibility(admissibility);
+  hmat_delete_clustering(clustering);
+  hmat_delete_clustering(halves);
+  if (!matrix_) throw std::bad_alloc();
+  order_.assign(hmat_cluster_get_indices(tree), hmat_cluster_get_indices(tree) + row_.size());
+  call.own_cluster_trees(matrix_, 1, 1);
+}
+
+HmatFactor::HmatFactor(const BlockMatrix& matrix, std::span<const Pivot> pivots, double accuracy) {
   double norm = 0;
   {
     const std::lock_guard lock(one_at_a_time());
     const hmat_interface_t& call = library();
-    hmat_clustering_algorithm_t* const halves = hmat_create_clustering_median();
-    hmat_clustering_algorithm_t* const clustering = hmat_create_clustering_max_dof(halves, leaf);
-    hmat_cluster_tree_t* const tree =
-        hmat_create_cluster_tree(place.data(), 3, static_cast<int>(row_.size()), clustering);
-    hmat_admissibility_t* const admissibility = hmat_create_admissibility_standard(admissible);
-    matrix_ = call.create_empty_hmatrix_admissibility(tree, hmat_copy_cluster_tree(tree), 0, admissibility);
-    hmat_delete_admissibility(admissibility);
-    hmat_delete_clustering(clustering);
-    hmat_delete_clustering(halves);
-    if (!matrix_) throw std::bad_alloc();
-    call.own_cluster_trees(matrix_, 1, 1);
-    call.set_low_rank_epsilon(matrix_, accuracy);
     try {
+      make_empty(pivots);
+      call.set_low_rank_epsilon(matrix_, accuracy);
       assemble(matrix, accuracy);
       norm = call.norm(matrix_);
       factorise();
     } catch (...) {
-      call.destroy(std::exchange(matrix_, nullptr));
+      if (matrix_) call.destroy(std::exchange(matrix_, nullptr));
       throw;
     }
-    hmat_info_t info{};
-    call.get_info(matrix_, &info);
-    bytes_ = info.compressed_size * sizeof(double);
+    count_bytes();
   }
   estimate_condition(norm);
+}
+
+void HmatFactor::count_bytes() {
+  hmat_info_t info{};
+  library().get_info(matrix_, &info);
+  bytes_ = info.compressed_size * sizeof(double);
 }
 
 void HmatFactor::assemble(const BlockMatrix& matrix, double accuracy) {
@@ -231,6 +255,120 @@ void HmatFactor::estimate_condition(double norm) {
   }
 }
 
+// The order of the clusters, which the blocks belong to, comes first. Each part of the data follows its size.
+
+std::uint64_t HmatFactor::order() const {
+  Checksum sum;
+  sum.add(order_.data(), order_.size() * sizeof order_[0]);
+  return sum.value();
+}
+
+void HmatFactor::write(const Write& write) const {
+  const std::uint64_t clusters = order();
+  write(&clusters, sizeof clusters);
+  const auto write_part = [](void* data, std::size_t bytes, void* to) {
+    if (bytes == 0) return;
+    const std::uint64_t size = bytes;
+    const Write& whole = *static_cast<const Write*>(to);
+    whole(&size, sizeof size);
+    whole(data, bytes);
+  };
+  const std::lock_guard lock(one_at_a_time());
+  library().write_data(matrix_, write_part, const_cast<Write*>(&write));
+}
+
+void HmatFactor::make_zero_factors() {
+  const hmat_interface_t& call = library();
+  hmat_assemble_context_t context{};
+  hmat_assemble_context_init(&context);
+  const hmat_compression_algorithm_t* const compression = hmat_create_compression_aca_plus(0.1);
+  context.compression = compression;
+  context.prepare = [](int, int, int, int, int*, int*, int*, int*, void*, hmat_block_info_t* info) {
+    static Block none;
+    info->user_data = &none;
+    info->release_user_data = [](void*) {};
+    info->block_type = hmat_block_null;
+  };
+  context.block_compute = [](void*, int, int, int, int, void*) {};
+  context.progress = nullptr;
+  const int status = call.assemble_generic(matrix_, &context);
+  hmat_delete_compression(compression);
+  if (status != 0) fail(Status::err_internal, "hmat-oss did not make the blocks (status %d)", status);
+  // Its description, of which the second number is the kind of factors, makes a matrix of that kind. A block has its
+  // rank as the second number after the byte of its flags; those of rank 0 would not be filled.
+  struct Text {
+    std::vector<char> bytes;
+    std::size_t read = 0;
+    int since_flags = 0;
+  } text;
+  call.write_struct(
+      matrix_,
+      [](void* data, std::size_t bytes, void* to) {
+        Text& all = *static_cast<Text*>(to);
+        all.since_flags = bytes == 1 ? 0 : all.since_flags + 1;
+        all.bytes.insert(all.bytes.end(), static_cast<char*>(data), static_cast<char*>(data) + bytes);
+        const int some = 1;
+        int rank = 1;
+        if (all.since_flags == 2 && bytes == sizeof rank) std::memcpy(&rank, data, sizeof rank);
+        if (rank == 0) std::memcpy(all.bytes.data() + all.bytes.size() - sizeof rank, &some, sizeof some);
+      },
+      &text);
+  const hmat_factorization_t kind = hmat_factorization_lu;
+  std::memcpy(text.bytes.data() + sizeof(int), &kind, sizeof kind);
+  call.destroy(std::exchange(matrix_, nullptr));
+  matrix_ = call.read_struct(
+      [](void* data, std::size_t bytes, void* from) {
+        auto& all = *static_cast<Text*>(from);
+        std::memcpy(data, all.bytes.data() + all.read, bytes);
+        all.read += bytes;
+      },
+      &text);
+  if (!matrix_) throw std::bad_alloc();
+}
+
+/// Hands out parts of a file that have the sizes asked for. Pivots of a block come after its square of entries.
+struct Parts {
+  const Read& read;
+  int unknowns = 0;
+  std::size_t before = 0;
+
+  void take(void* data, std::size_t bytes) {
+    if (bytes == 0) return;
+    std::uint64_t size = 0;
+    read(&size, sizeof size);
+    if (size != bytes) fail(Status::err_io, "a block of hierarchical factors has another size");
+    read(data, bytes);
+    const std::size_t rows = bytes / sizeof(int);
+    if (bytes == sizeof(int) && (*static_cast<int*>(data) < 0 || *static_cast<int*>(data) > unknowns))
+      fail(Status::err_io, "a rank of hierarchical factors is none");
+    if (before == rows * rows * sizeof(double))
+      for (std::size_t k = 0; k < rows; ++k)
+        if (const int pivot = static_cast<int*>(data)[k]; pivot < 1 || at(pivot) > rows)
+          fail(Status::err_io, "a pivot of hierarchical factors is none");
+    before = bytes;
+  }
+};
+
+HmatFactor::HmatFactor(std::span<const Pivot> pivots, double condition, const Read& read) : condition_(condition) {
+  const std::lock_guard lock(one_at_a_time());
+  try {
+    make_empty(pivots);
+    std::uint64_t clusters = 0;
+    read(&clusters, sizeof clusters);
+    if (clusters != order())
+      fail(Status::err_io, "hierarchical factors were written for other places or by another hmat-oss");
+    make_zero_factors();
+    Parts parts{read, static_cast<int>(row_.size())};
+    library().read_data(
+        matrix_, [](void* data, std::size_t bytes, void* from) { static_cast<Parts*>(from)->take(data, bytes); },
+        &parts);
+  } catch (...) {
+    if (matrix_) library().destroy(std::exchange(matrix_, nullptr));
+    throw;
+  }
+  count_bytes();
+}
+
 }  // namespace
 
 bool has_hierarchical_factor() {
@@ -248,6 +386,14 @@ double hierarchical_bytes(std::int64_t unknowns, double accuracy) {
 std::unique_ptr<SystemFactor> factor_hierarchically(const BlockMatrix& matrix, std::span<const Pivot> pivots,
                                                     double accuracy) {
   return std::make_unique<HmatFactor>(matrix, pivots, accuracy);
+}
+
+void write_hierarchical(const SystemFactor& factor, const Write& write) {
+  dynamic_cast<const HmatFactor&>(factor).write(write);
+}
+
+std::unique_ptr<SystemFactor> read_hierarchical(std::span<const Pivot> pivots, double condition, const Read& read) {
+  return std::make_unique<HmatFactor>(pivots, condition, read);
 }
 
 }  // namespace rollcon

@@ -99,6 +99,14 @@ TEST_F(ForgedFiles, of_boundary_elements) {
   check(body, {0});
 }
 
+TEST_F(ForgedFiles, of_hierarchical_boundary_elements) {
+  if (ROLLCON_BUILD_HMAT == 0) GTEST_SKIP() << "this build has no hierarchical factors";
+  StaticBody body(surfaces::block(surfaces::brick({4, 4, 2}, {2, 2, 1}), ElementType::quad4), 200, 0.3);
+  body.body().set_int("factor", 2);
+  body.hold_tags({5});
+  check(body, {0});
+}
+
 TEST_F(ForgedFiles, of_finite_elements) {
   if (ROLLCON_BUILD_FEM == 0) GTEST_SKIP() << "this build has no finite elements";
   StaticBody body(volumes::block(surfaces::brick({2, 2, 2}, {1, 1, 1}), VolumeType::hex8), 200, 0.3);

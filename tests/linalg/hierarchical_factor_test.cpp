@@ -3,6 +3,7 @@
 #include "linalg/hierarchical_factor.hpp"
 
 #include <cmath>
+#include <cstring>
 #include <numbers>
 #include <numeric>
 
@@ -107,6 +108,76 @@ TEST(HierarchicalFactor, solves_like_dense_factors) {
     factor->substitute(steps.data(), 2, n / 2);
     EXPECT_EQ(std::vector(steps.begin() + n / 2, steps.begin() + n), std::vector(b.begin() + n / 2, b.begin() + n));
   }
+}
+
+/// Holds what was written, and gives it back.
+struct Bytes {
+  std::vector<char> all;
+  std::size_t taken = 0;
+  void write(const void* data, std::size_t bytes) {
+    all.insert(all.end(), static_cast<const char*>(data), static_cast<const char*>(data) + bytes);
+  }
+  void read(void* data, std::size_t bytes) {
+    if (bytes > all.size() - taken) fail(Status::err_io, "the end");
+    std::memcpy(data, all.data() + taken, bytes);
+    taken += bytes;
+  }
+  std::unique_ptr<SystemFactor> factor(const Torus& torus, double condition) {
+    taken = 0;
+    return read_hierarchical(torus.pivot, condition, [this](void* to, std::size_t bytes) { read(to, bytes); });
+  }
+};
+
+TEST(HierarchicalFactor, is_written_and_read_to_the_bit) {
+  const Torus torus(64);
+  const auto factor = factor_hierarchically(torus, torus.pivot, 1e-4);
+  Bytes file;
+  write_hierarchical(*factor, [&](const void* data, std::size_t bytes) { file.write(data, bytes); });
+  const auto again = file.factor(torus, factor->condition());
+  EXPECT_EQ(file.taken, file.all.size());
+  EXPECT_EQ(again->bytes(), factor->bytes());
+  EXPECT_EQ(again->condition(), factor->condition());
+  std::vector<double> b(at(torus.size()));
+  for (std::size_t k = 0; k < b.size(); ++k) b[k] = std::sin(0.01 * static_cast<double>(k));
+  std::vector<double> same = b;
+  factor->solve(b.data(), 1);
+  again->solve(same.data(), 1);
+  EXPECT_EQ(same, b);
+}
+
+TEST(HierarchicalFactor, what_does_not_fit_is_not_read) {
+  const Torus torus(64);
+  Bytes good;
+  write_hierarchical(*factor_hierarchically(torus, torus.pivot, 1e-4),
+                     [&](const void* data, std::size_t bytes) { good.write(data, bytes); });
+  const auto refused = [&](const Torus& other, Bytes file, const char* text) {
+    try {
+      file.factor(other, 1);
+      ADD_FAILURE() << "it was read, for " << text;
+    } catch (const Error& e) {
+      EXPECT_EQ(e.status(), Status::err_io);
+      EXPECT_NE(std::string(e.what()).find(text), std::string::npos) << e.what();
+    }
+  };
+  refused(Torus(60), good, "other places");
+  Bytes cut = good;
+  cut.all.resize(cut.all.size() / 2);
+  refused(torus, cut, "the end");
+  // The order's checksum and the size of the first number, which says whether pivots follow, come before the entries.
+  constexpr std::size_t first_size = 8, header = 16, entries = 20;
+  Bytes sized = good;
+  sized.all[first_size] = 8;
+  refused(torus, sized, "another size");
+  Bytes negative = good;
+  const int below = -2;
+  std::memcpy(negative.all.data() + header, &below, sizeof below);
+  refused(torus, negative, "a rank");
+  std::uint64_t bytes = 0;
+  std::memcpy(&bytes, good.all.data() + entries, sizeof bytes);
+  Bytes wild = good;
+  const int far = 1'000'000;
+  std::memcpy(wild.all.data() + entries + 8 + bytes + 8, &far, sizeof far);
+  refused(torus, wild, "pivot");
 }
 
 TEST(HierarchicalFactor, a_stop_ends_assembly_and_factorisation) {

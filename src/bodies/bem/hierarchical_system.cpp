@@ -32,23 +32,29 @@ void System::require_matrix() const {
                  static_cast<long long>(unknowns_.columns));
 }
 
-void System::require_factor() const {
+void System::require_factor() {
+  const double n = static_cast<double>(unknowns_.columns);
+  const double bytes = hierarchical() ? hierarchical_bytes(unknowns_.columns, options_.factor_accuracy) : 8 * n * n;
+  statistics_.needed_bytes = bytes;
   if (!hierarchical()) return require_matrix();
-  const double bytes = hierarchical_bytes(unknowns_.columns, options_.factor_accuracy);
   require_memory({bytes, bytes}, "take a coarser mesh or a larger factor_accuracy, or a body of finite elements",
                  "the hierarchical factors of a boundary-element body with %lld unknowns need about",
                  static_cast<long long>(unknowns_.columns));
 }
 
-void System::factorize_hierarchically(const CollocationBlocks& blocks) {
+std::vector<Pivot> System::pivots() const {
   const std::vector<std::int32_t> column = unknowns_.column_of_rows(fans_);
   std::vector<Pivot> pivots(column.size());
   for (std::size_t k = 0; k < unknowns_.row.size(); ++k)
     if (const std::int32_t r = unknowns_.row[k]; r >= 0) pivots[at(r)] = {r, column[at(r)], unknowns_.point[k / 3].x};
+  return pivots;
+}
+
+void System::factorize_hierarchically(const CollocationBlocks& blocks) {
   const Stopwatch watch(statistics_.seconds_factor);
   ++statistics_.assemblies;
   ++statistics_.factorizations;
-  factor_ = factor_hierarchically(blocks, pivots, options_.factor_accuracy);
+  factor_ = factor_hierarchically(blocks, pivots(), options_.factor_accuracy);
   count_peak(factor_bytes());
 }
 

@@ -26,24 +26,36 @@ std::uint64_t System::numbering() const {
   return sum.value();
 }
 
+// Hierarchical factors begin with the number of unknowns below zero.
 void System::write_factors(SectionWriter& file) const {
-  const auto* const dense = dynamic_cast<const FactoredMatrix*>(factor_.get());
-  if (!dense)
-    fail(Status::err_unsupported,
-         "hierarchical factors are not written to files, because hmat-oss checks nothing of what it reads: prepare the "
-         "body with option factor = 1, or save it with keep_factors = 0 once a contact has its compliance");
-  const FactoredMatrix& matrix = *dense;
-  const auto pivots = matrix.pivots();
   OutArchive ar(file);
-  ar(matrix.size());
+  const auto* const dense = dynamic_cast<const FactoredMatrix*>(factor_.get());
+  if (!dense) {
+    ar(-factor_->size());
+    return write_hierarchical(*factor_, [&](const void* data, std::size_t bytes) { file.write(data, bytes); });
+  }
+  const auto pivots = dense->pivots();
+  ar(dense->size());
   file.write(pivots.data(), pivots.size_bytes());
-  file.write(matrix.factors().data(), matrix.factors().size_bytes());
+  file.write(dense->factors().data(), dense->factors().size_bytes());
 }
 
 void System::read_factors(SectionReader& file) {
   const std::int64_t n = unknowns_.columns;
   std::int64_t size = 0;
   InArchive{file}(size);
+  if (size == -n) {
+    try {
+      factor_ = read_hierarchical(pivots(), statistics_.condition, [&](void* data, std::size_t bytes) {
+        if (bytes > file.left()) fail(Status::err_io, "hierarchical factors end early");
+        file.read(data, bytes);
+      });
+    } catch (const Error& e) {
+      if (e.status() != Status::err_io) throw;
+      file.fail_here(e.what());
+    }
+    return;
+  }
   const std::uint64_t need = at(n) * sizeof(std::int32_t) + at(n) * at(n) * sizeof(double);
   if (size != n || file.left() != need) file.fail_here("the factors do not fit the unknowns");
   std::vector<std::int32_t> pivot(at(n));

@@ -40,10 +40,13 @@ class System final : public ResponseCache {
   /// Says whether factors are hierarchical; else they are dense.
   bool hierarchical() const;
   std::size_t factor_bytes() const { return factor_ ? factor_->bytes() : 0; }
-  /// These throw err_memory where the dense matrix, or the factors, would not have room.
+  /// These throw err_memory where the dense matrix, or the factors, would not have room. The second notes what these
+  /// need.
   void require_matrix() const;
-  void require_factor() const;
+  void require_factor();
   void factorize_dense(int threads);
+  /// Returns rows with columns and places, for hierarchical factors.
+  std::vector<Pivot> pivots() const;
   void factorize_hierarchically(const CollocationBlocks& blocks);
   /// Throws err_singular where the factors do not move the body rigidly with its supports.
   void check_rigid_motion(const CollocationBlocks& blocks);

@@ -80,6 +80,7 @@ struct BodyStatistics {
   double seconds_assembly = 0, seconds_order = 0, seconds_factor = 0, seconds_condense = 0;
   std::int64_t responses_kept = 0, responses_dropped = 0;  ///< counts over sets of faces and layers
   std::size_t bytes = 0, peak_bytes = 0;
+  double needed_bytes = 0;  ///< bytes foreseen for the factors, known before they are made; 0: nothing is foreseen
 };
 
 struct BodyMesh;

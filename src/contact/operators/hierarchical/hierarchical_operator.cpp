@@ -8,6 +8,7 @@
 #include "linalg/lapack.hpp"
 #include "mesh/plane_quadrature.hpp"
 #include "support/index.hpp"
+#include "support/memory_limit.hpp"
 #include "support/parallel.hpp"
 
 namespace rollcon {
@@ -108,6 +109,7 @@ HierarchicalOperator::HierarchicalOperator(const Frame& frame, const Compliance&
     leaf_[c].row = cell.node;
     for (std::size_t a = 0; a < cell.node.size(); ++a) leaf_of_[at(cell.node[a])] = c, row_of_[at(cell.node[a])] = a;
   }
+  require_room(frame);
   // The first leaf makes the tables that all threads read.
   if (!leaves.empty()) fill_leaf(frame, compliance, convection, leaves.front());
   parallel_for(static_cast<std::int64_t>(leaves.size()) - 1, 1, threads_,
@@ -124,6 +126,37 @@ HierarchicalOperator::HierarchicalOperator(const Frame& frame, const Compliance&
 }
 
 HierarchicalOperator::~HierarchicalOperator() = default;
+
+// Counts what the leaves will hold, blocks of their nodes and of those of the elements that are near and their series,
+// and what is there beside them.
+void HierarchicalOperator::require_room(const Frame& frame) const {
+  const double blocks = !tangential ? 1 : coupled ? 9 : 5, points = series_.points();
+  double numbers = points * points * point_displacements * static_cast<double>(cells_.shifts().size()) +
+                   6 * points * static_cast<double>(cells_.cells().size());
+  std::vector<std::int32_t> seen(frame.x.size(), -1);
+  std::int32_t leaf = 0;
+  const auto nodes_of = [&](std::span<const std::int32_t> elements) {
+    std::int64_t count = 0;
+    for (const std::int32_t e : elements)
+      for (const std::int32_t k : frame.mesh.element(e))
+        if (seen[at(k)] != leaf) seen[at(k)] = leaf, ++count;
+    return static_cast<double>(count);
+  };
+  for (const SquareCell& cell : cells_.cells()) {
+    if (!cell.leaf()) continue;
+    const auto rows = static_cast<double>(cell.node.size());
+    numbers += points * (nodes_of(cell.element) + rows * (tangential ? 2 : 1));
+    ++leaf;
+    double near = 0;
+    if (rows > 0)
+      for (const std::int32_t s : cell.near) near += nodes_of(cells_.cells()[at(s)].element);
+    numbers += blocks * rows * near;
+    ++leaf;
+  }
+  const double bytes = sizeof(double) * numbers;
+  require_memory({bytes, bytes}, "take a coarser or smaller frame", "the operators of a frame of %lld nodes need",
+                 static_cast<long long>(nodes));
+}
 
 void HierarchicalOperator::fill_leaf(const Frame& frame, const Compliance& compliance, const Convection& convection,
                                      std::int32_t index) {

@@ -19,7 +19,8 @@ namespace rollcon {
 class HierarchicalOperator final : public Operators {
  public:
   /// Prepares the operators. The compliance knows parts and its kernel points; accuracy: that of the compliance's
-  /// integrals. Slip rows are made if wanted. Everything that is needed is copied but the kernel.
+  /// integrals. Slip rows are made if wanted. Everything that is needed is copied but the kernel. Throws err_memory
+  /// where there is no room for them, before anything is integrated.
   HierarchicalOperator(const Frame& frame, const Compliance& compliance, const Convection& convection, bool slip,
                        double accuracy, int threads);
   ~HierarchicalOperator() override;
@@ -56,6 +57,7 @@ class HierarchicalOperator final : public Operators {
     std::size_t bytes() const;
   };
   struct Workspace;
+  void require_room(const Frame& frame) const;
   void fill_leaf(const Frame& frame, const Compliance& compliance, const Convection& convection, std::int32_t cell);
   void apply(Components wanted, Components columns, std::span<const std::int32_t> asked,
              const std::vector<double> (&lambda)[3], std::vector<double> (&image)[3], Workspace& w) const;
