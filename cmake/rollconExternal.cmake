@@ -12,7 +12,10 @@ function(rollcon_find_external name)
   set(libraries ${name})
   if(name STREQUAL "mumps")
     set(header dmumps_c.h)
-    set(libraries dmumps_seq)  # without MPI
+    set(libraries dmumps_seq)
+    if(ROLLCON_BUILD_MPI)
+      set(libraries dmumps)  # on ranks
+    endif()
   elseif(name STREQUAL "hmat")
     set(header hmat/hmat.h)
   elseif(name STREQUAL "fftw")

@@ -116,7 +116,7 @@ contains
     call finish(rollcon_context_set_threads(self%p, int(n, rc_int)), self%p, 'rc_context%set_threads', stat, errmsg)
   end subroutine
 
-  !> Lets the ranks of an MPI communicator share lists: all of them make the same calls with the same data.
+  !> Lets the ranks of an MPI communicator share work: all of them make the same calls with the same data.
   subroutine set_communicator(self, communicator, stat, errmsg)
     class(rc_context), intent(inout) :: self
     integer, intent(in) :: communicator

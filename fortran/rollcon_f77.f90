@@ -117,7 +117,7 @@ subroutine rcthrd(ictx, n, ierr)
   ierr = rollcon_context_set_threads(context_of(ictx), narrow(n))
 end subroutine
 
-!> Lets the ranks of an MPI program share lists.
+!> Lets the ranks of an MPI program share work.
 subroutine rccomm(ictx, icommunicator, ierr)
   use rollcon_f77_support
   implicit none

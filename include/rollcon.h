@@ -414,15 +414,16 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_context_set_threads(rollcon_cont
     int32_t n);
 
 /*
- * Lets the ranks of an MPI program share lists. All ranks of the communicator make the same calls
+ * Lets the ranks of an MPI program share work. All ranks of the communicator make the same calls
  * with the same data. From then on rollcon_contact_solve_many, rollcon_wheelrail_solve_many,
  * rollcon_wheelrail_find_wear and rollcon_table_make are joint calls of all ranks, on this
  * context and on all that is made from it: each rank solves its share, and every rank gets all
- * results and statuses, the same to the bit as on one rank. A failure on one rank is a failure on
- * all of them, and the text names the rank. The cases left to a rank that is asked to stop are
- * cancelled. All other calls are each rank's own. The communicator remains the caller's, who
- * frees it after the context. ROLLCON_ERR_STATE: MPI does not run. ROLLCON_ERR_UNSUPPORTED: the
- * build is without MPI (rollcon_has_feature "mpi").
+ * results and statuses, the same to the bit as on one rank. So is rollcon_body_prepare of finite
+ * elements with option factor_ranks, which all ranks factorise together. A failure on one rank is
+ * a failure on all of them, and the text names the rank. The cases left to a rank that is asked
+ * to stop are cancelled. All other calls are each rank's own. The communicator remains the
+ * caller's, who frees it after the context. ROLLCON_ERR_STATE: MPI does not run.
+ * ROLLCON_ERR_UNSUPPORTED: the build is without MPI (rollcon_has_feature "mpi").
  *   communicator  its Fortran handle: MPI_Comm_c2f(communicator) in C, communicator%MPI_VAL in
  *                 mpi_f08
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_UNSUPPORTED.
@@ -563,7 +564,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_kind(const rollcon_body
  * responses to frames that it has cached (option cache_bytes). The file appears whole or not at
  * all; an older one is replaced. Poses belong to contacts and are not written. Every library of
  * the same ABI number and format reads it, on any machine of the same byte order with IEEE
- * numbers. ROLLCON_ERR_UNSUPPORTED: the body has hierarchical factors (option factor).
+ * numbers. ROLLCON_ERR_UNSUPPORTED, on loading: the body has hierarchical factors, and this
+ * library is without them (rollcon_has_feature "hmat").
  *   path  name of the file
  * Also returns: ROLLCON_ERR_IO, ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR,
  *   ROLLCON_ERR_MEMORY, ROLLCON_ERR_UNSUPPORTED.

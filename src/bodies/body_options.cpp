@@ -27,6 +27,9 @@ const SettingTable<BodyOptions>& body_option_table() {
        "ones; 1: dense; 2: hierarchical."},
       {"factor_accuracy", &BodyOptions::factor_accuracy, 1e-10, 1e-2,
        "Relative accuracy of hierarchical factors, and of the blocks that they are made of."},
+      {"factor_ranks", &BodyOptions::factor_ranks, 0, 1,
+       "Finite elements. 1: preparing is a joint call of the ranks of the context's communicator, which factorise the "
+       "body together; 0: each rank does it by itself."},
       {"stations", &BodyOptions::stations, 0, 1e6,
        "Sections: nodes of the surface once round, or over a period, made even. 0: half as many again for a length "
        "as the section's contact edges have on the average."},

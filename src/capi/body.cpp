@@ -59,7 +59,10 @@ rollcon_status rollcon_body_copy(const rollcon_body* body, rollcon_body** copy) 
 rollcon_status rollcon_body_prepare(rollcon_body* body) {
   return with_object(__func__, Kind::body, body, [](Object& object) {
     const BlasThreads blas(object.context->threads());
-    object.body->prepare();
+    const auto prepare = [&] { object.body->prepare(); };
+    if (object.body->options().factor_ranks == 0) return prepare();
+    const SharedWork shared(object.context->ranks());
+    object.context->ranks().together(prepare);
   });
 }
 

@@ -1,5 +1,5 @@
-/// Factorises definite matrices by MUMPS, in builds without CHOLMOD. MUMPS gives the condensed matrix as a Schur
-/// complement, whose Cholesky factor serves solve_condensed.
+/// Factorises definite matrices by MUMPS, in builds without CHOLMOD or over ranks. MUMPS gives the condensed matrix as
+/// a Schur complement, whose Cholesky factor serves solve_condensed.
 
 #include <dmumps_c.h>
 
@@ -8,8 +8,10 @@
 #include <mutex>
 #include <vector>
 
+#include "build_info.hpp"
 #include "linalg/condensed_factor.hpp"
 #include "linalg/lapack.hpp"
+#include "linalg/shared_factor.hpp"
 #include "linalg/sparse_checks.hpp"
 #include "linalg/sparse_factor.hpp"
 #include "linalg/sparse_order.hpp"
@@ -17,6 +19,7 @@
 #include "support/error.hpp"
 #include "support/index.hpp"
 #include "support/memory_limit.hpp"
+#include "support/ranks.hpp"
 
 namespace rollcon {
 namespace {
@@ -26,13 +29,14 @@ enum Job : MUMPS_INT { begin = -1, end = -2, analyse = 1, factorise = 2, solve_j
 constexpr MUMPS_INT not_enough_memory[] = {-8, -9, -13, -19};
 constexpr std::int64_t block = 32;  ///< right sides solved at a time
 
-/// Calls MUMPS on one matrix. Calls from several threads take turns, since MUMPS has variables of its own.
+/// Calls MUMPS on one matrix, on all ranks. Calls from several threads take turns, since MUMPS has variables of its
+/// own.
 class Mumps {
  public:
-  Mumps() {
+  explicit Mumps(const Ranks& ranks) {
     id_.par = 1;
-    id_.sym = 1;                 // positive definite
-    id_.comm_fortran = -987654;  // the communicator of all, which the sequential library has
+    id_.sym = 1;  // positive definite
+    id_.comm_fortran = ranks.handle();
     run(begin);
     for (const int stream : {1, 2, 3, 4}) control(stream) = 0;
   }
@@ -59,8 +63,10 @@ class Mumps {
 
 class MumpsFactor final : public SparseFactor {
  public:
-  MumpsFactor(const SparseMatrix& matrix, std::span<const std::int64_t> condensed)
-      : size_(matrix.columns), condensed_(condensed.begin(), condensed.end()) {
+  MumpsFactor(const SparseMatrix& matrix, std::span<const std::int64_t> condensed, const Ranks& ranks)
+      : ranks_(std::ssize(condensed) == matrix.columns ? Ranks() : ranks),
+        size_(matrix.columns),
+        condensed_(condensed.begin(), condensed.end()) {
     check_sparse(matrix, condensed);
     for (std::int64_t j = 0; j < size_; ++j)
       if (!(matrix.value[at(matrix.start[at(j)])] > 0)) throw ZeroPivot(j);
@@ -95,8 +101,8 @@ class MumpsFactor final : public SparseFactor {
            sizeof(MUMPS_INT) * (row_.capacity() + column_.capacity());
   }
   void take_matrix(const SparseMatrix& matrix, double more);
-  /// Returns the bytes that the factorisation will take, in memory or with the factors on the disk.
-  static double need(Mumps& m) { return 1e6 * m.found(m.control(22) != 0 ? 27 : 17); }
+  /// Returns the bytes that the factorisation will take on this machine, in memory or with the factors on the disk.
+  double need(Mumps& m) const { return 1e6 * m.found(m.control(22) != 0 ? 26 : 16) * ranks_.on_machine(); }
   void find_room(Mumps& m) const;
   void factorise_all(const SparseMatrix& matrix, double more);
   void take_whole();
@@ -104,6 +110,7 @@ class MumpsFactor final : public SparseFactor {
   std::int64_t softest(const SparseMatrix& matrix);
   void solve_block(double* b, std::int64_t count);
 
+  const Ranks ranks_;
   std::int64_t size_;
   std::vector<std::int64_t> condensed_, place_;
   std::vector<MUMPS_INT> row_, column_, listed_;
@@ -114,18 +121,20 @@ class MumpsFactor final : public SparseFactor {
   SparseStatistics statistics_;
 };
 
-// Takes the lower triangle scaled to a unit diagonal, with each diagonal entry larger by a part of it: MUMPS takes
-// small entries for zero.
+// Takes this rank's columns of the lower triangle scaled to a unit diagonal, with each diagonal entry larger by a part
+// of it: MUMPS takes small entries for zero.
 void MumpsFactor::take_matrix(const SparseMatrix& matrix, double more) {
   row_.clear(), column_.clear(), value_.clear();
   scale_ = diagonal_scale(matrix);
-  for (std::int64_t j = 0; j < size_; ++j)
+  for (std::int64_t j = 0; j < size_; ++j) {
+    if (!ranks_.mine(j)) continue;
     for (auto k = at(matrix.start[at(j)]); k < at(matrix.start[at(j) + 1]); ++k) {
       const bool diagonal = matrix.row[k] == j;
       row_.push_back(static_cast<MUMPS_INT>(matrix.row[k] + 1));
       column_.push_back(static_cast<MUMPS_INT>(j + 1));
       value_.push_back(scale_[at(matrix.row[k])] * scale_[at(j)] * (diagonal ? 1 + more : 1) * matrix.value[k]);
     }
+  }
 }
 
 void MumpsFactor::factorise_all(const SparseMatrix& matrix, double more) {
@@ -137,13 +146,16 @@ void MumpsFactor::factorise_all(const SparseMatrix& matrix, double more) {
     out_of_memory(size_, 8.0 * static_cast<double>(condensed_.size() * condensed_.size()));
   }
   if (n == size_) return take_whole();
-  mumps_ = std::make_unique<Mumps>();
+  reduced_.reserve(condensed_.size() * block);
+  ranks_.agree(std::ssize(matrix.row));  // from here on all ranks take each step
+  mumps_ = std::make_unique<Mumps>(ranks_);
   Mumps& m = *mumps_;
   m->n = static_cast<MUMPS_INT>(size_);
-  m->nnz = static_cast<MUMPS_INT8>(value_.size());
-  m->irn = row_.data();
-  m->jcn = column_.data();
-  m->a = value_.data();
+  m->nnz_loc = static_cast<MUMPS_INT8>(value_.size());
+  m->irn_loc = row_.data();
+  m->jcn_loc = column_.data();
+  m->a_loc = value_.data();
+  m.control(18) = 3;   // each rank gives its part of the matrix
   m.control(14) = 30;  // per cent of room beyond what the analysis foresees
   m.control(8) = 0;    // the matrix is scaled
   if (n > 0) {
@@ -170,7 +182,7 @@ void MumpsFactor::factorise_all(const SparseMatrix& matrix, double more) {
   const auto entries = [](MUMPS_INT number) { return number < 0 ? -1e6 * number : number; };
   statistics_.nonzeros = static_cast<std::int64_t>(entries(m.found(29)));
   statistics_.flops = m.real_found(3);
-  factor_bytes_ = static_cast<std::size_t>(1e6 * m.found(22));
+  factor_bytes_ = static_cast<std::size_t>(1e6 * m.found(21));
   statistics_.peak_bytes = std::max(statistics_.peak_bytes, factor_bytes_ + own_bytes() + matrix.bytes());
   const bool indefinite = status == -10 || status == -40 || (status >= 0 && m.found(12) > 0);  // a negative pivot
   if (indefinite) {
@@ -178,14 +190,17 @@ void MumpsFactor::factorise_all(const SparseMatrix& matrix, double more) {
     throw ZeroPivot(softest(matrix));
   }
   if (status < 0) fail(Status::err_internal, "MUMPS failed with status %d", status);
-  if (n > 0) take_schur();
+  if (n == 0) return;
+  ranks_.take_from_first(schur_.get(), n * n * std::int64_t{sizeof(double)});
+  take_schur();
 }
 
 // Lets the factors go to files, in the folder that MUMPS_OOC_TMPDIR names or /tmp, where memory is too small for them.
 void MumpsFactor::find_room(Mumps& m) const {
   const MemorySources sources = memory_sources();
-  if (need(m) > std::min(memory_limit(sources).bytes, allocation_limit(sources).bytes)) m.control(22) = 1;
-  require_memory(size_, need(m));
+  const bool fits = need(m) <= std::min(memory_limit(sources).bytes, allocation_limit(sources).bytes);
+  if (ranks_.least(fits) == 0) m.control(22) = 1;
+  ranks_.together([&] { require_memory(size_, need(m)); });
 }
 
 // Takes the whole matrix as the condensed one.
@@ -272,18 +287,26 @@ void MumpsFactor::solve_block(double* b, std::int64_t count) {
     solve_part(2);
   }
   scale({}, b, size_, false);
+  ranks_.take_from_first(b, size_ * count * std::int64_t{sizeof(double)});
 }
 
 }  // namespace
 
+std::unique_ptr<SparseFactor> factor_over_ranks(const SparseMatrix& matrix, std::span<const std::int64_t> condensed,
+                                                const Ranks& ranks) {
+  return std::make_unique<MumpsFactor>(matrix, condensed, ranks);
+}
+
+#if !ROLLCON_BUILD_CHOLMOD
 std::unique_ptr<SparseFactor> factor_definite(const SparseMatrix& matrix, std::span<const std::int64_t> condensed,
                                               std::span<const std::int64_t> /*order*/) {
-  return std::make_unique<MumpsFactor>(matrix, condensed);
+  return factor_over_ranks(matrix, condensed, {});
 }
 
 // MUMPS finds an order itself.
 SparseOrder order_unknowns(const SparseMatrix& /*matrix*/, std::span<const std::int64_t> /*condensed*/) {
   return {};
 }
+#endif
 
 }  // namespace rollcon

@@ -11,6 +11,9 @@ namespace {
 
 constexpr std::size_t text_size = 1024;
 
+const Ranks alone;
+thread_local const Ranks* shared_among = &alone;
+
 }  // namespace
 
 /// Marks what all ranks throw together.
@@ -34,13 +37,24 @@ void Ranks::tell(Status status, const char* text, std::int64_t count) const {
   } said{status, {}};
   std::snprintf(said.text, text_size, "rank %d: %s", rank_, text);
   take_from(first, &said, sizeof said);
-  if (first == rank_) return;
   if (said.status == Status::cancelled) throw OnAll<Cancelled>();
-  throw OnAll<Error>(said.status, said.text);
+  throw OnAll<Error>(said.status, first == rank_ ? text : said.text);
 }
 
 void Ranks::agree(std::int64_t count) const {
-  tell(Status::ok, "", count);
+  if (size_ > 1) tell(Status::ok, "", count);
+}
+
+std::int64_t Ranks::least(std::int64_t value) const {
+  if (size_ > 1) least(&value, 1);
+  return value;
+}
+
+void Ranks::take_from_first(void* bytes, std::int64_t n) const {
+  constexpr std::int64_t most = 1 << 28;
+  auto* const part = static_cast<std::uint8_t*>(bytes);
+  for (std::int64_t first = 0; first < n && size_ > 1; first += most)
+    take_from(0, part + first, static_cast<int>(std::min(most, n - first)));
 }
 
 void Ranks::disagree() const {
@@ -51,6 +65,7 @@ void Ranks::disagree() const {
   } catch (...) {
     tell_exception([&](Status status, const char* text) { tell(status, text, 0); });
   }
+  fail(Status::err_internal, "a failure was not told");
 }
 
 void Ranks::give(void* rows, std::int64_t count, std::int64_t bytes, std::int64_t stride,
@@ -66,6 +81,18 @@ void Ranks::give(void* rows, std::int64_t count, std::int64_t bytes, std::int64_
   std::copy(joined.end() - count, joined.end(), known.begin());
   for (std::int64_t i = 0; i < count; ++i)
     if (known[at(i)]) std::copy_n(joined.data() + i * bytes, bytes, row + i * stride);
+}
+
+SharedWork::SharedWork(const Ranks& ranks) : former_(shared_among) {
+  shared_among = &ranks;
+}
+
+SharedWork::~SharedWork() {
+  shared_among = former_;
+}
+
+const Ranks& SharedWork::ranks() {
+  return *shared_among;
 }
 
 }  // namespace rollcon

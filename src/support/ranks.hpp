@@ -3,6 +3,7 @@
 /// alone is rank 0 of 1, and shares nothing.
 
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "support/error.hpp"
@@ -16,6 +17,13 @@ class Ranks {
   /// and err_state where MPI does not run or the handle is none.
   static Ranks of(std::int32_t communicator);
 
+  int size() const { return size_; }
+  /// Returns how many of the ranks share this one's machine and its memory.
+  int on_machine() const { return on_machine_; }
+  /// Returns the Fortran handle of the communicator, or of one that has this rank alone; 0 in a build without MPI.
+  /// Throws err_state where MPI does not run.
+  std::int32_t handle() const;
+
   /// Says whether work i is this rank's.
   bool mine(std::int64_t i) const { return i % size_ == rank_; }
 
@@ -25,14 +33,18 @@ class Ranks {
   auto together(const Work& work) const {
     if (size_ == 1) return work();
     try {
-      auto result = work();
-      agree(0);
-      return result;
+      if constexpr (std::is_void_v<decltype(work())>) {
+        work();
+        return agree(0);
+      } else {
+        auto result = work();
+        agree(0);
+        return result;
+      }
     } catch (const OfAnother&) {
       throw;
     } catch (...) {
       disagree();
-      throw;
     }
   }
 
@@ -40,15 +52,19 @@ class Ranks {
   /// i, and in the end whether any has. Rows that none has stay as they are. Ranks that have a row have the same one.
   void give(void* rows, std::int64_t count, std::int64_t bytes, std::int64_t stride,
             std::vector<std::uint8_t>& known) const;
+  /// Tells all ranks that this one goes on with `count` rows. Throws if another rank fails, with its status.
+  void agree(std::int64_t count) const;
+  /// Returns the least of all ranks' values.
+  std::int64_t least(std::int64_t value) const;
+  /// Replaces bytes by those of rank 0.
+  void take_from_first(void* bytes, std::int64_t n) const;
 
  private:
   struct OfAnother {};  ///< marks exceptions that all ranks know of
   template <class Thrown>
   struct OnAll;
-  /// Tells all ranks that this one goes on with `count` rows. Throws if another rank fails, with its status.
-  void agree(std::int64_t count) const;
-  /// Tells all ranks of the exception in flight, from a catch block.
-  void disagree() const;
+  /// Tells all ranks of the exception in flight, from a catch block, and throws what all of them throw.
+  [[noreturn]] void disagree() const;
   void tell(Status status, const char* text, std::int64_t count) const;
 
   // Only the members below know MPI.
@@ -60,7 +76,22 @@ class Ranks {
   void join(std::uint8_t* bytes, std::int64_t n) const;
 
   std::int32_t communicator_ = 0;
-  int rank_ = 0, size_ = 1;
+  int rank_ = 0, size_ = 1, on_machine_ = 1;
+};
+
+/// Lets what this thread does while it lives be shared among ranks, all of which do it; without one it is each rank's
+/// own.
+class SharedWork {
+ public:
+  explicit SharedWork(const Ranks& ranks);
+  ~SharedWork();
+  SharedWork(const SharedWork&) = delete;
+  SharedWork& operator=(const SharedWork&) = delete;
+
+  static const Ranks& ranks();
+
+ private:
+  const Ranks* former_;
 };
 
 }  // namespace rollcon

@@ -19,13 +19,17 @@ void require(int code, const char* what) {
   fail(Status::err_internal, "%s failed: %s", what, text);
 }
 
-}  // namespace
-
-Ranks Ranks::of(std::int32_t communicator) {
+void require_mpi() {
   int runs = 0, ended = 0;
   MPI_Initialized(&runs);
   MPI_Finalized(&ended);
   if (!runs || ended) fail(Status::err_state, "MPI does not run: call MPI_Init before, and MPI_Finalize after this");
+}
+
+}  // namespace
+
+Ranks Ranks::of(std::int32_t communicator) {
+  require_mpi();
   const MPI_Comm comm = MPI_Comm_f2c(communicator);
   if (comm == MPI_COMM_NULL)
     fail(Status::err_argument,
@@ -35,7 +39,17 @@ Ranks Ranks::of(std::int32_t communicator) {
   ranks.communicator_ = communicator;
   require(MPI_Comm_rank(comm, &ranks.rank_), "MPI_Comm_rank");
   require(MPI_Comm_size(comm, &ranks.size_), "MPI_Comm_size");
+  MPI_Comm machine = MPI_COMM_NULL;
+  require(MPI_Comm_split_type(comm, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine), "MPI_Comm_split_type");
+  require(MPI_Comm_size(machine, &ranks.on_machine_), "MPI_Comm_size");
+  require(MPI_Comm_free(&machine), "MPI_Comm_free");
   return ranks;
+}
+
+std::int32_t Ranks::handle() const {
+  if (size_ > 1) return communicator_;
+  require_mpi();
+  return static_cast<std::int32_t>(MPI_Comm_c2f(MPI_COMM_SELF));
 }
 
 void Ranks::least(std::int64_t* value, int n) const {

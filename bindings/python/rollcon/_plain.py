@@ -31,14 +31,15 @@ class ContextPlain:
         self._call("set_threads", n)
 
     def set_communicator(self, communicator: int) -> None:
-        """Lets the ranks of an MPI program share lists. All ranks of the communicator make the
+        """Lets the ranks of an MPI program share work. All ranks of the communicator make the
         same calls with the same data. From then on solve_many(), solve_many(), find_wear() and
         make() are joint calls of all ranks, on this context and on all that is made from it: each
         rank solves its share, and every rank gets all results and statuses, the same to the bit
-        as on one rank. A failure on one rank is a failure on all of them, and the text names the
-        rank. The cases left to a rank that is asked to stop are cancelled. All other calls are
-        each rank's own. The communicator remains the caller's, who frees it after the context.
-        ERR_STATE: MPI does not run. ERR_UNSUPPORTED: the build is without MPI
+        as on one rank. So is prepare() of finite elements with option factor_ranks, which all
+        ranks factorise together. A failure on one rank is a failure on all of them, and the text
+        names the rank. The cases left to a rank that is asked to stop are cancelled. All other
+        calls are each rank's own. The communicator remains the caller's, who frees it after the
+        context. ERR_STATE: MPI does not run. ERR_UNSUPPORTED: the build is without MPI
         (rollcon_has_feature "mpi").
 
         communicator: its Fortran handle: MPI_Comm_c2f(communicator) in C, communicator%MPI_VAL in
@@ -144,8 +145,8 @@ class BodyPlain:
         and the responses to frames that it has cached (option cache_bytes). The file appears
         whole or not at all; an older one is replaced. Poses belong to contacts and are not
         written. Every library of the same ABI number and format reads it, on any machine of the
-        same byte order with IEEE numbers. ERR_UNSUPPORTED: the body has hierarchical factors
-        (option factor).
+        same byte order with IEEE numbers. ERR_UNSUPPORTED, on loading: the body has hierarchical
+        factors, and this library is without them (rollcon_has_feature "hmat").
 
         path: name of the file.
         """

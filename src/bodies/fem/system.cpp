@@ -8,6 +8,7 @@
 
 #include "bodies/model/mesh_models.hpp"
 #include "linalg/blas_threads.hpp"
+#include "linalg/shared_factor.hpp"
 #include "mesh/box.hpp"
 #include "mesh/surface_geometry.hpp"
 #include "support/clock.hpp"
@@ -67,12 +68,13 @@ System::System(const BodyMesh& mesh, const TractionNodes& fans, const std::map<s
       unknowns_(number_unknowns(mesh)) {
   statistics_.unknowns = unknowns_.count;
   contact_ = unknowns_at(nodes_around(surface_, contact_elements(mesh)));
-  const bool few = static_cast<std::int64_t>(contact_.size()) <=
-                   (mesh.contact_tag.empty() ? most_unnamed_at_once : most_condensed_at_once);
+  const bool shared = options.factor_ranks != 0 && SharedWork::ranks().size() > 1;
+  const bool few = shared || static_cast<std::int64_t>(contact_.size()) <=
+                                 (mesh.contact_tag.empty() ? most_unnamed_at_once : most_condensed_at_once);
   if (saved) {
     restore(*saved, unknowns_.of.size(), 0);
     statistics_.peak_bytes = kept_bytes() + factor_bytes();
-  } else if ((few && options.prepare != 0) || mesh.loaded()) {
+  } else if ((few && options.prepare != 0) || mesh.loaded() || shared) {
     factorize(few ? contact_ : std::vector<std::int64_t>{}, threads);
   }
 }
@@ -92,7 +94,8 @@ void System::require_matrix(int threads) {
   ++statistics_.assemblies;
 }
 
-std::unique_ptr<SparseFactor> System::factor_of(std::span<const std::int64_t> condensed, int threads) {
+std::unique_ptr<SparseFactor> System::factor_of(std::span<const std::int64_t> condensed, int threads,
+                                                const Ranks& ranks) {
   const BlasThreads blas(threads);
   require_matrix(threads);
   check_interrupt();
@@ -100,7 +103,7 @@ std::unique_ptr<SparseFactor> System::factor_of(std::span<const std::int64_t> co
   std::unique_ptr<SparseFactor> factor;
   try {
     const Stopwatch watch(seconds);
-    factor = factor_definite(matrix_, condensed);
+    factor = ranks.size() > 1 ? factor_over_ranks(matrix_, condensed, ranks) : factor_definite(matrix_, condensed);
   } catch (const ZeroPivot& pivot) {
     const auto found = std::find(unknowns_.of.begin(), unknowns_.of.end(), pivot.unknown());
     const auto place = found - unknowns_.of.begin();
@@ -121,7 +124,7 @@ std::unique_ptr<SparseFactor> System::factor_of(std::span<const std::int64_t> co
 void System::factorize(std::vector<std::int64_t> condensed, int threads) {
   const BlasThreads blas(threads);
   factor_.reset();
-  factor_ = factor_of(condensed, threads);
+  factor_ = factor_of(condensed, threads, options_.factor_ranks != 0 ? SharedWork::ranks() : Ranks());
   const SparseStatistics s = factor_->statistics();
   statistics_.nonzeros = s.nonzeros;
   statistics_.condition = s.condition;
@@ -266,7 +269,7 @@ void System::respond(const LoadedSurface& surface, SurfaceRows& rows, int thread
 void System::require_whole(int threads) {
   if (whole_) return;
   const bool kept = matrix_.columns > 0 && options_.keep_factors != 0;
-  whole_ = factor_of({}, threads);
+  whole_ = factor_of({}, threads, {});
   if (!kept) matrix_ = {};
 }
 

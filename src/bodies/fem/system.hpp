@@ -13,15 +13,16 @@
 #include "geometry/surface_coupling.hpp"
 #include "linalg/sparse_factor.hpp"
 #include "mesh/traction_nodes.hpp"
+#include "support/ranks.hpp"
 
 namespace rollcon::fem {
 
 class System final : public ResponseCache {
  public:
-  /// Assembles and factorises at once when the contact faces are few (and option prepare is 1) or the body has loads of
-  /// its own: else the first frame says what to condense to. The mesh (checked, held) and its fans (of the smooth
-  /// surface) must outlive it. saved: takes instead what save() wrote for an equal body. Throws err_singular,
-  /// err_memory, err_unsupported and err_io.
+  /// Assembles and factorises at once when the contact faces are few (and option prepare is 1), the body has loads of
+  /// its own or ranks share the work: else the first frame says what to condense to. The mesh (checked, held) and its
+  /// fans (of the smooth surface) must outlive it. saved: takes instead what save() wrote for an equal body. Throws
+  /// err_singular, err_memory, err_unsupported and err_io.
   System(const BodyMesh& mesh, const TractionNodes& fans, const std::map<std::int32_t, Elastic>& material,
          const BodyOptions& options, int threads, SectionReader* saved);
 
@@ -40,7 +41,7 @@ class System final : public ResponseCache {
   FeltTractions feel(const SurfaceMesh& layer, SurfaceOutline& outline) const;
   void require_matrix(int threads);
   void factorize(std::vector<std::int64_t> condensed, int threads);
-  std::unique_ptr<SparseFactor> factor_of(std::span<const std::int64_t> condensed, int threads);
+  std::unique_ptr<SparseFactor> factor_of(std::span<const std::int64_t> condensed, int threads, const Ranks& ranks);
   std::string bending_hint() const;
   void place_condensed(std::vector<std::int64_t> condensed);
   std::uint64_t numbering() const override;

@@ -109,6 +109,7 @@ struct BodyOptions {
   std::int64_t prepare = 1;        ///< "prepare": 0 checks only, 1 factorises what is known to be needed
   std::int64_t factor = 0;         ///< "factor": 0 by size, 1 dense, 2 hierarchical
   double factor_accuracy = 1e-5;   ///< "factor_accuracy": relative accuracy of hierarchical factors
+  std::int64_t factor_ranks = 0;   ///< "factor_ranks": 1 shares the factorisation among the ranks of the context
   std::int64_t stations = 0;       ///< "stations": nodes of a section's surface all along its way; 0: by the section's
   std::int64_t sector = 360;       ///< "sector", degrees: part of a section's way that pictures show
   std::int64_t smooth_slices = 0;  ///< "smooth_slices": 0 splines through the slices of a profile, 1 near to them
