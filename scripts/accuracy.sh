@@ -10,6 +10,7 @@
 #   fem              docs/accuracy_fem.md, bodies of finite elements
 #   procedures       docs/procedures.md, solution procedures
 #   speed            docs/speed.md, regular frames and repeated solves
+#   sizes            docs/howto/choose.md, time and memory of all models over their size
 #   stability        docs/stability.md, stiff and extreme scenes (about an hour)
 #   scripts/accuracy.sh [--quick] [PART[,PART...]|all] [BUILD_DIR]   (all, build/accuracy)
 # Records are kept in BUILD_DIR/records, one file for each case and number of threads; each case
@@ -27,8 +28,8 @@ part="${1:-all}"
 build="${2:-build/accuracy}"
 for name in ${part//,/ }; do
   case "$name" in
-    frames|tables|wheels|half-spaces|work-precision|estimates|bodies|fem|procedures|speed|stability|all) ;;
-    *) echo "no part $name: frames, tables, wheels, half-spaces, work-precision, estimates, bodies, fem, procedures, speed, stability or all" >&2; exit 2 ;;
+    frames|tables|wheels|half-spaces|work-precision|estimates|bodies|fem|procedures|speed|sizes|stability|all) ;;
+    *) echo "no part $name: frames, tables, wheels, half-spaces, work-precision, estimates, bodies, fem, procedures, speed, sizes, stability or all" >&2; exit 2 ;;
   esac
 done
 half_spaces=(hertz carter kalker creep_curve case_a case_b example3 linear_solver kernel)
@@ -42,7 +43,7 @@ speed=(lattice irregular stresses resolve table many time_loop loop curve saved_
 
 mkdir -p "$build/records"
 cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DROLLCON_BENCH=ON \
-  -DROLLCON_FORTRAN=OFF -DROLLCON_STATIC=ON > "$build/configure.log" 2>&1 \
+  -DROLLCON_FORTRAN=OFF -DROLLCON_STATIC=ON -DROLLCON_WITH_HMAT=AUTO > "$build/configure.log" 2>&1 \
   || { cat "$build/configure.log"; exit 1; }
 cmake --build "$build" --target rollcon-bench -j "$(nproc)"
 bench=$(find "$build" -name rollcon-bench -type f -perm -u+x | head -n 1)
@@ -127,6 +128,13 @@ if wanted speed; then
   cat "${files[@]}" > "$build/speed.jsonl"
   python3 bench/report_speed.py "$build/speed.jsonl" docs "$command speed"
   echo "wrote docs/speed.md"
+fi
+if wanted sizes; then
+  rm -f "$build/sizes.jsonl"
+  ROLLCON_LIBRARY=$(find "$(realpath "$build")" -name librollcon.so | head -n 1) PYTHONPATH=$PWD/bindings/python \
+    python3 bench/crossings.py measure "$build/sizes.jsonl" "${quick[@]}"
+  python3 bench/crossings.py report "$build/sizes.jsonl" docs "$command sizes"
+  echo "wrote docs/howto/choose.md, sizes"
 fi
 if wanted stability; then
   run_cases 1 stability_named stability_random stability_forces stability_bodies

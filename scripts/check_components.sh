@@ -17,6 +17,7 @@ builds=(
   "no OpenMP: FEM BEM PROCEDURES VTU CHOLMOD UMFPACK FFTW"
   "no UMFPACK: FEM BEM PROCEDURES VTU OPENMP CHOLMOD FFTW"
   "lists over ranks: OPENMP MPI"
+  "factorisations over ranks: FEM OPENMP CHOLMOD MUMPS MPI"
   "half-spaces alone:"
 )
 if [ $# -gt 0 ]; then
@@ -42,7 +43,7 @@ declare -A symbols=(
   [HMAT]=' U hmat_'
   [MPI]=' U MPI_Allreduce'
 )
-declare -A needed=([OPENMP]='lib(gomp|omp|iomp5)\.' [CHOLMOD]='libcholmod' [MUMPS]='libdmumps_seq' [UMFPACK]='libumfpack'
+declare -A needed=([OPENMP]='lib(gomp|omp|iomp5)\.' [CHOLMOD]='libcholmod' [MUMPS]='libdmumps' [UMFPACK]='libumfpack'
   [FFTW]='libfftw3' [HMAT]='libhmat' [MPI]='lib(mpi|mpich)\.')
 
 options() {  # of a build with these components

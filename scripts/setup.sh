@@ -16,11 +16,12 @@ declare -A sets=(
     libopenblas-dev libsuitesparse-dev libfftw3-dev python3 python3-numpy"
   [demo]="gnuplot-nox"
   # The list has test libraries; a second compiler with its OpenMP and sanitizer runtimes, format, lint, ABI, memory; an
-  # example that runs on several processes and one in an integrator; a factorisation for builds without the GPL;
-  # pictures of the Python package, readers of the output files; the program of the how-to on CalculiX.
+  # example that runs on several processes and one in an integrator; factorisations for builds without the GPL and for
+  # processes that share one; pictures of the Python package, readers of the output files; the program of the how-to on
+  # CalculiX.
   [test]="git libgtest-dev libbenchmark-dev clang clang-format clang-tidy libomp-dev libclang-rt-dev binutils
-    abigail-tools valgrind mpich libmpich-dev libmumps-seq-dev libhmat-oss-dev libsundials-dev python3-matplotlib
-    python3-meshio calculix-ccx"
+    abigail-tools valgrind openmpi-bin libopenmpi-dev libmumps-dev libmumps-seq-dev libhmat-oss-dev
+    libsundials-dev python3-matplotlib python3-meshio calculix-ccx"
   [docs]="mkdocs mkdocs-material libjs-mathjax fonts-mathjax codespell python3-matplotlib"
   [octave]="octave octave-dev gnuplot-nox ghostscript fonts-freefont-otf"
   [package]="dpkg-dev fakeroot lintian debhelper file python3-pip python3-venv"

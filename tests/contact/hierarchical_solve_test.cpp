@@ -1,6 +1,9 @@
 // Tests contacts on irregular frames whose operators are hierarchical: they are those of dense operators in all kinds
 // of scenes, work grows with the number of nodes, and large frames have the closed forms.
 
+#include "support/carter_strip.hpp"
+#include "support/data_limit.hpp"
+#include "support/example3.hpp"
 #include "support/graded_disc.hpp"
 #include "support/steady_rolling.hpp"
 #include "support/testing.hpp"
@@ -93,6 +96,23 @@ TEST(Hierarchical, AnythingElseIsRefusedByName) {
   EXPECT_NE(std::string(rollcon_last_error()).find("time steps"), std::string::npos) << rollcon_last_error();
 }
 
+TEST(Hierarchical_long, FramesWithoutRoomAreRefusedBeforeTheyAreIntegrated) {
+  EXPECT_EQ(make(triangles(8), true, "hierarchical")->solve(), ROLLCON_OK);  // threads of the BLAS have their memory
+  auto pair = make(triangles(32), true, "hierarchical");
+  double told = 0;
+  {
+    const rollcon::DataLimit limit(2e7);
+    EXPECT_EQ(rollcon_contact_solve(pair->handle()), ROLLCON_ERR_MEMORY);
+    const std::string text = rollcon_last_error();
+    const std::string before = "the operators of a frame of 1089 nodes need ";
+    const auto at = text.find(before);
+    ASSERT_NE(at, std::string::npos) << text;
+    told = 1e9 * std::atof(text.c_str() + at + before.size());
+  }
+  EXPECT_EQ(pair->solve(), ROLLCON_OK);
+  expect_error("bytes foreseen", told / pair->stat("operator_bytes") - 1, 0.2);
+}
+
 TEST(Hierarchical, ErrorEstimatesFollowTheErrors) {
   auto fine = make(triangles(44), false, "hierarchical");
   EXPECT_EQ(fine->solve(), ROLLCON_OK);
@@ -139,6 +159,50 @@ TEST(Hierarchical_nightly, TwentyThousandNodesGradedToTheEdge) {
   expect_error("largest pressure", pair.stat("max_pressure") / steady_rolling::hertz.p0 - 1, 1e-3);
   expect_error("force of case (a)", steady_rolling::errors(pair.solution(), "a").force, 5e-3);
   EXPECT_LT(pair.stat("operator_bytes"), 2e9);
+}
+
+// Carter's problem is plane: the frame is a strip ten half-widths to each side, its triangles twice as narrow at the
+// edges of the contact as in the middle.
+TEST(Hierarchical_nightly, CarterOnTwentyThousandNodesGradedToTheEdges) {
+  const scenes::Strip strip{scenes::carter.hertz, 10};
+  std::vector<double> x = frames::uniform_lines(-1.2, 1.2, 128);
+  for (double& t : x) t *= 1.25 - 0.25 * t * t;
+  const auto mesh = frames::rectangle(rollcon::ElementType::tri3, x, frames::uniform_lines(-10, 10, 160));
+  RollingPair pair(scenes::roller, scenes::roller, 2);
+  pair.frame(mesh).option("operators", "hierarchical");
+  scenes::load_strip(pair, strip, mesh);
+  EXPECT_EQ(pair.solve(), ROLLCON_OK);
+  EXPECT_GT(pair.stat("operator_applications"), 0);
+  const scenes::CarterErrors error = scenes::compare(scenes::middle_section(pair.solution()));
+  expect_error(std::to_string(mesh.nodes()) + " nodes, load", error.load, 1e-3);
+  expect_error("force", error.force, 3e-3);
+  expect_error("tractions", error.traction, 0.01);
+}
+
+// The paper's disc of triangles in equal rings, each time with half the width of the rings.
+TEST(Hierarchical_nightly, ExampleThreeOnFiftyThousandTriangles) {
+  namespace example3 = scenes::example3;
+  std::vector<double> creepage;
+  for (const int rings : {24, 48, 96}) {
+    std::vector<double> radius;
+    std::vector<int> count;
+    for (int k = 1; k <= rings; ++k) {
+      radius.push_back(1.3 * example3::hertz().a * k / rings);
+      count.push_back(std::min(6 * k, 4 * rings));
+    }
+    const auto mesh = frames::ring_disc(rollcon::ElementType::tri3, radius, count);
+    auto pair = example3::pair(mesh, "characteristic", 2);
+    pair->option("operators", "hierarchical");
+    EXPECT_EQ(pair->solve(), ROLLCON_OK);
+    const auto s = pair->solution();
+    creepage.push_back(s.creep[0]);
+    std::printf("%lld triangles: creepage %.6e, largest pressure %.2g off\n", static_cast<long long>(mesh.elements()),
+                s.creep[0], pair->stat("max_pressure") / example3::hertz().p0 - 1);
+  }
+  const double first = creepage[1] - creepage[0], last = creepage[2] - creepage[1];
+  std::printf("order %.2f\n", std::log2(std::abs(first / last)));
+  EXPECT_LT(std::abs(last), std::abs(first) / 1.5);
+  expect_error("change by the last refinement", last / creepage[2], 2e-4);
 }
 
 }  // namespace

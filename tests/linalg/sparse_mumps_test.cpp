@@ -1,12 +1,10 @@
 // Tests what MUMPS alone among the sparse factorisations does: it keeps factors on the disk.
 
-#include <sys/resource.h>
-
 #include <cmath>
 
 #include "linalg/sparse_factor.hpp"
 #include "linalg/sparse_matrices.hpp"
-#include "support/memory_limit.hpp"
+#include "support/data_limit.hpp"
 #include "support/testing.hpp"
 
 namespace rollcon {
@@ -32,34 +30,13 @@ double apart(const std::vector<double>& a, const std::vector<double>& b) {
   return error / size;
 }
 
-/// Limits this process to so many bytes of data beyond those that it has.
-class Limit {
- public:
-  explicit Limit(double bytes) {
-    getrlimit(RLIMIT_DATA, &before_);
-    rlimit least = before_;
-    const double huge = 1e15;
-    least.rlim_cur = static_cast<rlim_t>(huge);
-    setrlimit(RLIMIT_DATA, &least);
-    const double held = huge - memory_sources().data;
-    least.rlim_cur = static_cast<rlim_t>(held + bytes);
-    setrlimit(RLIMIT_DATA, &least);
-  }
-  ~Limit() { setrlimit(RLIMIT_DATA, &before_); }
-  Limit(const Limit&) = delete;
-  Limit& operator=(const Limit&) = delete;
-
- private:
-  rlimit before_{};
-};
-
 TEST(MumpsFactor, factors_go_to_the_disk_where_memory_is_short) {
   const SparseMatrix a = springs(13, 3, 1);
   SparseStatistics in_memory, on_disk;
   const std::vector<double> exact = solution(a, in_memory);
   std::vector<double> x;
   {
-    const Limit limit(0.8 * static_cast<double>(in_memory.peak_bytes));
+    const DataLimit limit(0.8 * static_cast<double>(in_memory.peak_bytes));
     x = solution(a, on_disk);
   }
   expect_error("on the disk", apart(x, exact), 1e-13);

@@ -153,7 +153,8 @@ void HierarchicalOperator::require_room(const Frame& frame) const {
     numbers += blocks * rows * near;
     ++leaf;
   }
-  const double bytes = sizeof(double) * numbers;
+  constexpr double lists = 1.1;  // a tenth for lists and for what solves add
+  const double bytes = lists * sizeof(double) * numbers;
   require_memory({bytes, bytes}, "take a coarser or smaller frame", "the operators of a frame of %lld nodes need",
                  static_cast<long long>(nodes));
 }
