@@ -179,7 +179,8 @@ def measure(path, quick, only):
             done = subprocess.run([sys.executable, __file__, "run", name, str(n)], env=environment, text=True,
                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
             if done.returncode != 0:
-                print(f"{name}, {n}: {done.stderr.strip().splitlines()[-1]}", flush=True)
+                said = done.stderr.strip().splitlines() or [f"the process ended with status {done.returncode}"]
+                print(f"{name}, {n}: {said[-1]}", flush=True)
                 break
             print(done.stdout.strip(), flush=True)
             with open(path, "a", encoding="utf-8") as records:

@@ -21,9 +21,9 @@ struct Method {
   double accuracy;
   const char* name;
 };
-constexpr Method methods[] = {{CreepForces::solved, 0.02, "frames of 8 x 16"},
-                              {CreepForces::solved, 0.01, "frames of 12 x 24"},
-                              {CreepForces::table, 0.02, "pressures of 8 x 16, table"},
+constexpr Method methods[] = {{CreepForces::solved, 0.02, "strips, accuracy 0.02"},
+                              {CreepForces::solved, 0.01, "strips, accuracy 0.01"},
+                              {CreepForces::table, 0.02, "pressures of accuracy 0.02, table"},
                               {CreepForces::table_on_ellipses, 0.02, "ellipses of overlaps, table"}};
 
 /// Describes the wheelset's lateral shift over a run.
@@ -50,7 +50,7 @@ struct Errors {
   double mean(std::size_t k) const { return sum[k] / count; }
 };
 
-/// Holds what the finest lattice finds along a course.
+/// Holds what the finest strips find along a course.
 struct Expected {
   const Course& course;
   std::vector<double> at, height;
@@ -77,7 +77,7 @@ Record record_of(const Method& method, bool by_force, const char* model, const E
   Record record{.case_name = "wheel_rail", .method = method.name, .model = model};
   record.mesh = by_force ? "vertical force" : "height";
   record.quantity = "mean error of the force over mu N";
-  record.against = "24 x 48";
+  record.against = "strips, accuracy 0.005";
   record.error = errors.mean(0);
   record.moment_error = errors.mean(1);
   record.extra = {{"worst_error", errors.worst[0]},

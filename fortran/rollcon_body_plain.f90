@@ -310,8 +310,7 @@ contains
   !> Writes the body, prepared if it was not, to a file: all that was given, the factors, and the responses to frames
   !> that it has cached (option cache_bytes). The file appears whole or not at all; an older one is replaced. Poses
   !> belong to contacts and are not written. Every library of the same ABI number and format reads it, on any machine of
-  !> the same byte order with IEEE numbers. ROLLCON_ERR_UNSUPPORTED, on loading: the body has hierarchical factors, and
-  !> this library is without them (rollcon_has_feature "hmat").
+  !> the same byte order with IEEE numbers.
   subroutine body_save(self, path, stat, errmsg)
     class(rc_body_plain), intent(inout) :: self
     character(len=*), intent(in) :: path

@@ -1503,7 +1503,7 @@ subroutine rcwtim(iwr, kind, dt, ierr)
   ierr = rollcon_wheelrail_set_step(wheelrail_of(iwr), narrow(kind), dt)
 end subroutine
 
-!> Lets the next solve start from where the last step did, as if that had not been.
+!> Takes the last step back.
 subroutine rcwrep(iwr, ierr)
   use rollcon_f77_support
   implicit none
@@ -1511,7 +1511,7 @@ subroutine rcwrep(iwr, ierr)
   ierr = rollcon_wheelrail_repeat_step(wheelrail_of(iwr))
 end subroutine
 
-!> Returns what the next step in time starts from, as numbers.
+!> Copies what the next step in time starts from to an array of the caller's, as numbers.
 subroutine rcwsps(iwr, maxn, past, nv, ierr)
   use rollcon_f77_support
   implicit none
@@ -1523,7 +1523,7 @@ subroutine rcwsps(iwr, maxn, past, nv, ierr)
   nv = int(n_values_c)
 end subroutine
 
-!> Lets the next step start from what rollcon_wheelrail_past_get gave.
+!> Lets the next step start from numbers that rollcon_wheelrail_past_get gave.
 subroutine rcwrps(iwr, n, past, ierr)
   use rollcon_f77_support
   implicit none

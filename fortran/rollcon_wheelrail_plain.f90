@@ -246,11 +246,12 @@ contains
     call finish(rollcon_wheelrail_place_rail(self%p, y, z, cant), self%p, 'rc_wheelrail%place_rail', stat, errmsg)
   end subroutine
 
-  !> Makes the rail a roller of a test rig: its profile turns about an axis along y that lies the radius below the top
-  !> of the rail, or below the origin of a rail that is placed by its origin (rollcon_wheelrail_place_rail). The contact
-  !> runs over the roller with its rate times the radius plus the forward speed of the wheelset, which is 0 on a rig; x
-  !> of the position counts from above the axis. The track has no cant then. Rollers take no profiles that vary, no
-  !> tables, no conformal contacts and no sections (ROLLCON_ERR_UNSUPPORTED from the solve).
+  !> Makes the rail a roller of a test rig: its profile turns about an axis along y, one radius below the top of the
+  !> rail, or below the origin of a rail that is placed by its origin (rollcon_wheelrail_place_rail). The contact moves
+  !> over the roller at the rate times the radius plus the forward speed of the wheelset, which is 0 on a rig. Entry 0
+  !> of the position is the distance of the wheelset from the place above the axis, length. ROLLCON_ERR_ARGUMENT: the
+  !> track has a cant. The solve refuses profiles that vary, tables, conformal contacts and sections
+  !> (ROLLCON_ERR_UNSUPPORTED).
   subroutine wheelrail_set_roller(self, radius, rate, stat, errmsg)
     class(rc_wheelrail_plain), intent(inout) :: self
     real(rc_real), intent(in) :: radius
@@ -263,9 +264,10 @@ contains
   !> Makes every solve from now on a step in time of length dt; ROLLCON_STEADY makes it a steady state again.
   !> ROLLCON_ROLLING_STEP: the wheel rolls on as its velocity says. ROLLCON_SHIFT_STEP: nothing rolls, velocities times
   !> dt are shifts, and the forward speed may be 0. Patches carry their tractions from step to step and hand them on by
-  !> place where they move, part or merge. The first step starts from the steady state solved last, or from rest where
-  !> there is none (rollcon_wheelrail_reset); a step that fails leaves the one before. Steps do not take sections,
-  !> tables, conformal contacts (ROLLCON_ERR_UNSUPPORTED from the solve) and lists of positions.
+  !> place where they move, part or merge. The first step starts from the steady state that was solved last, or from
+  !> rest if there is none; for rest call rollcon_wheelrail_reset. A step that fails keeps the state before it. The
+  !> solve refuses sections, tables and conformal contacts, and calls with lists of positions refuse steps
+  !> (ROLLCON_ERR_UNSUPPORTED).
   subroutine wheelrail_set_step(self, kind, dt, stat, errmsg)
     class(rc_wheelrail_plain), intent(inout) :: self
     integer(rc_int), intent(in) :: kind
@@ -275,7 +277,8 @@ contains
     call finish(rollcon_wheelrail_set_step(self%p, kind, dt), self%p, 'rc_wheelrail%set_step', stat, errmsg)
   end subroutine
 
-  !> Lets the next solve start from where the last step did, as if that had not been. It works once after each step.
+  !> Takes the last step back: the next solve starts from where that step started. This is possible once after each step
+  !> that succeeded (else ROLLCON_ERR_STATE).
   subroutine wheelrail_repeat_step(self, stat, errmsg)
     class(rc_wheelrail_plain), intent(inout) :: self
     integer, intent(out), optional :: stat
@@ -283,9 +286,9 @@ contains
     call finish(rollcon_wheelrail_repeat_step(self%p), self%p, 'rc_wheelrail%repeat_step', stat, errmsg)
   end subroutine
 
-  !> Lets the next step start from what rollcon_wheelrail_past_get gave. Track and wheelset must be set. Numbers of the
-  !> other side or of other elastic constants, or that were changed, are refused and do not change the past; results of
-  !> the last solve are gone.
+  !> Lets the next step start from numbers that rollcon_wheelrail_past_get gave; they are copied. Track and wheelset
+  !> must be set (ROLLCON_ERR_STATE). ROLLCON_ERR_ARGUMENT: the numbers were changed, or belong to the other side or to
+  !> other elastic constants; the past stays as it was. The results of the last solve are gone.
   subroutine wheelrail_past_set(self, past, stat, errmsg)
     class(rc_wheelrail_plain), intent(inout) :: self
     real(rc_real), intent(in), contiguous :: past(:)

@@ -421,9 +421,10 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_context_set_threads(rollcon_cont
  * results and statuses, the same to the bit as on one rank. So is rollcon_body_prepare of finite
  * elements with option factor_ranks, which all ranks factorise together. A failure on one rank is
  * a failure on all of them, and the text names the rank. The cases left to a rank that is asked
- * to stop are cancelled. All other calls are each rank's own. The communicator remains the
- * caller's, who frees it after the context. ROLLCON_ERR_STATE: MPI does not run.
- * ROLLCON_ERR_UNSUPPORTED: the build is without MPI (rollcon_has_feature "mpi").
+ * to stop are cancelled. This call itself is a joint call of all ranks. Calls that are not named
+ * here are each rank's own. The communicator remains the caller's, who frees it after the
+ * context. ROLLCON_ERR_STATE: MPI does not run. ROLLCON_ERR_UNSUPPORTED: the build is without MPI
+ * (rollcon_has_feature "mpi").
  *   communicator  its Fortran handle: MPI_Comm_c2f(communicator) in C, communicator%MPI_VAL in
  *                 mpi_f08
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_UNSUPPORTED.
@@ -564,8 +565,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_kind(const rollcon_body
  * responses to frames that it has cached (option cache_bytes). The file appears whole or not at
  * all; an older one is replaced. Poses belong to contacts and are not written. Every library of
  * the same ABI number and format reads it, on any machine of the same byte order with IEEE
- * numbers. ROLLCON_ERR_UNSUPPORTED, on loading: the body has hierarchical factors, and this
- * library is without them (rollcon_has_feature "hmat").
+ * numbers.
  *   path  name of the file
  * Also returns: ROLLCON_ERR_IO, ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR,
  *   ROLLCON_ERR_MEMORY, ROLLCON_ERR_UNSUPPORTED.
@@ -577,8 +577,9 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_save(rollcon_body *body, co
  * solves give the same tractions as with the body that was saved. Statistics count what is done
  * from here on. A body equal to one of this context uses its factors, just as after
  * rollcon_body_prepare. ROLLCON_ERR_IO: the file cannot be read, is none of these, truncated or
- * changed; ROLLCON_ERR_UNSUPPORTED: it is of another ABI number, format or byte order, or of a
- * kind that this build does not have. The text names the file and what is wrong, where.
+ * changed; ROLLCON_ERR_UNSUPPORTED: it is of another ABI number, format or byte order, or has a
+ * kind of body or of factors that this build does not have (hierarchical ones:
+ * rollcon_has_feature "hmat"). The text names the file and what is wrong, where.
  *   path     name of the file
  *   body     new handle
  * Ownership: The caller owns the new handle: release it. The body keeps what it needs of the
@@ -1028,8 +1029,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_profile_shape(rollcon_b
  *   body           a half-space or rigid, without a mesh (else ROLLCON_ERR_STATE)
  *   path           name of the file
  *   unit           factor on its numbers: length of a millimetre, > 0
- *   mirror         0: no; 1: in y, 2: in z, 3: in both; 4: in z where the shape says that it
- *                  counts upwards, 5: that, and in y
+ *   mirror         0: no; 1: in y, 2: in z, 3: in both; 4: in z only if the shape shows that z
+ *                  counts upwards; 5: as 4, and in y
  *   filter_length  that of rollcon_body_set_profile, length
  * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_IO, ROLLCON_ERR_MEMORY.
  * Source: docs/profiles.md.
@@ -2370,12 +2371,13 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_place_rail(
     rollcon_wheelrail *wheelrail, double y, double z, double cant);
 
 /*
- * Makes the rail a roller of a test rig: its profile turns about an axis along y that lies the
- * radius below the top of the rail, or below the origin of a rail that is placed by its origin
- * (rollcon_wheelrail_place_rail). The contact runs over the roller with its rate times the radius
- * plus the forward speed of the wheelset, which is 0 on a rig; x of the position counts from
- * above the axis. The track has no cant then. Rollers take no profiles that vary, no tables, no
- * conformal contacts and no sections (ROLLCON_ERR_UNSUPPORTED from the solve).
+ * Makes the rail a roller of a test rig: its profile turns about an axis along y, one radius
+ * below the top of the rail, or below the origin of a rail that is placed by its origin
+ * (rollcon_wheelrail_place_rail). The contact moves over the roller at the rate times the radius
+ * plus the forward speed of the wheelset, which is 0 on a rig. Entry 0 of the position is the
+ * distance of the wheelset from the place above the axis, length. ROLLCON_ERR_ARGUMENT: the track
+ * has a cant. The solve refuses profiles that vary, tables, conformal contacts and sections
+ * (ROLLCON_ERR_UNSUPPORTED).
  *   radius     of the roller, > 0, length; more than its profile is deep; 0: a rail (standard)
  *   rate       at which the roller turns about y, 1/time; > 0 where wheels on it roll forward
  * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
@@ -2389,9 +2391,10 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_roller(
  * state again. ROLLCON_ROLLING_STEP: the wheel rolls on as its velocity says. ROLLCON_SHIFT_STEP:
  * nothing rolls, velocities times dt are shifts, and the forward speed may be 0. Patches carry
  * their tractions from step to step and hand them on by place where they move, part or merge. The
- * first step starts from the steady state solved last, or from rest where there is none
- * (rollcon_wheelrail_reset); a step that fails leaves the one before. Steps do not take sections,
- * tables, conformal contacts (ROLLCON_ERR_UNSUPPORTED from the solve) and lists of positions.
+ * first step starts from the steady state that was solved last, or from rest if there is none;
+ * for rest call rollcon_wheelrail_reset. A step that fails keeps the state before it. The solve
+ * refuses sections, tables and conformal contacts, and calls with lists of positions refuse steps
+ * (ROLLCON_ERR_UNSUPPORTED).
  *   kind       ROLLCON_STEADY, ROLLCON_ROLLING_STEP or ROLLCON_SHIFT_STEP
  *   dt         > 0, time; ignored if the kind is ROLLCON_STEADY
  * Also returns: ROLLCON_ERR_NONFINITE.
@@ -2401,17 +2404,18 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_step(rollcon_wheel
     int32_t kind, double dt);
 
 /*
- * Lets the next solve start from where the last step did, as if that had not been. It works once
- * after each step.
+ * Takes the last step back: the next solve starts from where that step started. This is possible
+ * once after each step that succeeded (else ROLLCON_ERR_STATE).
  * Also returns: ROLLCON_ERR_STATE.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_repeat_step(
     rollcon_wheelrail *wheelrail);
 
 /*
- * Returns what the next step in time starts from, as numbers: a header with a version, axes,
- * grids and tractions of patches, a checksum. They serve another run, or another handle of such a
- * wheel.
+ * Copies what the next step in time starts from to an array of the caller's, as numbers: a header
+ * with a version; axes, grids and tractions of the patches, in the caller's units; a checksum.
+ * Another run, or another handle of the same wheel and rail, can start from them.
+ * ROLLCON_ERR_STATE: no step was made.
  *   capacity   doubles at past; 0 only asks for the need
  *   past       [capacity], out; NULL only with capacity 0
  *   n_values   out, may be NULL; doubles of the past; set after ROLLCON_ERR_CAPACITY too
@@ -2422,11 +2426,13 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_past_get(
     const rollcon_wheelrail *wheelrail, int64_t capacity, double *past, int64_t *n_values);
 
 /*
- * Lets the next step start from what rollcon_wheelrail_past_get gave. Track and wheelset must be
- * set. Numbers of the other side or of other elastic constants, or that were changed, are refused
- * and do not change the past; results of the last solve are gone.
+ * Lets the next step start from numbers that rollcon_wheelrail_past_get gave; they are copied.
+ * Track and wheelset must be set (ROLLCON_ERR_STATE). ROLLCON_ERR_ARGUMENT: the numbers were
+ * changed, or belong to the other side or to other elastic constants; the past stays as it was.
+ * The results of the last solve are gone.
  *   past       [n]; what rollcon_wheelrail_past_get gave
- * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MEMORY.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_NONFINITE, ROLLCON_ERR_UNSUPPORTED,
+ *   ROLLCON_ERR_MEMORY.
  * Source: docs/wheelrail.md.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_past_set(rollcon_wheelrail *wheelrail,

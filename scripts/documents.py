@@ -82,7 +82,8 @@ def undocumented_options():
                ROOT / "examples/mpi/CMakeLists.txt"]
     for source in sources:
         text = source.read_text(encoding="utf-8")
-        names = re.findall(r"^\s*option\((ROLLCON_\w+)", text, re.M) + re.findall(r"set\((ROLLCON_\w+) [^)]*\bCACHE", text)
+        names = re.findall(r"^\s*option\((ROLLCON_\w+)", text, re.M)
+        names += re.findall(r"\bset\((ROLLCON_\w+) [^)]*\bCACHE", text)
         names += ["ROLLCON_WITH_" + name for name in re.findall(r"^rollcon_wish\((\w+)", text, re.M)]
         for name in names:
             if not name.endswith("_") and f"`{name}`" not in described:

@@ -259,7 +259,7 @@ int WheelSolver::solve(Problem& p, std::string& why) {
   pitch_rate = set_.velocity[5];
   sink_ = slope_ = 0;
   if (in.digits.frames) return solve_on_frames(p, why);
-  check(rollcon_wheelrail_set_real(search_.get(), "accuracy", .02));
+  check(rollcon_wheelrail_set_real(search_.get(), "accuracy", .01));
   check(rollcon_wheelrail_set_int(search_.get(), "conformal", 0));
   search(p);
   join_patches(in.plane, found_patches());

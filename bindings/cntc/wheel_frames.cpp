@@ -96,7 +96,7 @@ int WheelSolver::solve_on_frames(Problem& p, std::string& why) {
                   "frames of rollcon (flag 2901) are for Coulomb friction in steady rolling, without layer, heat and "
                   "sensitivities: set it to 0");
   rollcon_wheelrail* search = search_.get();
-  check(rollcon_wheelrail_set_real(search, "accuracy", .02));
+  check(rollcon_wheelrail_set_real(search, "accuracy", .01));
   check(rollcon_wheelrail_set_int(search, "conformal", in.digits.discns == 4));
   const int status = this->search(p);
   if (status > ROLLCON_OK) why = rollcon_last_caveat();

@@ -119,8 +119,8 @@ void require_buffers(int count) {
   map_buffers(held);
 }
 
-/// Says whether OpenBLAS can have so many threads. Each of its own threads takes a buffer when it begins, mapped here
-/// beside the only caller's, which it would take else.
+/// Says whether OpenBLAS can have so many threads. Each of its threads takes a buffer when it starts. Buffers for new
+/// threads are mapped first, and one for the caller; else threads would take the caller's.
 bool can_have_threads(int threads) {
   const int more = std::max(threads - most_threads, 0);
   if (!has_stack_for_threads() || (more > 0 && !has_room_for(more, more))) return false;

@@ -294,8 +294,9 @@ void HmatFactor::make_zero_factors() {
   const int status = call.assemble_generic(matrix_, &context);
   hmat_delete_compression(compression);
   if (status != 0) fail(Status::err_internal, "hmat-oss did not make the blocks (status %d)", status);
-  // Its description, of which the second number is the kind of factors, makes a matrix of that kind. A block has its
-  // rank as the second number after the byte of its flags; those of rank 0 would not be filled.
+  // The second number of a matrix's description is the kind of its factors: it is changed to LU and the matrix is read
+  // back. For each block the rank is the second number after its one byte of flags. Blocks of rank 0 would not be
+  // filled with data, so they get rank 1.
   struct Text {
     std::vector<char> bytes;
     std::size_t read = 0;
@@ -326,12 +327,23 @@ void HmatFactor::make_zero_factors() {
   if (!matrix_) throw std::bad_alloc();
 }
 
-/// Hands out parts of a file that have the sizes asked for. Pivots of a block come after its square of entries.
+/// Reads the parts of a file and checks that each has the size that hmat-oss asks for. The pivots of a diagonal block
+/// follow its square of entries: that tells which parts they are. Failures wait until hmat-oss, which is not made for
+/// exceptions, has returned: the parts left are zeros.
 struct Parts {
   const Read& read;
   int unknowns = 0;
   std::size_t before = 0;
+  std::exception_ptr failure{};
 
+  void take_if_sound(void* data, std::size_t bytes) noexcept {
+    if (!failure) try {
+        return take(data, bytes);
+      } catch (...) {
+        failure = std::current_exception();
+      }
+    std::memset(data, 0, bytes);
+  }
   void take(void* data, std::size_t bytes) {
     if (bytes == 0) return;
     std::uint64_t size = 0;
@@ -340,11 +352,11 @@ struct Parts {
     read(data, bytes);
     const std::size_t rows = bytes / sizeof(int);
     if (bytes == sizeof(int) && (*static_cast<int*>(data) < 0 || *static_cast<int*>(data) > unknowns))
-      fail(Status::err_io, "a rank of hierarchical factors is none");
+      fail(Status::err_io, "a rank of the hierarchical factors is out of range");
     if (before == rows * rows * sizeof(double))
       for (std::size_t k = 0; k < rows; ++k)
         if (const int pivot = static_cast<int*>(data)[k]; pivot < 1 || at(pivot) > rows)
-          fail(Status::err_io, "a pivot of hierarchical factors is none");
+          fail(Status::err_io, "a pivot of the hierarchical factors is out of range");
     before = bytes;
   }
 };
@@ -360,8 +372,10 @@ HmatFactor::HmatFactor(std::span<const Pivot> pivots, double condition, const Re
     make_zero_factors();
     Parts parts{read, static_cast<int>(row_.size())};
     library().read_data(
-        matrix_, [](void* data, std::size_t bytes, void* from) { static_cast<Parts*>(from)->take(data, bytes); },
+        matrix_,
+        [](void* data, std::size_t bytes, void* from) { static_cast<Parts*>(from)->take_if_sound(data, bytes); },
         &parts);
+    if (parts.failure) std::rethrow_exception(parts.failure);
   } catch (...) {
     if (matrix_) library().destroy(std::exchange(matrix_, nullptr));
     throw;

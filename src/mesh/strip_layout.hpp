@@ -49,9 +49,9 @@ class StripLayout {
   std::vector<StripPoint> upstream;  ///< places 0.6 of the mean spacing further on, for differences along x
   std::vector<double> spacing;       ///< distance of node and upstream over the half chord
   /// Differences belong between node and upstream place. Slip at the node is extrapolated from them: these are the
-  /// weights of the node's difference and of those of the next two nodes upstream. Slip of the last two nodes of a chord
-  /// is taken between, and the node before takes the next one alone: what pressures of unlike bodies cause bends sharply
-  /// at the edge.
+  /// weights of the node's difference and of those of the next two nodes upstream. The last two nodes of a chord take
+  /// slip half way to the upstream place as it is, and the node before them extrapolates from two differences: slip
+  /// that pressures of unlike bodies cause bends sharply at the edge.
   std::vector<std::array<double, 3>> carry;
   std::vector<StripPoint> slip_place;  ///< places where slip is taken
   /// Places where gaps vanish: the nodes, then beside the chords' ends and beyond the ends of the widths.

@@ -65,7 +65,7 @@ void Ranks::disagree() const {
   } catch (...) {
     tell_exception([&](Status status, const char* text) { tell(status, text, 0); });
   }
-  fail(Status::err_internal, "a failure was not told");
+  fail(Status::err_internal, "internal error: the failure of a rank did not reach the others");
 }
 
 void Ranks::give(void* rows, std::int64_t count, std::int64_t bytes, std::int64_t stride,

@@ -79,8 +79,8 @@ class Ranks {
   int rank_ = 0, size_ = 1, on_machine_ = 1;
 };
 
-/// Lets what this thread does while it lives be shared among ranks, all of which do it; without one it is each rank's
-/// own.
+/// Shares the work of this thread among the ranks, all of which do the same, while an object of this class lives.
+/// Without one each rank works for itself.
 class SharedWork {
  public:
   explicit SharedWork(const Ranks& ranks);

@@ -32,11 +32,12 @@ struct WheelPast {
   std::vector<PatchPast> patch;
 };
 
-/// Returns the point of a new patch's plane where its axes have the coordinates of the past patch that counts most in
-/// the box, which is in the axes as they are given; without one their origin.
+/// Returns the origin that a new patch's axes should have: that of the past patch with the most weight in the box,
+/// projected on the new patch's plane. The box is given in the axes as they are. Returns the axes' own origin if no
+/// past patch is there.
 Vec3 origin_from(const WheelPast& past, const Axes& axes, const Rectangle& box);
 /// Gives a step's start the tractions that patches of the past left within the box, in the axes of the new patch, and
-/// returns the grid on which they are. overlap: that of the new patch; what it is more than before is an approach.
+/// returns the grid on which they are. overlap: of the new patch; its increase is an approach within the step.
 RectangleCells start_from(const WheelPast& past, const Axes& axes, const Rectangle& box, double overlap,
                           PastStep& start);
 

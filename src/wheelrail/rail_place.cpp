@@ -50,7 +50,9 @@ RailShape place_rail(std::shared_ptr<const ProfileCurve> curve, const TrackGauge
         "the rail's profile is highest at its end (y = %g, z = %g) and steeper than 45 degrees there; allowed: z down, "
         "the running surface between its ends",
         curve->at(peak).x[0], curve->at(peak).x[1]);
-  RailShape rail{.along = {1, 0, 0}, .down = {0, s, c}};
+  RailShape rail;
+  rail.along = {1, 0, 0};
+  rail.down = {0, s, c};
   if (track.by_origin || track.height == 0) {
     rail.origin = track.by_origin ? Vec3{0, track.y, track.z} : Vec3{0, 0.5 * track.gauge, 0};
     rail.curve = std::move(curve);

@@ -12,8 +12,8 @@ namespace rollcon {
 class VaryingPair {
  public:
   /// Takes heights of what varies, else null, and the rail's profile where it does not; roller: z of the axis about
-  /// which that is revolved, if it is; along: the rail's place where x is 0; turned: angle by which the wheel has
-  /// turned from below to ahead; radius: the wheel's.
+  /// which the rail's profile is revolved, none for a rail; along: the rail's place where x is 0; turned: angle by
+  /// which the wheel has turned from below to ahead; radius: the wheel's.
   VaryingPair(const SliceHeights* wheel, const SliceHeights* rail, const VisibleProfile& rail_profile,
               std::optional<double> roller, double along, double turned, double radius);
 

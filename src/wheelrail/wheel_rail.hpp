@@ -41,8 +41,9 @@ class WheelRail {
   /// Places the rail by its profile's origin, y from the middle of the track to the rail's side.
   void place_by_origin(double y, double z, double cant);
   void set_wheelset(double back_to_back, double flange_back, double radius);
-  /// Makes the rail a roller about an axis along y that has this radius at its top (placed by its origin: there) and
-  /// turns at this rate about y; 0: a rail, which rests. Position and velocity count from above the axis then.
+  /// Makes the rail a roller that turns at this rate about an axis along y. The radius is measured at the top of the
+  /// rail, or at its origin if the rail is placed by that. Radius 0: a rail at rest. The position's x then counts from
+  /// the place above the axis.
   void set_roller(double radius, double rate);
   /// Takes the radius of the wheelset where the wheel's profile has this y.
   void set_tape_circle(double y);

@@ -21,6 +21,7 @@ void WheelRail::set_step(std::int32_t kind, double dt) {
 
 // Finds what the step starts from: what the last one left, or the steady state that was solved last, or rest.
 void WheelRail::begin_step() {
+  can_repeat_ = false;
   start_ = past_;
   if (in_.step == StepKind::steady) return;
   const char* what = has_sections()          ? "bodies by a section"
@@ -184,15 +185,20 @@ void WheelRail::past_set(std::int64_t count, const double* from) {
   const double* const end = from + n - 1;
   for (double i = 0; i < from[7]; ++i) {
     constexpr double most = 2048;
-    const bool whole = end - next >= static_cast<std::ptrdiff_t>(of_patch) && next[of_patch - 2] >= 1 &&
-                       next[of_patch - 2] <= most && next[of_patch - 1] >= 1 && next[of_patch - 1] <= most;
+    const auto counts = [&](double cells) { return cells >= 1 && cells <= most && cells == std::floor(cells); };
+    const bool whole =
+        end - next >= static_cast<std::ptrdiff_t>(of_patch) && counts(next[of_patch - 2]) && counts(next[of_patch - 1]);
     const std::size_t needed = whole ? numbers_for(to_index(next[of_patch - 2]), to_index(next[of_patch - 1])) : 0;
     if (!whole || end - next < static_cast<std::ptrdiff_t>(needed))
       fail(Status::err_argument, "past is not whole: patch %.0f (counting from 0) of %.0f ends beyond its numbers", i,
            from[7]);
     past->patch.push_back(read(next));
+    const Rectangle& box = past->patch.back().cells.box;
+    if (!(box.x_least < box.x_greatest && box.y_least < box.y_greatest))
+      fail(Status::err_argument, "past has a patch without extent: patch %.0f (counting from 0)", i);
     next += needed;
   }
+  if (next != end) fail(Status::err_argument, "past has numbers beyond its %.0f patches", from[7]);
   past_ = std::move(past);
   start_.reset();
   solved_.reset();

@@ -141,6 +141,21 @@ TEST(automatic_frames, units_do_not_matter) {
   expect_error("mm and m, moment", found[0][2] - found[1][2], 1e-11);
 }
 
+// Pressures of unlike bodies move surfaces along each other, which nothing resists.
+TEST(automatic_frames, unlike_bodies_without_friction_carry_nothing_along_the_surface) {
+  RollingPair pair(steel, Elastic{.shear = 30000, .poisson = 0.35});
+  pair.gap_quadratic(1e-3, 3e-3, 1e-3).approach(0.01).friction(0.3).creep(5e-4, 0, 0);
+  ASSERT_EQ(pair.solve(), ROLLCON_OK);
+  pair.friction(0).tangential_force(ROLLCON_LONGITUDINAL, 0).tangential_force(ROLLCON_LATERAL, 0);
+  for (const bool warm : {true, false}) {
+    if (!warm) pair.reset();
+    ASSERT_EQ(pair.solve(), ROLLCON_OK);
+    const Solution s = pair.solution();
+    EXPECT_EQ(std::hypot(s.force[0], s.force[1]), 0);
+    EXPECT_EQ(pair.stat("law_equilibrium"), 0);
+  }
+}
+
 TEST(automatic_frames, bodies_apart_are_told) {
   RollingPair pair(steel, steel);
   pair.gap_quadratic(1e-3, 1e-3).approach(-0.1).friction(0.3).creep(1e-3, 0, 0);

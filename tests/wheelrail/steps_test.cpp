@@ -166,6 +166,7 @@ TEST_F(wheel_steps, that_fail_leave_the_one_before) {
   w->prescribe_vertical(1, 0);
   w->set_position(gone);
   refused([&] { w->solve(); }, Status::err_argument, {"overlap by"});
+  refused([&] { w->repeat_step(); }, Status::err_state, {"there is no step to repeat"});
   w->prescribe_vertical(2, load);
   expect_error("after a step that failed", farthest(roll(*w, 1.1, 0.5, 1e-3), roll(*other, 1.1, 0.5, 1e-3)), 0);
   EXPECT_EQ(w->stat("steps"), 2);

@@ -37,10 +37,10 @@ class ContextPlain:
         rank solves its share, and every rank gets all results and statuses, the same to the bit
         as on one rank. So is prepare() of finite elements with option factor_ranks, which all
         ranks factorise together. A failure on one rank is a failure on all of them, and the text
-        names the rank. The cases left to a rank that is asked to stop are cancelled. All other
-        calls are each rank's own. The communicator remains the caller's, who frees it after the
-        context. ERR_STATE: MPI does not run. ERR_UNSUPPORTED: the build is without MPI
-        (rollcon_has_feature "mpi").
+        names the rank. The cases left to a rank that is asked to stop are cancelled. This call
+        itself is a joint call of all ranks. Calls that are not named here are each rank's own.
+        The communicator remains the caller's, who frees it after the context. ERR_STATE: MPI does
+        not run. ERR_UNSUPPORTED: the build is without MPI (rollcon_has_feature "mpi").
 
         communicator: its Fortran handle: MPI_Comm_c2f(communicator) in C, communicator%MPI_VAL in
           mpi_f08.
@@ -145,8 +145,7 @@ class BodyPlain:
         and the responses to frames that it has cached (option cache_bytes). The file appears
         whole or not at all; an older one is replaced. Poses belong to contacts and are not
         written. Every library of the same ABI number and format reads it, on any machine of the
-        same byte order with IEEE numbers. ERR_UNSUPPORTED, on loading: the body has hierarchical
-        factors, and this library is without them (rollcon_has_feature "hmat").
+        same byte order with IEEE numbers.
 
         path: name of the file.
         """
@@ -362,8 +361,8 @@ class BodyPlain:
 
         path: name of the file.
         unit: factor on its numbers: length of a millimetre, > 0.
-        mirror: 0: no; 1: in y, 2: in z, 3: in both; 4: in z where the shape says that it counts
-          upwards, 5: that, and in y.
+        mirror: 0: no; 1: in y, 2: in z, 3: in both; 4: in z only if the shape shows that z counts
+          upwards; 5: as 4, and in y.
         filter_length: that of rollcon_body_set_profile, length.
         """
         self._call("read_profile", c_path(path), unit, mirror, filter_length)
@@ -1019,12 +1018,13 @@ class WheelrailPlain:
         self._call("place_rail", y, z, cant)
 
     def set_roller(self, radius: float, rate: float) -> None:
-        """Makes the rail a roller of a test rig: its profile turns about an axis along y that
-        lies the radius below the top of the rail, or below the origin of a rail that is placed by
-        its origin (place_rail()). The contact runs over the roller with its rate times the radius
-        plus the forward speed of the wheelset, which is 0 on a rig; x of the position counts from
-        above the axis. The track has no cant then. Rollers take no profiles that vary, no tables,
-        no conformal contacts and no sections (ERR_UNSUPPORTED from the solve).
+        """Makes the rail a roller of a test rig: its profile turns about an axis along y, one
+        radius below the top of the rail, or below the origin of a rail that is placed by its
+        origin (place_rail()). The contact moves over the roller at the rate times the radius plus
+        the forward speed of the wheelset, which is 0 on a rig. Entry 0 of the position is the
+        distance of the wheelset from the place above the axis, length. ERR_ARGUMENT: the track
+        has a cant. The solve refuses profiles that vary, tables, conformal contacts and sections
+        (ERR_UNSUPPORTED).
 
         radius: of the roller, > 0, length; more than its profile is deep; 0: a rail (standard).
         rate: at which the roller turns about y, 1/time; > 0 where wheels on it roll forward.
@@ -1036,9 +1036,10 @@ class WheelrailPlain:
         state again. ROLLING_STEP: the wheel rolls on as its velocity says. SHIFT_STEP: nothing
         rolls, velocities times dt are shifts, and the forward speed may be 0. Patches carry their
         tractions from step to step and hand them on by place where they move, part or merge. The
-        first step starts from the steady state solved last, or from rest where there is none
-        (reset()); a step that fails leaves the one before. Steps do not take sections, tables,
-        conformal contacts (ERR_UNSUPPORTED from the solve) and lists of positions.
+        first step starts from the steady state that was solved last, or from rest if there is
+        none; for rest call reset(). A step that fails keeps the state before it. The solve
+        refuses sections, tables and conformal contacts, and calls with lists of positions refuse
+        steps (ERR_UNSUPPORTED).
 
         kind: STEADY, ROLLING_STEP or SHIFT_STEP.
         dt: > 0, time; ignored if the kind is STEADY.
@@ -1046,15 +1047,16 @@ class WheelrailPlain:
         self._call("set_step", kind, dt)
 
     def repeat_step(self) -> None:
-        """Lets the next solve start from where the last step did, as if that had not been. It
-        works once after each step.
+        """Takes the last step back: the next solve starts from where that step started. This is
+        possible once after each step that succeeded (else ERR_STATE).
         """
         self._call("repeat_step")
 
     def past_set(self, past: ArrayLike) -> None:
-        """Lets the next step start from what past_get() gave. Track and wheelset must be set.
-        Numbers of the other side or of other elastic constants, or that were changed, are refused
-        and do not change the past; results of the last solve are gone.
+        """Lets the next step start from numbers that past_get() gave; they are copied. Track and
+        wheelset must be set (ERR_STATE). ERR_ARGUMENT: the numbers were changed, or belong to the
+        other side or to other elastic constants; the past stays as it was. The results of the
+        last solve are gone.
 
         past: what rollcon_wheelrail_past_get gave.
         """

@@ -130,7 +130,10 @@ StripReport StripSolver::couple(const StripScene& scene, StripState& state, Stri
 
 StripReport StripSolver::solve(const StripScene& scene, StripState& state, StripStart start) {
   StripReport report;
-  if (start != StripStart::solution || scene.bodies.ck == 0) {
+  // Without friction pressures displace the bodies along the surface to no effect.
+  const bool coupled = scene.bodies.ck != 0 && scene.mu > 0;
+  if (!(scene.mu > 0)) std::fill(state.traction.begin(), state.traction.end(), 0.0);
+  if (start != StripStart::solution || !coupled) {
     // Tractions over pressures are no tractions yet.
     if (start == StripStart::shares) {
       shares_ = state.traction;
@@ -141,7 +144,7 @@ StripReport StripSolver::solve(const StripScene& scene, StripState& state, Strip
     if (report.status == StripStatus::solved) slide(scene, state, start, report);
     if (report.status != StripStatus::solved) return report;
   }
-  return scene.bodies.ck == 0 ? report : couple(scene, state, report);
+  return coupled ? couple(scene, state, report) : report;
 }
 
 // Computes rates of all residuals by a parameter, with the unknowns held: bound_rates_ has rates of the friction

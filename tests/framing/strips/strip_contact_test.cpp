@@ -158,6 +158,22 @@ void expect_lattice(const char* name, std::optional<closed_forms::Elastic> secon
   expect_error(title + ": approach", relative(t.approach, found[3]), 2e-3);
 }
 
+// Where all slides under spin, slip turns along each chord: few nodes find it if it is extrapolated to them as a curve.
+TEST(strips, slide_under_spin_at_few_nodes) {
+  StripContact contact;
+  StripSolution solution;
+  for (const double lateral : {-8e-3, 0.0, 8e-3}) {
+    StripCase test(FamilyGap::ellipse, 0.3);
+    test.scene.motion = {8e-3, lateral, 1e-3};
+    ASSERT_EQ(contact.solve(test.now(), wide, {24, 22}, solution, false).status, StripStatus::solved);
+    const StripTotals fine = StripContact::totals(solution);
+    ASSERT_EQ(contact.solve(test.now(), wide, {12, 12}, solution, false).status, StripStatus::solved);
+    const StripTotals few = StripContact::totals(solution);
+    const double off = std::hypot(few.force[0] - fine.force[0], few.force[1] - fine.force[1]);
+    expect_error("12 x 12 beside 24 x 22: force over mu Fn", off / (0.3 * fine.load), 2.5e-3);
+  }
+}
+
 TEST(strips, agree_with_lattices) {
   const auto steel = scenes::steady_rolling::steel;
   expect_lattice("equal bodies", steel, 3e-3);

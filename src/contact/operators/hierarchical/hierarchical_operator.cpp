@@ -127,8 +127,8 @@ HierarchicalOperator::HierarchicalOperator(const Frame& frame, const Compliance&
 
 HierarchicalOperator::~HierarchicalOperator() = default;
 
-// Counts what the leaves will hold, blocks of their nodes and of those of the elements that are near and their series,
-// and what is there beside them.
+// Counts the numbers that the leaves will hold, their near blocks and their series, and those of the tables that all
+// leaves share. Throws err_memory where there is no room for them.
 void HierarchicalOperator::require_room(const Frame& frame) const {
   const double blocks = !tangential ? 1 : coupled ? 9 : 5, points = series_.points();
   double numbers = points * points * point_displacements * static_cast<double>(cells_.shifts().size()) +
