@@ -13,7 +13,7 @@ namespace {
 // Lattices of the probe, one after the other until strips are found from one.
 constexpr ProbeCells probes[] = {{8, 12}, {12, 20}, {16, 32}};
 constexpr StripCounts rough{6, 10};
-constexpr int most_without_rough = 100;             // intervals along times across; finer strips begin with rough ones
+constexpr int most_without_rough = 110;             // intervals along times across; finer strips begin with rough ones
 constexpr int looks_along = 4, looks_across = 120;  // places searched for further parts
 
 /// Gives a gap that loads elsewhere widen.
