@@ -128,6 +128,7 @@ void StripGivens::read(Solver& on, const Rectangle& box) {
   scene_.bodies = {bodies.cn, bodies.cv, bodies.ck};
   far_ = 100 * std::hypot(box.x_greatest - box.x_least, box.y_greatest - box.y_least);
   update_known_gap(scene, pair, known_);
+  if (known_) known_->look_over(box);
   quadratic_ = known_ ? std::nullopt : scene.quadratic_gap();
   gap_.of = this;
   scene_.gap = &gap_;

@@ -56,7 +56,7 @@ class StripLayout {
   std::vector<StripPoint> slip_place;  ///< places where slip is taken
   /// Places where gaps vanish: the nodes, then beside the chords' ends and beyond the ends of the widths.
   std::vector<StripPoint> observers;
-  std::vector<double> unit_weight;   ///< integral of a node's shape function over s[row] S[part]
+  std::vector<double> unit_weight;   ///< load of a node's unit pressure over s[row] S[part]
   std::vector<StripPoint> centroid;  ///< centroid of a node's shape function
   std::vector<double> unit_cell;     ///< part of the contact's area that is a node's, over s[row] S[part]
 

@@ -14,9 +14,9 @@ struct Level {
   double accuracy;
   Fineness fineness;
 };
-constexpr Level levels[] = {{0.02, {{8, 8}, {8, 12}, {12, 22}}},
-                            {0.01, {{9, 12}, {12, 16}, {20, 40}}},
-                            {0.005, {{11, 12}, {14, 16}, {32, 64}}}};
+constexpr Level levels[] = {{0.02, {{9, 10}, {10, 12}, {12, 22}}},
+                            {0.01, {{10, 12}, {12, 16}, {20, 40}}},
+                            {0.005, {{12, 14}, {14, 16}, {32, 64}}}};
 
 /// Returns the intervals of a spacing over a length, within what a lattice takes; 0: none is given.
 std::int64_t intervals(double length, double spacing, std::int64_t standard) {

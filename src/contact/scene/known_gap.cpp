@@ -46,6 +46,34 @@ struct Between {
   double at(const std::array<double, 2>& p) const { return along[0] * p[0] + along[1] * p[1]; }
 };
 
+/// Keeps where surfaces were met, by y, as hints for points nearby.
+class PlacesMet {
+ public:
+  PlacesMet() = default;
+  PlacesMet(double low, double high) : low_(low), per_length_(count / (high - low)) {}
+  /// Returns the hints of both bodies at y, where nothing was met yet those from the nearest y.
+  std::array<SurfaceHint, 2>& at(double y) {
+    const auto i = static_cast<int>(std::clamp((y - low_) * per_length_, 0.0, count - 1.0));
+    if (!known_[i]) {
+      int from = last_;
+      for (int k = 1; k < std::abs(from - i); ++k)
+        for (const int beside : {i - k, i + k})
+          if (beside >= 0 && beside < count && known_[beside]) from = beside;
+      hint_[i] = hint_[from];
+      known_[i] = true;
+    }
+    last_ = i;
+    return hint_[i];
+  }
+
+ private:
+  static constexpr int count = 32;
+  double low_ = 0, per_length_ = 0;
+  int last_ = 0;
+  std::array<bool, count> known_{};
+  std::array<std::array<SurfaceHint, 2>, count> hint_;
+};
+
 /// Finds the gap of two bodies, one of which has a surface at least: measured, or where both are there the given one.
 class GapOfSurfaces final : public KnownGap {
  public:
@@ -60,12 +88,13 @@ class GapOfSurfaces final : public KnownGap {
   }
 
   double operator()(double x, double y) const override {
-    const double gap = along(plane_point(axes_, x, y), axes_.n);
+    const double gap = along(plane_point(axes_, x, y), axes_.n, y);
     return given_ && std::isfinite(gap) ? (*given_)[0] * x * x + (*given_)[1] * y * y + (*given_)[2] * x * y : gap;
   }
 
   bool heights(double x, double y, Heights& found) const override {
     const Vec3 point = plane_point(axes_, x, y);
+    std::array<SurfaceHint, 2>& hint = met_.at(y);
     for (std::size_t b = 0; b < 2; ++b) {
       found.height[b] = 0;
       found.slope[b] = {};
@@ -78,12 +107,12 @@ class GapOfSurfaces final : public KnownGap {
       }
       const Pose& pose = pair_.pose[b];
       const Vec3 direction = pose.turn_back(axes_.n), from = pose.to_body(point);
-      const auto met = surface->distance_near(from, direction, (b == 0 ? 1.0 : -1.0) * direction, met_[b]);
+      const auto met = surface->distance_near(from, direction, (b == 0 ? 1.0 : -1.0) * direction, hint[b]);
       if (!met) {
         last_y_ = NAN;
         return false;
       }
-      const Vec3 n = pose.turn(surface->normal_met(from + *met * direction, direction, met_[b]));
+      const Vec3 n = pose.turn(surface->normal_met(from + *met * direction, direction, hint[b]));
       const double steep = dot(n, axes_.n);
       found.height[b] = *met;
       found.slope[b] = {-dot(n, axes_.t1) / steep, -dot(n, axes_.t2) / steep};
@@ -93,8 +122,9 @@ class GapOfSurfaces final : public KnownGap {
     return true;
   }
 
-  /// Returns the way from body 1 to body 2 along a line through a point.
-  double along(const Vec3& point, const Vec3& n) const {
+  /// Returns the way from body 1 to body 2 along a line through a point; y: its place in look_over's region.
+  double along(const Vec3& point, const Vec3& n, double y) const {
+    std::array<SurfaceHint, 2>& hint = met_.at(y);
     double gap = 0;
     for (std::size_t b = 0; b < 2; ++b) {
       const Surface* const surface = pair_.body[b]->surface();
@@ -106,13 +136,15 @@ class GapOfSurfaces final : public KnownGap {
       const Pose& pose = pair_.pose[b];
       const Vec3 direction = pose.turn_back(n);
       const auto met =
-          surface->distance_near(pose.to_body(point), direction, (b == 0 ? 1.0 : -1.0) * direction, met_[b]);
+          surface->distance_near(pose.to_body(point), direction, (b == 0 ? 1.0 : -1.0) * direction, hint[b]);
       if (!met) return INFINITY;
       gap += b == 0 ? -*met : *met;
     }
     return gap;
   }
   bool measured() const { return !given_; }
+
+  void look_over(const Rectangle& box) override { met_ = PlacesMet(box.y_least, box.y_greatest); }
 
   // Looks along both diagonals, of which one passes any edge; edges of tilted bodies are slightly curved.
   bool ends_at(double x, double y, double size) const override {
@@ -192,7 +224,7 @@ class GapOfSurfaces final : public KnownGap {
   Axes axes_;
   PairOfBodies pair_;
   std::optional<std::array<double, 3>> given_;  ///< coefficients of x^2, y^2, xy
-  mutable std::array<SurfaceHint, 2> met_;      ///< hints from the point before
+  mutable PlacesMet met_;
   std::array<bool, 2> straight_{};              ///< bodies that go on without end along t1
   mutable double last_y_ = NAN;                 ///< y of the heights found last
   mutable Heights last_;
@@ -253,7 +285,7 @@ bool fill_known_gap(const Scene& scene, const PairOfBodies& pair, const Frame& f
   const GapOfSurfaces surfaces(scene.axes(), pair, scene.quadratic_gap());
   if (frame.section && surfaces.measured())
     fill(
-        surfaces, frame, [&](std::size_t k) { return surfaces.along(frame.mesh.node[k], frame.n[k]); }, gap);
+        surfaces, frame, [&](std::size_t k) { return surfaces.along(frame.mesh.node[k], frame.n[k], 0); }, gap);
   else
     above(surfaces);
   return true;

@@ -33,6 +33,8 @@ class KnownGap {
   virtual bool ends_at(double x, double y, double size) const = 0;
   /// Returns the region beyond which nothing is known, or one of the bodies is not there. err_state: it has no end.
   virtual Rectangle bounds() const = 0;
+  /// Takes a region in which many heights are going to be asked for: surfaces are then met faster there.
+  virtual void look_over(const Rectangle&) {}
   /// Says what to tell where a contact reaches the bounds; null: a body ends there.
   virtual const char* beyond_bounds() const = 0;
 };

@@ -39,10 +39,22 @@ struct StripScene {
   std::array<const PlaneField*, 2> slip{};  ///< rigid slip over speed, added to what creepages cause
 };
 
+/// Holds factors of a solve. Solves nearby take steps with them, which cost less than Newton's and lead to the same
+/// solution.
+struct StripFactors {
+  Lu<double> normal, friction;  ///< of the normal problem, and of friction alone between like bodies
+  std::vector<double> across;   ///< StripLayout::across of the normal problem
+  int parts = 0;                ///< 0: none of the normal problem
+  bool by_load = false;
+  std::vector<char> slides;  ///< says which nodes slide in those of friction; empty: none
+  std::array<bool, 3> force_given{};
+};
+
 /// Holds a solution or the start of a solve: tractions on body 1 at the layout's nodes, pressures positive.
 struct StripState {
   StripLayout layout;
   std::vector<double> geometry, pressure, traction;  ///< traction: along x of all nodes, then along y
+  StripFactors factors;                              ///< of the last solve
   double approach = 0;
   std::array<double, 3> motion{};
 };
@@ -90,6 +102,12 @@ class StripSolver {
              std::span<StripTotals> rate, std::span<double> share_rate = {});
 
  private:
+  /// Linearises a node's law: direction and share of the bound in the augmented traction.
+  struct Law {
+    bool slides = false;
+    double share = 1;
+    Vec2 along{1, 0};
+  };
   struct Samples {
     std::vector<Vec2> point, slope;
     std::vector<double> value;
@@ -105,6 +123,7 @@ class StripSolver {
   static double normal_size(const StripState& state, const double* step);
   static double normal_step(const StripScene& scene, StripState& state, const double* step, double share);
   bool press_on(const StripScene& scene, StripState& state);
+  bool press_by_kept(const StripScene& scene, StripState& state, int n);
   void slip_rows(const StripScene& scene, const StripState& state, bool rates);
   void rigid_slip(const StripScene& scene, const StripState& state);
   void bounds(const StripScene& scene, const StripState& state);
@@ -116,10 +135,11 @@ class StripSolver {
                      double* pressure, double* geometry) const;
   int reduced_size() const;
   void put_on_bounds(StripState& state) const;
-  void friction_rows(const StripScene& scene, const StripState& state, bool complete, double* row, int columns,
-                     double* right);
+  void friction_rows(const StripScene& scene, const StripState& state, bool complete, double* row, int columns);
   void take(const StripScene& scene, StripState& state, const double* by, double share) const;
-  bool friction_step(const StripScene& scene, StripState& state);
+  void friction_errors(const StripScene& scene, double* error) const;
+  bool is_kept(const StripScene& scene, const StripFactors& factors) const;
+  bool friction_step(const StripScene& scene, StripState& state, bool by_kept);
   /// Computes slopes of a total (forces and moment, load, integrals of pressure times x and y) by pressures and
   /// geometry, and by tractions along x (u) and y (v).
   static void total_slopes(const StripState& state, int which, double* slope, double* u, double* v);
@@ -132,13 +152,6 @@ class StripSolver {
   StripTotals total_rates(const StripScene& scene, const StripState& state, const StripParameter& p, double* dz);
   StripReport couple(const StripScene& scene, StripState& state, StripReport report);
   void slide(const StripScene& scene, StripState& state, StripStart start, StripReport& report);
-
-  /// Linearises a node's law: direction and share of the bound in the augmented traction.
-  struct Law {
-    bool slides = false;
-    double share = 1;
-    Vec2 along{1, 0};
-  };
 
   StripIntegrals integrals_;
   Lu<double> lu_, lu_friction_;

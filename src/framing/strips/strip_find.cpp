@@ -13,8 +13,8 @@ namespace {
 // Lattices of the probe, one after the other until strips are found from one.
 constexpr ProbeCells probes[] = {{8, 12}, {12, 20}, {16, 32}};
 constexpr StripCounts rough{6, 10};
-constexpr int most_without_rough = 110;             // intervals along times across; finer strips begin with rough ones
-constexpr int looks_along = 4, looks_across = 120;  // places searched for further parts
+constexpr int most_without_rough = 120;             // intervals along times across; finer strips begin with rough ones
+constexpr int looks_along = 4, looks_across = 120;  // intervals of the box that is searched for further parts
 
 /// Gives a gap that loads elsewhere widen.
 struct GapBeside : PlaneField {
@@ -209,7 +209,7 @@ bool StripFinder::more_parts(const StripScene& scene, const Rectangle& box, Stri
   const double hx = (box.x_greatest - box.x_least) / looks_along, hy = (box.y_greatest - box.y_least) / looks_across;
   point_.clear();
   for (int j = 0; j <= looks_across; ++j)
-    for (int i = 0; i <= looks_along; ++i)
+    for (int i = 1; i < looks_along; ++i)
       if (const Vec2 at{box.x_least + i * hx, box.y_least + j * hy}; !inside(state, at, reach)) point_.push_back(at);
   gap_.resize(point_.size());
   scene.gap->at(point_, gap_.data(), nullptr);
@@ -246,6 +246,8 @@ bool StripFinder::more_parts(const StripScene& scene, const Rectangle& box, Stri
         value = there;
       }
       step[d] = std::max(step[d] / 2, 1e-4 * (d == 0 ? hx : hy));
+      // It leads to the contact that is there already.
+      if (inside(state, at, reach)) return false;
     }
   if (!(value < 0) || inside(state, at, reach)) return false;
   StripState more;

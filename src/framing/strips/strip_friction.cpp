@@ -9,6 +9,8 @@ namespace {
 
 constexpr int most_rounds = 60;
 constexpr double converged = 1e-11;  // residual of the laws over the largest bound
+// Steps with kept factors: the residual, over the largest bound, to begin with, and what steps leave of it at most.
+constexpr double first_kept = 0.05, rate_of_kept = 0.02;
 
 }  // namespace
 
@@ -192,7 +194,7 @@ void StripSolver::put_on_bounds(StripState& state) const {
 //   stick: s = 0;   slide: t = b e + z k, k across e, (1 - g) z + g r k.s = 0;   loads that are given
 // Columns: z or t, motions whose loads are given; if complete, pressures, geometry and approach before.
 void StripSolver::friction_rows(const StripScene& scene, const StripState& state, bool complete, double* row,
-                                int columns, double* right) {
+                                int columns) {
   const StripLayout& l = state.layout;
   const int n = l.nodes, before = complete ? n + l.geometry + 1 : 0;
   form_.resize(2 * static_cast<std::size_t>(n));
@@ -230,7 +232,6 @@ void StripSolver::friction_rows(const StripScene& scene, const StripState& state
       if (scene.force_given[0]) *to++ = r1;
       if (scene.force_given[1]) *to++ = r2;
       if (scene.force_given[2]) *to++ = r2 * place[0] - r1 * place[1];
-      *right++ = r1 * slip_now_[i] + r2 * slip_now_[n + i];
     }
   }
   for (int k = 0; k < 3; ++k) {
@@ -244,8 +245,24 @@ void StripSolver::friction_rows(const StripScene& scene, const StripState& state
     }
     spread(u, v, row + before);
     row += columns;
-    *right++ = load_error_[k];
   }
+}
+
+// Computes what the rows are off by at the state.
+void StripSolver::friction_errors(const StripScene& scene, double* error) const {
+  const std::size_t n = laws_.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Law& law = laws_[i];
+    const double r = law.share * scale_[i], s1 = r * slip_now_[i], s2 = r * slip_now_[n + i];
+    if (law.slides) {
+      *error++ = s2 * law.along[0] - s1 * law.along[1];
+    } else {
+      *error++ = s1;
+      *error++ = s2;
+    }
+  }
+  for (int k = 0; k < 3; ++k)
+    if (scene.force_given[k]) *error++ = load_error_[k];
 }
 
 void StripSolver::take(const StripScene& scene, StripState& state, const double* by, double share) const {
@@ -265,17 +282,30 @@ void StripSolver::take(const StripScene& scene, StripState& state, const double*
     if (scene.force_given[k]) state.motion[k] -= share * *by++;
 }
 
-bool StripSolver::friction_step(const StripScene& scene, StripState& state) {
+// Says whether factors are those of the same nodes sticking and the same loads given.
+bool StripSolver::is_kept(const StripScene& scene, const StripFactors& factors) const {
+  return factors.force_given == scene.force_given &&
+         std::equal(laws_.begin(), laws_.end(), factors.slides.begin(), factors.slides.end(),
+                    [](const Law& law, char slides) { return law.slides == (slides != 0); });
+}
+
+bool StripSolver::friction_step(const StripScene& scene, StripState& state, bool by_kept) {
   const int loads = scene.force_given[0] + scene.force_given[1] + scene.force_given[2];
   const int size = reduced_size() + loads, most = 2 * state.layout.nodes + 3;
   put_on_bounds(state);
   slip(state);
   if (loads > 0) load_errors(scene, state);
-  double* matrix = lu_.prepare(size, most - size);
   step_.resize(static_cast<std::size_t>(most));
-  friction_rows(scene, state, false, matrix, size, step_.data());
-  if (!lu_.factor()) return false;
-  lu_.solve(step_.data());
+  friction_errors(scene, step_.data());
+  StripFactors& f = state.factors;
+  if (!by_kept) {
+    f.slides.clear();
+    friction_rows(scene, state, false, f.friction.prepare(size, most - size), size);
+    if (!f.friction.factor()) return false;
+    for (const Law& law : laws_) f.slides.push_back(law.slides ? 1 : 0);
+    f.force_given = scene.force_given;
+  }
+  f.friction.solve(step_.data());
   take(scene, state, step_.data(), 1);
   return true;
 }
@@ -301,6 +331,8 @@ void StripSolver::slide(const StripScene& scene, StripState& state, StripStart s
     report.status = StripStatus::beyond_friction;
     return;
   }
+  // Factors at hand serve as long as they shorten residuals as much as new ones would in their time.
+  double most_kept = start == StripStart::solution ? first_kept : 0;
   while (report.friction_rounds++ < most_rounds) {
     const double residual = judge(scene, state);
     if (!std::isfinite(residual)) return;
@@ -311,7 +343,8 @@ void StripSolver::slide(const StripScene& scene, StripState& state, StripStart s
     // Motions that are not known are found from sticking everywhere, first.
     if (loads && !warm && report.friction_rounds == 1)
       for (Law& law : laws_) law = Law{};
-    if (!friction_step(scene, state)) return;
+    if (!friction_step(scene, state, residual < most_kept && is_kept(scene, state.factors))) return;
+    most_kept = rate_of_kept * residual;
     slip(state);
   }
 }

@@ -15,6 +15,10 @@ constexpr double last_step = 3e-7;
 constexpr double rounded_step = 1e-5, rounded = 1e-6;  // step that no longer shortens residuals, their size
 constexpr double small_step = 1e-3;                    // step after which the same factors may do for another
 constexpr double least_share = 0.02;                   // least part of a step that is shortened as residuals grow
+// Steps with the factors of an earlier solution: the longest first one that is taken, and that after which Newton's
+// steps take as long; the least rate at which they shrink; the next step that is left out.
+constexpr int most_kept = 5;
+constexpr double longest_kept = 0.03, long_kept = 3e-3, slowest_kept = 0.02, left_out = 1e-10;
 
 }  // namespace
 
@@ -135,31 +139,57 @@ bool StripSolver::press_on(const StripScene& scene, StripState& state) {
   return true;
 }
 
-// Takes a step with the factors of the last one; it leaves an error in proportion to the product of both sizes.
+// Takes a step with the factors at hand; it leaves an error in proportion to the product of both sizes.
 double StripSolver::kept_step(const StripScene& scene, StripState& state, int n) {
   integrals_.lay(state.layout, scene.bodies, state.geometry.data());
   set_fields(state);
   normal_rows(scene, state, Rows::none, nullptr, n, n, step_.data());
-  lu_.solve(step_.data());
+  state.factors.normal.solve(step_.data());
   return std::max(normal_size(state, step_.data()), normal_step(scene, state, step_.data(), 1));
+}
+
+// Goes on from a solution nearby with the factors of the last one, if they are those of the same strips. Returns
+// whether this solved the problem; otherwise the state is one to go on from.
+bool StripSolver::press_by_kept(const StripScene& scene, StripState& state, int n) {
+  const StripLayout& l = state.layout;
+  const StripFactors& f = state.factors;
+  if (f.parts != l.parts || f.across != l.across || f.by_load != scene.by_load || f.normal.size() != n) return false;
+  double before = 0;
+  for (int round = 0; round < most_kept; ++round) {
+    const double change = kept_step(scene, state, n);
+    if (round == 0 && !(change < longest_kept)) {
+      normal_step(scene, state, step_.data(), -1);
+      return false;
+    }
+    if (change < left_out || (round > 0 && change * change < left_out * before)) return true;
+    if (change > (round == 0 ? long_kept : slowest_kept * before)) return false;
+    before = change;
+  }
+  return false;
 }
 
 StripReport StripSolver::press(const StripScene& scene, StripState& state, StripStart start) {
   const StripLayout& l = state.layout;
   const int n = l.nodes + l.geometry + 1;
   StripReport report{StripStatus::not_converged};
+  step_.resize(static_cast<std::size_t>(n));
+  if (start == StripStart::solution && press_by_kept(scene, state, n)) {
+    report.status = StripStatus::solved;
+    return report;
+  }
   if (start != StripStart::solution) {
     state.pressure.assign(static_cast<std::size_t>(l.nodes), 0);
     if (start == StripStart::geometry) state.traction.assign(2 * static_cast<std::size_t>(l.nodes), 0);
     if (!press_on(scene, state)) return report;
   }
-  step_.resize(static_cast<std::size_t>(n));
+  StripFactors& f = state.factors;
   double before = std::numeric_limits<double>::infinity(), share = 0, change = 1;
   while (report.normal_rounds++ < most_rounds) {
     integrals_.lay(l, scene.bodies, state.geometry.data());
     set_fields(state);
     residual_.resize(static_cast<std::size_t>(n));
-    normal_rows(scene, state, Rows::all, lu_.prepare(n), n, n, residual_.data());
+    f.parts = 0;
+    normal_rows(scene, state, Rows::all, f.normal.prepare(n), n, n, residual_.data());
     const double now = norm2(residual_.data(), n);
     if (!(now < before) && change < rounded_step) {
       // Rounding alone may be left of residuals, which then are far below the overlap.
@@ -177,9 +207,12 @@ StripReport StripSolver::press(const StripScene& scene, StripState& state, Strip
       continue;
     }
     before = now;
-    if (!lu_.factor()) return report;
+    if (!f.normal.factor()) return report;
+    f.across = l.across;
+    f.parts = l.parts;
+    f.by_load = scene.by_load;
     step_.swap(residual_);
-    lu_.solve(step_.data());
+    f.normal.solve(step_.data());
     const double longest = normal_size(state, step_.data());
     if (!std::isfinite(longest)) return report;
     share = longest > longest_step ? longest_step / longest : 1;

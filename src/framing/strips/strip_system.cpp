@@ -63,8 +63,8 @@ void StripSolver::linearise(const StripScene& scene, const StripState& state) {
   all_right_.resize(most);
   normal_rows(scene, state, Rows::all, matrix_.data(), normal_size_, size, all_right_.data());
   load_errors(scene, state);
-  friction_rows(scene, state, true, matrix_.data() + static_cast<std::ptrdiff_t>(normal_size_) * size, size,
-                all_right_.data() + normal_size_);
+  friction_rows(scene, state, true, matrix_.data() + static_cast<std::ptrdiff_t>(normal_size_) * size, size);
+  friction_errors(scene, all_right_.data() + normal_size_);
 }
 
 bool StripSolver::factor_all() {
