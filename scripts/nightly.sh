@@ -20,6 +20,7 @@ mkdir -p "$logs"
 [ $# -gt 0 ] || set -- tests sanitizers tidy components documents random fuzz valgrind mutants accuracy
 
 stage_tests() {
+  bash scripts/setup.sh octave
   configure release -DROLLCON_WERROR=ON -DROLLCON_BENCH=ON
   cmake --build --preset release -j "$jobs"
   run_tests nightly release
