@@ -97,6 +97,7 @@ std::vector<Case> creep_table_cases();
 std::vector<Case> equivalent_ellipse_cases();
 std::vector<Case> stability_cases();
 std::vector<Case> stress_cases();
+std::vector<Case> slice_cases();
 
 double now();  ///< monotonic seconds
 

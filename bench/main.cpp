@@ -34,7 +34,7 @@ std::vector<Case> all_cases() {
                       creep_table_cases,    equivalent_ellipse_cases,
                       many_cases,           saved_body_cases,
                       lattice_cases,        stress_cases,
-                      stability_cases})
+                      slice_cases,          stability_cases})
     for (Case& c : family()) cases.push_back(std::move(c));
 #ifdef ROLLCON_BENCH_WHEELSET
   for (Case& c : wheelset_cases()) cases.push_back(std::move(c));
