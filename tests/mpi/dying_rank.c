@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
   rollcon_contact_set_gap_quadratic(contact, 0.001, 0.001, 0);
   rollcon_contact_set_friction(contact, "coulomb", 1, &mu);
   rollcon_contact_frame_rectangle(contact, ROLLCON_QUAD4, 8, 8, -8, 8, -8, 8);
+  rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, value[0]);
   MPI_Barrier(MPI_COMM_WORLD);
   if (rank == 0 && rollcon_contact_solve(contact) == ROLLCON_OK) {
     printf("all ranks are ready\n");
