@@ -8,6 +8,12 @@ target_compile_options(rollcon_flags INTERFACE
   $<$<COMPILE_LANGUAGE:C,CXX>:-Wall;-Wextra>
   $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor;-Woverloaded-virtual>)
 
+# What the sources use of POSIX comes from here. GCC takes formats for those of Microsoft.
+if(WIN32)
+  target_include_directories(rollcon_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:${CMAKE_CURRENT_LIST_DIR}/windows>)
+  target_compile_options(rollcon_flags INTERFACE "$<$<COMPILE_LANGUAGE:CXX>:SHELL:-include posix.hpp -Wno-format>")
+endif()
+
 # GCC 12 and 13 see overlapping copies in std::string's own code.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 14)
   target_compile_options(rollcon_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wno-restrict>)

@@ -12,6 +12,7 @@ foreach(_kind IN ITEMS shared static)
   string(TOUPPER ${_kind} _option)
   if(ROLLCON_${_option})
     install(TARGETS rollcon_${_kind} EXPORT rollcon_${_kind}
+      RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT library
       LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT library NAMELINK_COMPONENT development
       ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development)
     install(EXPORT rollcon_${_kind} NAMESPACE rollcon:: FILE rollcon-${_kind}-targets.cmake

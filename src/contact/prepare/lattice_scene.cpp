@@ -20,8 +20,9 @@ namespace {
 // FFT takes less time from so many nodes on, one cold solve and one warm taken together (docs/speed.md): cold solves
 // gain from the first node on, warm ones lose where few nodes touch.
 constexpr std::int64_t fft_from = 400;
-// Hierarchical operators take less time than matrices from so many nodes on (docs/speed.md).
-constexpr std::int64_t hierarchical_from = 4000;
+// Hierarchical operators take less time than matrices from so many nodes on, one cold solve and one warm taken together
+// (docs/howto/choose.md): cold solves gain from 1,000 nodes on, warm ones lose up to 5,000.
+constexpr std::int64_t hierarchical_from = 3000;
 // Matrices of bodies that are nearly half-spaces take less time up to here (docs/sections.md).
 constexpr std::int64_t corrected_from = 1000;
 

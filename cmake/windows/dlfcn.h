@@ -1,0 +1,1 @@
+/// Holds nothing: posix.hpp has it.
