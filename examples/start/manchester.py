@@ -24,3 +24,5 @@ for side, y, z, roll, rate, published in CASES:
     solved = (wheel.patch_stat(0, name) for name in ("normal_force", "longitudinal_force", "lateral_force", "max_pressure"))
     for name, numbers in (("rollcon", solved), ("CONTACT", published)):
         print("{:6} {:5.1f}  {} {:8.0f} {:13.0f} {:8.0f} {:17.0f}".format(side, y, name, *numbers))
+    if (side, y) == ("right", 2.0):
+        wheel.plot_patches().figure.savefig("manchester.png")

@@ -1,3 +1,4 @@
+import matplotlib.pyplot as pyplot
 import rollcon as rc
 
 context = rc.Context()
@@ -18,3 +19,9 @@ for _ in range(40):
     contact.solve()
     creepage.append(contact.motion()[1][0])
 print(f"creepage of the first step {creepage[0]:.6f}, of the last {creepage[-1]:.6f}")
+figure, axes = pyplot.subplots(figsize=(6, 4), layout="constrained")
+axes.plot(range(1, 41), creepage, label="rollcon")
+axes.plot([1, 40], [0.001824, 0.003101], "o", mfc="none", label="CONTACT")
+axes.set(xlabel="step of rolling", ylabel="creepage")
+axes.legend()
+figure.savefig("shift_then_roll.png")
