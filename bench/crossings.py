@@ -22,7 +22,7 @@ SIZES = {
     "half-space, irregular, dense": (30, 44, 62, 80),
     "half-space, irregular, hierarchical": (30, 44, 62, 100, 140),
     "boundary elements, dense": (4, 6, 8, 10, 12),
-    "boundary elements, hierarchical": (6, 8, 10, 12),
+    "boundary elements, hierarchical": (6, 8, 10, 12, 18, 32),
     "finite elements, CHOLMOD": (8, 16, 24),
     "finite elements, MUMPS": (8, 16, 24),
 }
@@ -225,7 +225,7 @@ def report(path, docs, command):
     for name in models:
         for r in sorted((r for r in records if r["model"] == name), key=lambda r: r["unknowns"]):
             time_of[name].append((r["unknowns"], r["seconds"]))
-            rows.append([name, f"{r['nodes']:,}", f"{r['unknowns']:,}", f"{r['seconds']:.2g} s", memory(r["bytes"]),
+            rows.append([name, f"{r['nodes']:,}", f"{r['unknowns']:,}", f"{r['seconds']:.{2 if r['seconds'] < 99.5 else 3}g} s", memory(r["bytes"]),
                          f"{r['error']:.1e}" if "error" in r else "-"])
     image = plot(f"{docs}/images/sizes.png", "Time of a first solve on one thread", "unknowns", "seconds", time_of)
     text = (f"Made by `{command}`, {processor()}; seconds of one processor. Hierarchical "
