@@ -76,10 +76,12 @@ TEST(HierarchicalOperator, EqualsTheDenseOperators) {
     std::printf("%-16s %-14s %6lld nodes: error of slip %.1e, bound 5e-6, of displacement %.1e, bound 1e-6\n", name,
                 scheme.name, static_cast<long long>(mesh.nodes()), slip, normal);
     EXPECT_LT(slip, 5e-6) << name;
+    EXPECT_GT(slip, 1e-12) << name << ": no two squares are far from each other";
     EXPECT_LT(normal, 1e-6) << name;
   };
-  for (const Scheme scheme : {Scheme::characteristic, scheme_of("godunov"), scheme_of("least_squares")})
-    expect("tri3", irregular(ElementType::tri3, 28), scheme, unlike);
+  expect("tri3", irregular(ElementType::tri3, 28), Scheme::characteristic, unlike);
+  for (const char* scheme : {"godunov", "least_squares"})
+    expect("tri3", irregular(ElementType::tri3, 44), scheme_of(scheme), unlike);
   expect("tri3, alike", irregular(ElementType::tri3, 26), Scheme::characteristic, alike);
   expect("tri3, no shear", irregular(ElementType::tri3, 26), Scheme::characteristic, incompressible);
   expect("tri6", irregular(ElementType::tri6, 20), Scheme::characteristic, unlike);
@@ -94,12 +96,13 @@ TEST(HierarchicalOperator, EqualsTheDenseOperators) {
 }
 
 TEST(HierarchicalOperator, ErrorsFallWithTheAccuracy) {
-  const SurfaceMesh mesh = irregular(ElementType::tri3, 22);
+  const SurfaceMesh mesh = irregular(ElementType::tri3, 28);
   for (const double accuracy : {1e-3, 1e-6, 1e-9}) {
     const auto [slip, normal] = errors(Operands(mesh, unlike, 1e-10), accuracy);
     std::printf("accuracy %.0e: error of slip %.1e, bound %.0e, of displacement %.1e\n", accuracy, slip, 5 * accuracy,
                 normal);
     EXPECT_LT(slip, 5 * accuracy);
+    EXPECT_GT(slip, 1e-12) << "no two squares are far from each other";
     EXPECT_LT(normal, accuracy);
   }
 }

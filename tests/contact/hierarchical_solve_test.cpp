@@ -161,8 +161,8 @@ TEST(Hierarchical_nightly, TwentyThousandNodesGradedToTheEdge) {
   EXPECT_LT(pair.stat("operator_bytes"), 2e9);
 }
 
-// Carter's problem is plane: the frame is a strip ten half-widths to each side, its triangles twice as narrow at the
-// edges of the contact as in the middle.
+// Carter's problem is plane: the frame is a strip ten half-widths to each side, loaded up to its ends, and its
+// triangles are twice as narrow at the edges of the contact as in the middle.
 TEST(Hierarchical_nightly, CarterOnTwentyThousandNodesGradedToTheEdges) {
   const scenes::Strip strip{scenes::carter.hertz, 10};
   std::vector<double> x = frames::uniform_lines(-1.2, 1.2, 128);
@@ -171,7 +171,7 @@ TEST(Hierarchical_nightly, CarterOnTwentyThousandNodesGradedToTheEdges) {
   RollingPair pair(scenes::roller, scenes::roller, 2);
   pair.frame(mesh).option("operators", "hierarchical");
   scenes::load_strip(pair, strip, mesh);
-  EXPECT_EQ(pair.solve(), ROLLCON_OK);
+  EXPECT_EQ(pair.solve(), ROLLCON_RIM_CONTACT);
   EXPECT_GT(pair.stat("operator_applications"), 0);
   const scenes::CarterErrors error = scenes::compare(scenes::middle_section(pair.solution()));
   expect_error(std::to_string(mesh.nodes()) + " nodes, load", error.load, 1e-3);
