@@ -8,6 +8,7 @@
 #     docs       what scripts/site.sh makes the documents' site with
 #     octave     what compiles and tests the package for Octave, and draws its pictures; optional
 #     package    what scripts/package.sh makes and checks packages with
+#     windows    compilers for Windows, and what runs their programs here; optional (docs/build.md)
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
@@ -24,6 +25,7 @@ declare -A sets=(
     libsundials-dev python3-matplotlib python3-meshio calculix-ccx"
   [docs]="mkdocs mkdocs-material libjs-mathjax fonts-mathjax codespell python3-matplotlib"
   [octave]="octave octave-dev gnuplot-nox ghostscript fonts-freefont-otf"
+  [windows]="g++-mingw-w64-x86-64-posix gfortran-mingw-w64-x86-64-posix wine64"
   [package]="dpkg-dev fakeroot lintian debhelper file python3-pip python3-venv"
 )
 [ $# -gt 0 ] || set -- build demo test

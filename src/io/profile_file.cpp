@@ -1,19 +1,13 @@
 #include "io/profile_file.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <optional>
-#include <system_error>
 
-#include "io/part_file.hpp"
 #include "io/profile_lines.hpp"
+#include "io/whole_file.hpp"
 #include "support/error.hpp"
 
 namespace rollcon {
@@ -280,32 +274,8 @@ ProfileFile read_profile_file(const std::string& path) {
   return RowReader(path, ends_in(path, {".ban", ".whl", ".mpt"})).read();
 }
 
-void write_profile_file(std::string path, const std::vector<std::array<double, 2>>& point) {
-  const std::string text = text_of(point, is_simpack(path));
-  const std::string asked = path;
-  std::string part;
-  const auto failed = [&](int error) {
-    if (!part.empty()) unlink(part.c_str());
-    fail(Status::err_io, "%s cannot be written: %s", asked.c_str(), std::generic_category().message(error).c_str());
-  };
-  const int file = open_part(path, part);
-  if (file < 0) {
-    const int error = errno;
-    part.clear();
-    failed(error);
-  }
-  for (std::size_t done = 0; done < text.size();) {
-    const ssize_t written = write(file, text.data() + done, text.size() - done);
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) {
-      const int error = written < 0 ? errno : EIO;
-      close(file);
-      failed(error);
-    }
-    done += static_cast<std::size_t>(written);
-  }
-  if (close(file) != 0) failed(errno);
-  if (std::rename(part.c_str(), path.c_str()) != 0) failed(errno);
+void write_profile_file(const std::string& path, const std::vector<std::array<double, 2>>& point) {
+  write_whole_file(path, text_of(point, is_simpack(path)));
 }
 
 }  // namespace rollcon

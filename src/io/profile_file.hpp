@@ -20,6 +20,6 @@ ProfileFile read_profile_file(const std::string& path);
 
 /// Writes Simpack's form (in mm, so that units.len.f is 1000) for names that end in .prr or .prw, else two columns. The
 /// file appears whole or not at all. Throws err_io.
-void write_profile_file(std::string path, const std::vector<std::array<double, 2>>& point);
+void write_profile_file(const std::string& path, const std::vector<std::array<double, 2>>& point);
 
 }  // namespace rollcon

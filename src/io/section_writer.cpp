@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <iterator>
 #include <system_error>
 
@@ -111,7 +112,9 @@ void SectionWriter::commit() {
   const int file = file_;
   file_ = -1;
   if (close(file) != 0) fail_here(errno);
-  if (std::rename(part_.c_str(), path_.c_str()) != 0) fail_here(errno);
+  std::error_code renamed;
+  std::filesystem::rename(part_, path_, renamed);
+  if (renamed) fail_here(renamed.value());
   part_.clear();
   // Some file systems cannot bring a folder to the disk; the file itself is whole in any case.
   if (const int folder = open(folder_of(path_).c_str(), O_RDONLY | O_CLOEXEC); folder >= 0) {
