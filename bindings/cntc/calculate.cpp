@@ -22,8 +22,6 @@ void refuse_absent(const Problem& p) {
   if (d.bound != 0 && !(d.bound == 2 && hertz))
     throw Failure(CNTC_err_other, "traction bound B = " + std::to_string(d.bound) +
                                       " is not available: B = 0 solves for the pressures");
-  if (p.module == 1 && d.config > 1)
-    throw Failure(CNTC_err_search, "rollers (C1 = 4, 5) are not available: wheels on rails are C1 = 0, 1");
   if (p.module == 1 && d.discns >= 6)
     throw Failure(CNTC_err_discr,
                   "contact search D = " + std::to_string(d.discns) + " is not available: use D = 2 or 4");

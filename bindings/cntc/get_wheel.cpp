@@ -59,7 +59,8 @@ void get_wheelset_velocity(Call& c, int n, double* values) {
   const WheelSolver* w = c.p.wheel.get();
   const auto& q = c.in().wheelset.velocity;
   const double rate = w && w->solved && c.in().digits.force == 1 ? w->pitch_rate : q[5];
-  const double v[6] = {q[0] / length, q[1] / length, q[2] / length, q[3], q[4], rate};
+  const double first = q[0] / (c.in().digits.roller() ? 1 : length);  // a rate, if the rail is a roller
+  const double v[6] = {first, q[1] / length, q[2] / length, q[3], q[4], rate};
   put(n, values, v, 6, true);
 }
 
@@ -79,9 +80,10 @@ void get_location(Call& c, int n, double* values) {
       v[from + 1] = s * x[1] / length;
       v[from + 2] = x[2] / length;
     };
-    place(0, patch.reference);
+    const Vec3 off{w->x, 0, 0};
+    place(0, patch.reference + off);
     v[3] = s * patch.delta;
-    const Vec3 in_rail = transposed(w->rail.rotation) * (patch.reference - w->rail.origin);
+    const Vec3 in_rail = transposed(w->rail.rotation) * (patch.reference + off - w->rail.origin);
     place(4, in_rail);
     v[7] = s * arc_length(w->rail_profile, in_rail[1], in_rail[2]) / length;
     v[8] = s * (patch.delta - roll_of(w->rail.rotation));
@@ -96,10 +98,14 @@ void get_location(Call& c, int n, double* values) {
       y += r.pn[k] * r.grid.y(int(k / size_t(r.grid.mx)));
     }
     if (sum > 0) {
-      v[14] = (patch.reference[0] + x / sum) / length;
+      v[14] = (patch.reference[0] + w->x + x / sum) / length;
       v[15] = (s * patch.reference[1] + y / sum * std::cos(patch.delta)) / length;
     }
-    place(20, w->wheel.origin);
+    if (c.in().digits.force == 3) {
+      v[17] = s * w->deflection[0] / length;
+      v[18] = w->deflection[1] / length;
+    }
+    place(20, w->wheel.origin + off);
     v[23] = s * roll_of(w->wheel.rotation);
     v[24] = s * yaw_of(w->wheel.rotation);
     v[25] = s * w->rail.origin[1] / length;
@@ -194,10 +200,12 @@ void get_profile_values(Call& c, int task, int nints, const int* ints, int nreal
     return put(n, values, v, 2, false);
   }
   if (error) return;
-  if (task >= 6 && task <= 8) return say(c, "task %d is for variable profiles, which are not available", task);
+  if (task >= 6 && task <= 8)
+    return say(c, "task %d, lines of a variable profile, is not available; allowed: -1 to 5, of the slice nearest to 0",
+               task);
   const std::vector<ProfilePoint> points = sample(profile, how, step);
   const WheelSolver* w = c.p.wheel && c.p.wheel->solved ? c.p.wheel.get() : nullptr;
-  const double s = c.in().digits.config == 0 ? -1 : 1;
+  const double s = c.in().digits.left() ? -1 : 1;
   std::vector<double> v;
   if (task == 0) {
     v = {double(points.size())};

@@ -14,7 +14,6 @@ void InpCase::read_wheel() {
   if (c[2] != 0 && c[2] != 1 && c[2] != 5 && c[2] != 6) in_.fail(print("B is %d; allowed: 0, 1, 5, 6", c[2]));
   if (c[5] != 0 && c[5] != 1 && c[5] != 3) in_.fail(print("F is %d; allowed: 0, 1, 3", c[5]));
   if (c[5] == 1 && c[4] != 1) in_.fail("F = 1 needs N = 1");
-  if (c[0] >= 4) in_.fail("rollers (C1 = 4, 5) are not available");
   d.config = c[0];
   d.pvtime = first_ ? 2 : c[1];
   d.bound = c[2];
@@ -86,7 +85,9 @@ void InpCase::read_track(int z) {
       t.raily0 = q[1];
       t.railz0 = q[2];
     }
-    t.cant = q[3];
+    const bool roller = v_.digits.roller();
+    (roller ? t.nomrad : t.cant) = q[3];
+    if (roller) t.cant = 0;
     t.curv = q.size() > 4 ? q[4] : 0;
   }
   if (z == 3) read_profile(v_.rail, false);

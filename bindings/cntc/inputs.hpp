@@ -14,6 +14,9 @@ struct Digits {
   int ifmeth = 0, ifvari = 4, sbsout = 0, sbsfil = 0, npomax = 20000;
   int idebug = 0, licdbg = 0, wrtinp = 0, openmp = 1, timers = 0, ncase = 0, frames = 0;
   int gausei = 0, damping = 0;
+
+  bool left() const { return config == 0 || config == 4; }
+  bool roller() const { return config >= 4; }
 };
 
 /// Holds solver settings for getters and files; rollcon's Newton iteration uses only the count and the tolerance.

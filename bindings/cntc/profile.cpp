@@ -23,7 +23,9 @@ void Profile::read(rollcon_context* context, const ProfileInput& input, double u
   check(rollcon_body_create(context, ROLLCON_BODY_HALFSPACE, &body));
   body_.reset(body);
   const double filter = filter_length(input);
-  if (input.points.empty()) {
+  if (varies_) {
+    check(rollcon_body_read_slices(body, input.path.c_str(), 1, unit, mirror, filter));
+  } else if (input.points.empty()) {
     check(rollcon_body_read_profile(body, input.path.c_str(), unit, mirror, filter));
   } else {
     std::vector<double> points = input.points;
@@ -52,11 +54,10 @@ bool Profile::upside_down(bool wheel) const {
   return high - heights[n / 2] < heights[n / 2] - low;
 }
 
-void Profile::make(rollcon_context* context, const ProfileInput& input, const Material& material) {
+void Profile::make(rollcon_context* context, const ProfileInput& input, const Material& material, bool turned_over) {
   const char* which = input.wheel ? "wheel" : "rail";
   if (!input.given) throw Failure(CNTC_err_profil, std::string("the profile of the ") + which + " is missing");
-  if (ends_with(input.path, ".slcs") || ends_with(input.path, ".slcw"))
-    throw Failure(CNTC_err_profil, input.path + ": variable profiles are not available: give one profile");
+  varies_ = ends_with(input.path, ".slcs") || ends_with(input.path, ".slcw");
   try {
     int mirror = (input.mirror_y == 1 ? 1 : 0) + (input.mirror_z == 1 ? 2 : 0);
     double unit = input.scale > 0 ? input.scale : 1;
@@ -65,7 +66,8 @@ void Profile::make(rollcon_context* context, const ProfileInput& input, const Ma
       unit = 1;  // the file's own units were obeyed already
       read(context, input, unit, mirror);
     }
-    if (input.mirror_z == 0 && upside_down(input.wheel)) read(context, input, unit, mirror | 2);
+    if (input.mirror_z == 0 && upside_down(input.wheel)) mirror |= 2, read(context, input, unit, mirror);
+    if (turned_over) read(context, input, unit, mirror ^ 2);
     if (!(length_ >= shortest && length_ <= longest))
       throw Failure(CNTC_err_profil, std::string("the profile of the ") + which + " is " + std::to_string(length_) +
                                          " mm long; allowed: 5 to 500");

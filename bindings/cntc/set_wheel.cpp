@@ -136,7 +136,9 @@ void set_wheelset_velocity(Call& c, int kind, int n, const double* q) {
   if (kind == 1 && n == 6) kind = 2;
   if (kind < 1 || kind > 5) return void(no_method(c, kind));
   if (kind == 1) return;
-  if (!lacks(c, kind, n, 6, q)) take_six(c.in().wheelset.velocity, q, c.units().length);
+  if (lacks(c, kind, n, 6, q)) return;
+  take_six(c.in().wheelset.velocity, q, c.units().length);
+  if (c.in().digits.roller()) c.in().wheelset.velocity[0] = q[0];  // the rate of the roller
 }
 
 void set_wheelset_flexibility(Call& c, int kind, int n, const double* q) {

@@ -70,16 +70,40 @@ void WheelSolver::set_velocities(const Inputs& in, WheelPatch& patch) const {
   at.rail_velocity = {0, track_.rate[0], track_.rate[1]};
   at.rail_rate = {track_.rate[2], 0, 0};
   at.rail_point = rail.origin;
+  if (roller_ > 0) {
+    const Vec3 turning = roller_rate_ * (rail.rotation * Vec3{0, 1, 0});
+    at.rail_velocity = at.rail_velocity + cross(turning, rail.origin - at.rail_origin);
+    at.rail_rate = at.rail_rate + turning;
+  }
   at.by_velocity = in.digits.discns >= 3 && in.digits.discns <= 4 && in.digits.tang != 1;
   at.conformal = in.digits.discns == 4;
   patch.radius = norm(cross(patch.reference - at.wheel_point, axle));
+}
+
+/// Places the bodies of a patch: a wheel that varies has turned by its pitch, a rail that varies begins one position
+/// behind the wheelset, and a roller turns about an axis below its profile.
+void WheelSolver::stand_patch(WheelPatch& patch) const {
+  Placement& at = patch.placement;
+  const auto& q = set_.position;
+  at.wheel_rotation = wheel_profile.varies() ? wheel.rotation * about_y(q[5] + set_.flexibility[5]) : wheel.rotation;
+  at.wheel_origin = wheel.origin - radius_ * (wheel.rotation * Vec3{0, 0, 1});
+  at.rail_rotation = rail.rotation;
+  at.rail_origin = rail.origin;
+  if (rail_profile.varies()) at.rail_origin[0] -= q[0];
+  if (roller_ > 0) at.rail_origin = rail.origin + rail.rotation * Vec3{0, 0, depth_} - Vec3{x, 0, 0};
+  at.origin = patch.reference;
+  at.along = patch.along();
+  at.normal = patch.normal();
 }
 
 /// Creepages at the reference; the wheel's point lies deeper by the overlap.
 void WheelSolver::set_creepages(WheelPatch& patch) const {
   const Placement& at = patch.placement;
   ContactCase& w = patch.wanted;
-  w.veloc = w.tang == 1 ? 1 : (std::abs(set_.velocity[0]) + std::abs(pitch_rate) * patch.radius) / 2;
+  const double over_rail =
+      roller_ > 0 ? roller_rate_ * norm(cross(patch.reference - at.rail_origin, rail.rotation * Vec3{0, 1, 0}))
+                  : set_.velocity[0];
+  w.veloc = w.tang == 1 ? 1 : (std::abs(over_rail) + std::abs(pitch_rate) * patch.radius) / 2;
   const Vec3 on_wheel = patch.reference + (patch.overlap + patch.approach) * patch.normal();
   const Vec3 wheel_speed = at.wheel_velocity + cross(at.wheel_rate, on_wheel - at.wheel_point);
   const Vec3 rail_speed = at.rail_velocity + cross(at.rail_rate, patch.reference - at.rail_point);
@@ -90,7 +114,7 @@ void WheelSolver::set_creepages(WheelPatch& patch) const {
 }
 
 void WheelSolver::set_friction(const Inputs& in, WheelPatch& patch) {
-  const double place = in.friction.variation == 2 ? set_.position[0] : patch.delta;
+  const double place = in.friction.variation == 2 ? in.wheelset.position[0] : patch.delta;
   patch.solver->set_surfaces(in, friction_at(in.friction, place), in.digits.tang);
 }
 
@@ -193,6 +217,48 @@ void WheelSolver::find_pitch_rate(Problem& p, int& code, std::string& why) {
   find_rate(off, pitch_rate, limit * std::clamp(p.in.solver.reals[0], 1e-9, 1e-4));
 }
 
+/// Finds the deflections at which the springs of the rail carry its forces (F = 3), by Newton's method from those of
+/// the search; its matrix stays.
+void WheelSolver::find_deflection(Problem& p, int& code, std::string& why) {
+  const Track& t = track_;
+  const double k[2] = {t.ky, t.kz}, given[2] = {t.fy, t.fz}, step = 1e-3;
+  const auto stand = [&](size_t axis, double more) {
+    deflection[axis] += more;
+    rail.origin[1 + axis] += more;
+    for (WheelPatch& patch : patches) {
+      patch.placement.rail_origin[1 + axis] += more;
+      patch.wanted.moved = true;
+    }
+  };
+  // A rigid axis has no unknown.
+  const auto off = [&] {
+    const Vec3 force = p.in.digits.norm == 1 ? find_height(p, code, why) : solve_patches(p, 0, code, why);
+    std::array<double, 2> r{};
+    for (size_t i = 0; i < 2; ++i) r[i] = k[i] > 0 ? k[i] * deflection[i] - force[1 + i] - given[i] : 0;
+    return r;
+  };
+  double m[2][2] = {{1, 0}, {0, 1}};
+  std::array<double, 2> r = off();
+  for (size_t j = 0; j < 2; ++j) {
+    if (!(k[j] > 0)) continue;
+    stand(j, step);
+    const auto moved = off();
+    stand(j, -step);
+    for (size_t i = 0; i < 2; ++i) m[i][j] = k[i] > 0 ? (moved[i] - r[i]) / step : m[i][j];
+  }
+  const double det = m[0][0] * m[1][1] - m[0][1] * m[1][0];
+  const double accuracy = std::max(1., std::abs(p.in.fz)) * std::clamp(p.in.solver.reals[0], 1e-9, 1e-4);
+  r = off();
+  for (int n = 0; n < 20; ++n) {
+    if (std::max(std::abs(r[0]), std::abs(r[1])) <= accuracy) return;
+    stand(0, (m[0][1] * r[1] - m[1][1] * r[0]) / det);
+    stand(1, (m[1][0] * r[0] - m[0][0] * r[1]) / det);
+    r = off();
+  }
+  code = CNTC_err_ftot;
+  why = "the deflection of the rail (F = 3) was not found";
+}
+
 namespace {
 
 void flip_rows(const Grid& g, std::vector<double>& v, double factor) {
@@ -252,8 +318,6 @@ int WheelSolver::solve(Problem& p, std::string& why) {
   p.patches.clear();
   if (in.digits.tang == 1 && in.digits.force == 1)
     throw Failure(CNTC_err_other, "a given longitudinal force (F = 1) needs rolling: T = 2 or 3");
-  if (in.digits.force > 1)
-    throw Failure(CNTC_err_other, "a massless rail (F = 3) is not available: give the rail's deviation (Z = 2)");
   prepare(p);
   mirror_inputs(in);
   pitch_rate = set_.velocity[5];
@@ -267,23 +331,16 @@ int WheelSolver::solve(Problem& p, std::string& why) {
   for (WheelPatch& patch : patches) {
     if (!patch.solver) {
       patch.solver = std::make_shared<ContactSolver>();
-      patch.solver->set_bodies(context_.get(), wheel_profile.body(), rail_profile.body());
+      patch.solver->set_bodies(context_.get(), wheel_profile.body(),
+                               (roller_ > 0 ? roller_profile_ : rail_profile).body());
     }
     lay_grid(in, patch);
-    const Vec3 axle_point = wheel.origin - radius_ * (wheel.rotation * Vec3{0, 0, 1});
-    Placement& at = patch.placement;
-    at.wheel_rotation = wheel.rotation;
-    at.wheel_origin = axle_point;
-    at.rail_rotation = rail.rotation;
-    at.rail_origin = rail.origin;
-    at.origin = patch.reference;
-    at.along = patch.along();
-    at.normal = patch.normal();
+    stand_patch(patch);
     ContactCase& w = patch.wanted;
     w.tang = in.digits.tang;
     w.pvtime = in.digits.pvtime;
     w.iestim = in.digits.iestim;
-    w.chi = set_.velocity[0] < 0 ? pi : 0;
+    w.chi = onward_ < 0 ? pi : 0;
     w.dq = (in.digits.tang == 3 ? 1 : in.dq) * w.grid.dx;
     w.dt = in.dt;
     set_friction(in, patch);
@@ -291,6 +348,8 @@ int WheelSolver::solve(Problem& p, std::string& why) {
   if (!patches.empty()) {
     if (in.digits.force == 1) {
       find_pitch_rate(p, code, why);
+    } else if (in.digits.force == 3) {
+      find_deflection(p, code, why);
     } else if (in.digits.norm == 1) {
       find_height(p, code, why);
     } else {

@@ -112,10 +112,14 @@ int WheelSolver::solve_on_frames(Problem& p, std::string& why) {
     const double share = stat("share");
     if (!(share * stat("normal_force") > 0)) continue;
     WheelPatch patch;
-    patch.reference = {stat("x"), stat("y"), stat("z")};
+    patch.reference = {stat("x") - set_.position[0], stat("y"), stat("z")};
     patch.delta = stat("angle");
     patch.overlap = stat("overlap");
     patch.number = k;
+    double origin[3], axes[9];
+    check(rollcon_wheelrail_get_patch_axes(search, k, origin, axes));
+    if (roller_ > 0) patch.tilt = std::asin(axes[6]);
+    stand_patch(patch);
     set_velocities(in, patch);
     set_creepages(patch);
     ContactResult r;
@@ -149,6 +153,7 @@ void WheelSolver::fill_elements(Problem& p, size_t patch_number) {
   double origin[3], axes[9];
   rollcon_contact* contact = nullptr;
   check(rollcon_wheelrail_get_patch_axes(search_.get(), patch.number, origin, axes));
+  origin[0] -= set_.position[0];
   check(rollcon_wheelrail_get_contact(search_.get(), patch.number, &contact));
   const ContactHandle holder(contact);
   read_extents(contact, origin, axes, patch);

@@ -11,17 +11,23 @@ namespace cntc {
 Vec3 WheelPatch::across() const {
   return {0, std::cos(delta), std::sin(delta)};
 }
+Vec3 WheelPatch::along() const {
+  return cross(across(), normal());
+}
 Vec3 WheelPatch::normal() const {
-  return {0, -std::sin(delta), std::cos(delta)};
+  return std::cos(tilt) * Vec3{0, -std::sin(delta), std::cos(delta)} + Vec3{std::sin(tilt), 0, 0};
 }
 
 /// Makes profiles and the wheel on its rail anew where something of them has changed.
 void WheelSolver::prepare(const Problem& p) {
   const Inputs& in = p.in;
   const int threads = in.digits.openmp < 0 ? 0 : std::max(1, in.digits.openmp);
+  const double roller = in.digits.roller() ? in.track.nomrad : 0;
+  if (in.digits.roller() && !(roller > 0))
+    throw Failure(CNTC_err_search, "the roller's radius NOMRAD is " + std::to_string(roller) + "; allowed: above 0");
   if (search_ && rail_number_ == in.rail.number && wheel_number_ == in.wheel.number && threads == threads_ &&
       material_.g == in.material.g && material_.nu == in.material.nu && nomrad_ == in.wheelset.nomrad &&
-      ytape_ == in.wheelset.ytape)
+      ytape_ == in.wheelset.ytape && roller_ == roller)
     return;
   search_.reset();
   patches.clear();
@@ -38,6 +44,9 @@ void WheelSolver::prepare(const Problem& p) {
   check(rollcon_wheelrail_set_int(search, "roll_outside", 1));
   check(rollcon_wheelrail_set_int(search, "roll_about_origin", 1));
   check(rollcon_body_extrude_profile(rail_profile.body(), zero, x, z));
+  roller_ = roller;
+  depth_ = 0;
+  if (roller > 0) roller_profile_.make(context, in.rail, in.material, true);
   radius_ = in.wheelset.nomrad - (in.wheelset.ytape < 999 ? wheel_profile.z_at(in.wheelset.ytape) : 0);
   check(rollcon_body_revolve_profile(wheel_profile.body(), zero, y, radius_));
   nomrad_ = in.wheelset.nomrad;
@@ -49,10 +58,19 @@ void WheelSolver::prepare(const Problem& p) {
 }
 
 void WheelSolver::mirror_inputs(const Inputs& in) {
-  sign = in.digits.config == 0 || in.digits.config == 4 ? -1 : 1;
+  sign = in.digits.left() ? -1 : 1;
   track_ = in.track;
   set_ = in.wheelset;
-  for (double* v : {&track_.deviation[0], &track_.deviation[2], &track_.rate[0], &track_.rate[2], &track_.curv})
+  x = roller_ > 0 ? set_.position[0] : 0;
+  roller_rate_ = 0;
+  onward_ = set_.velocity[0];
+  if (roller_ > 0) {
+    roller_rate_ = set_.velocity[0];
+    onward_ = roller_rate_ * roller_;
+    set_.velocity[0] = track_.curv = 0;
+  }
+  for (double* v :
+       {&track_.deviation[0], &track_.deviation[2], &track_.rate[0], &track_.rate[2], &track_.curv, &track_.fy})
     *v *= sign;
   for (const size_t k : {1u, 3u, 4u}) {
     set_.position[k] *= sign;
@@ -86,8 +104,18 @@ int WheelSolver::search(const Problem& p) {
   const Inputs& in = p.in;
   rollcon_wheelrail* search = search_.get();
   auto velocity = set_.velocity;
-  if (in.digits.tang == 1) velocity = {1000, 0, 0, 0, 0, -1000 / radius_};  // shifts are no velocities
-  if (!(std::abs(velocity[0]) > 0)) throw Failure(CNTC_err_search, "the forward speed VS is 0: a wheel must roll");
+  double rate = roller_rate_;
+  if (in.digits.tang == 1) {  // shifts are no velocities
+    velocity = {roller_ > 0 ? 0. : 1000, 0, 0, 0, 0, -1000 / radius_};
+    rate = 1000 / std::max(roller_, 1.);
+  }
+  if (velocity[0] == 0 && !(roller_ > 0 && rate != 0))
+    throw Failure(CNTC_err_search, roller_ > 0 ? "the roller's rate RPITCH is 0: a wheel must roll"
+                                               : "the forward speed VS is 0: a wheel must roll");
+  if (roller_ > 0) check(rollcon_wheelrail_set_roller(search, roller_, rate));
+  if (rail_profile.varies() && track_.gaught > 0)
+    throw Failure(CNTC_err_profil,
+                  "a variable rail has no gauge: place it by its origin (GAUGHT <= 0, RAILY0, RAILZ0)");
   check(track_.gaught > 0 ? rollcon_wheelrail_set_track(search, track_.gaugwd, track_.gaught, track_.cant)
                           : rollcon_wheelrail_place_rail(search, track_.raily0, track_.railz0, track_.cant));
   check(rollcon_wheelrail_set_wheelset(search, set_.fbdist, set_.fbpos, set_.nomrad));
@@ -111,9 +139,20 @@ int WheelSolver::search(const Problem& p) {
   const bool force = in.digits.norm == 1, pull = in.digits.force == 1;
   check(rollcon_wheelrail_prescribe_vertical(search, force ? ROLLCON_BY_FORCE : ROLLCON_BY_MOTION, force ? in.fz : 0));
   check(rollcon_wheelrail_prescribe_longitudinal(search, pull ? ROLLCON_BY_FORCE : ROLLCON_BY_MOTION, -in.fx));
+  const bool springs = in.digits.force == 3;
+  const double stiffness[2] = {springs ? track_.ky : 0, springs ? track_.kz : 0}, load[2] = {track_.fy, track_.fz};
+  check(rollcon_wheelrail_set_rail_springs(search, stiffness, load));
   const int status = solve_search();
   if (status == ROLLCON_DERAILED) throw Failure(CNTC_err_search, "the wheel is beside its rail");
+  check(rollcon_wheelrail_get_stat(search, "rail_deflection_y", &deflection[0]));
+  check(rollcon_wheelrail_get_stat(search, "rail_deflection_z", &deflection[1]));
   place_rail();
+  const double depth = roller_ - (track_.gaught > 0 ? rail.origin[2] - track_.deviation[1] - deflection[1] : 0);
+  if (roller_ > 0 && depth != depth_) {
+    const double zero[3] = {0, 0, 0}, y[3] = {0, 1, 0};
+    check(rollcon_body_revolve_profile(roller_profile_.body(), zero, y, depth));
+    depth_ = depth;
+  }
   if (pull) check(rollcon_wheelrail_get_stat(search, "pitch_rate", &pitch_rate));
   set_.velocity[5] = pitch_rate;
   double height = 0;
@@ -122,8 +161,14 @@ int WheelSolver::search(const Problem& p) {
   return status;
 }
 
-/// Takes the rail's pose from two points of its profile.
+/// Takes the rail's pose from two points of its profile, unless its origin is given.
 void WheelSolver::place_rail() {
+  if (track_.gaught <= 0) {
+    rail.rotation = about_x(track_.deviation[2] - track_.cant);
+    rail.origin = {0, track_.raily0 + track_.deviation[0] + deflection[0],
+                   track_.railz0 + track_.deviation[1] + deflection[1]};
+    return;
+  }
   double p[2][2], q[2][2], slope = 0;
   const double shares[2] = {.25, .75};
   for (int k = 0; k < 2; ++k) {
@@ -173,14 +218,16 @@ std::vector<WheelPatch> WheelSolver::found_patches() const {
     };
     if (stat("share") < .5 || !(stat("normal_force") != 0)) continue;
     WheelPatch patch;
-    patch.reference = {stat("x"), stat("y"), stat("z")};
+    patch.reference = {stat("x") - set_.position[0], stat("y"), stat("z")};
     patch.delta = stat("angle");
     patch.overlap = stat("overlap");
     double origin[3], axes[9];
     check(rollcon_wheelrail_get_patch_axes(search, k, origin, axes));
+    origin[0] -= set_.position[0];  // axes of the track go along with the wheelset
     rollcon_contact* contact = nullptr;
     check(rollcon_wheelrail_get_contact(search, k, &contact));
     const ContactHandle holder(contact);
+    if (roller_ > 0) patch.tilt = std::asin(axes[6]);
     read_extents(contact, origin, axes, patch);
     if (patch.x_low < patch.x_high) found.push_back(patch);
   }
@@ -236,7 +283,7 @@ void WheelSolver::join_patches(const PlaneGrid& grid, std::vector<WheelPatch> fo
     }
     WheelPatch c = joined(a, b);
     double best = 1e300, y = 0, height = 0, slope = 0;  // the reference lies on the rail
-    const int n = 4000;
+    const int n = rail_profile.varies() ? -1 : 4000;
     for (int i = 0; i <= n; ++i) {
       rail_profile.at(rail_profile.length() * i / n, y, height, slope);
       const Vec3 at = rail.origin + rail.rotation * Vec3{0, y, height};

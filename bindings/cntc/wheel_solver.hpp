@@ -19,6 +19,7 @@ struct WheelPatch {
   Placement placement;
   Vec3 reference{};
   double delta = 0, overlap = 0, radius = 0;
+  double tilt = 0;  // inclination of the normal to the front, beside the axis of a roller
   double x_low = 0, x_high = 0, s_low = 0, s_high = 0;  // ends of the contact along its axes, from the reference
   double approach = 0;
   int number = 0;      // number among rollcon's patches
@@ -26,7 +27,7 @@ struct WheelPatch {
   std::shared_ptr<ContactSolver> solver;
   ContactCase wanted;
 
-  Vec3 along() const { return {1, 0, 0}; }
+  Vec3 along() const;
   Vec3 across() const;
   Vec3 normal() const;
 };
@@ -41,6 +42,8 @@ class WheelSolver {
 
   double sign = 1;  // -1: a left wheel, which is solved as its mirror image
   double z = 0, pitch_rate = 0;
+  double x = 0;                        // distance of the wheelset from the place above the axis of a roller
+  std::array<double, 2> deflection{};  // how far the rail gives way along y and z of the track (F = 3)
   bool solved = false;
   BodyPlace rail, wheel, wheelset;
   Profile rail_profile, wheel_profile;
@@ -58,6 +61,7 @@ class WheelSolver {
   std::vector<WheelPatch> found_patches() const;
   void join_patches(const PlaneGrid& grid, std::vector<WheelPatch> found);
   void lay_grid(const Inputs& in, WheelPatch& patch) const;
+  void stand_patch(WheelPatch& patch) const;
   void set_creepages(WheelPatch& patch) const;
   void set_velocities(const Inputs& in, WheelPatch& patch) const;
   void set_friction(const Inputs& in, WheelPatch& patch);
@@ -65,6 +69,7 @@ class WheelSolver {
   Vec3 solve_patches(Problem& p, double sink, int& code, std::string& why);
   Vec3 find_height(Problem& p, int& code, std::string& why);
   void find_pitch_rate(Problem& p, int& code, std::string& why);
+  void find_deflection(Problem& p, int& code, std::string& why);
   void read_results(Problem& p);
 
   ContextHandle context_;
@@ -73,12 +78,16 @@ class WheelSolver {
   Material material_;
   int threads_ = 0;
   double nomrad_ = 0, ytape_ = 0;
+  double roller_ = 0;  // radius; 0: a rail
+  double depth_ = 0;   // of the roller's axis below the origin of its profile
+  Profile roller_profile_;
   // Inputs, mirrored to the right side.
   Track track_;
   Wheelset set_;
-  double radius_ = 0;  // radius of the wheel at its profile's z = 0
-  double slope_ = 0;   // change of the force to the power 2/3 with the height
-  double sink_ = 0;    // depth below the height of the search
+  double roller_rate_ = 0, onward_ = 0;  // rate of the roller, speed of the contact over it or over the rail
+  double radius_ = 0;                    // radius of the wheel at its profile's z = 0
+  double slope_ = 0;                     // change of the force to the power 2/3 with the height
+  double sink_ = 0;                      // depth below the height of the search
 };
 
 /// Mirrors the elements of a left wheel back.

@@ -79,8 +79,9 @@ std::string wheel_case(const Problem& p) {
   text += tail(d) + solver_text(in) + friction_text(in) + material_text(in);
   const PlaneGrid& g = in.plane;
   text += line({g.dx, g.ds, in.dq, g.a_sep, g.d_sep, g.d_comb, g.d_turn, g.g_miss}, "grid");
-  text +=
-      line({t.gaught, t.gaught > 0 ? t.gaugsq : t.raily0, t.gaught > 0 ? t.gaugwd : t.railz0, t.cant, t.curv}, "track");
+  text += line({t.gaught, t.gaught > 0 ? t.gaugsq : t.raily0, t.gaught > 0 ? t.gaugwd : t.railz0,
+                d.roller() ? t.nomrad : t.cant, t.curv},
+               "track");
   text += profile_text(in.rail);
   text += line({t.deviation[0], t.deviation[1], t.deviation[2], t.rate[0], t.rate[1], t.rate[2]}, "rail's deviation");
   if (d.force == 3) text += line({t.ky, t.fy, t.kz, t.fz, t.dystep}, "rail's springs");

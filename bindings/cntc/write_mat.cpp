@@ -72,10 +72,10 @@ void write_mat(const Problem& p, int patch) {
   const auto roll = [](const Mat3& m) { return std::atan2(m[2][1], m[1][1]); };
   heading(file, "TIM S_WS TH_WS Y_R Z_R ROLL_R RNOM_ROL");
   row(file, {meta[0], w ? in.wheelset.position[0] : meta[5], w ? in.wheelset.position[5] : 0,
-             w ? s * w->rail.origin[1] : meta[2], w ? w->rail.origin[2] : 0, w ? s * roll(w->rail.rotation) : 0, 0, 0,
-             0, 0, 2410});
+             w ? s * w->rail.origin[1] : meta[2], w ? w->rail.origin[2] : 0, w ? s * roll(w->rail.rotation) : 0,
+             w && in.digits.roller() ? in.track.nomrad : 0, 0, 0, 0, 2410});
   heading(file, "X_W Y_W Z_W ROLL_W YAW_W RNOM_WHL");
-  row(file, {w ? w->wheel.origin[0] : meta[3], w ? s * w->wheel.origin[1] : meta[4], w ? w->wheel.origin[2] : 0,
+  row(file, {w ? w->wheel.origin[0] + w->x : meta[3], w ? s * w->wheel.origin[1] : meta[4], w ? w->wheel.origin[2] : 0,
              w ? s * roll(w->wheel.rotation) : 0, w ? s * std::asin(-w->wheel.rotation[0][1]) : 0,
              w ? in.wheelset.nomrad : 0});
   heading(file, "X_CP Y_CP Z_CP DELT_CP X_CP_W Y_CP_W Z_CP_W NPATCH SPINXO SPINYO");
@@ -83,7 +83,7 @@ void write_mat(const Problem& p, int patch) {
   double delta = 0;
   if (w) {
     const WheelPatch& at = w->patches[size_t(patch - 1)];
-    rail = transposed(w->rail.rotation) * (at.reference - w->rail.origin);
+    rail = transposed(w->rail.rotation) * (at.reference + Vec3{w->x, 0, 0} - w->rail.origin);
     wheel = transposed(w->wheel.rotation) * (at.reference - w->wheel.origin);
     delta = s * (at.delta - roll(w->rail.rotation));
   }

@@ -59,7 +59,9 @@ std::string wheel_text(const Problem& p) {
   get_global_forces(all, 24, f);
   get_wheelset_position(all, 6, ws);
   std::string text = "\n WHEEL-RAIL CONTACT, LEFT OR RIGHT (C1 = " + std::to_string(p.in.digits.config) + ")\n";
-  text += "\n WHEEL-SET POSITION\n      S            Y            Z            ROLL         YAW          PITCH\n";
+  text +=
+      print("\n WHEEL-SET POSITION\n      %s            Y            Z            ROLL         YAW          PITCH\n",
+            p.in.digits.roller() ? "X" : "S");
   text += numbers({ws[0], ws[1], ws[2], ws[3], ws[4], ws[5]});
   text += "\n TOTAL FORCES AND MOMENTS ON RAIL, TRACK AND WHEEL-SET AXES\n";
   text += "      FX(TR)       FY(TR)       FZ(TR)       MX@R(TR)     MY@R(TR)     MZ@R(TR)\n";

@@ -153,6 +153,55 @@ TEST(inp, cases_of_a_wheel_and_its_inside) {
   EXPECT_NE(read("wheel.0001a.subs").find("SIGVM"), std::string::npos);
 }
 
+TEST(inp, cases_of_a_roller_and_a_variable_rail) {
+  for (const char* name : {"s1002", "60e1"}) {
+    std::ofstream file(folder + "/" + name + ".txt");
+    const auto points = cntc_test::profile_points(name);
+    for (size_t k = 0; k < points.size(); k += 2) file << points[k] << " " << points[k + 1] << "\n";
+  }
+  write("same.slcs", "0. 1.\n2\n0 0 0\n1\n-100 '60e1.txt'\n100 '60e1.txt'\n");
+  const std::string text = R"(
+ 1 MODULE
+  5203100   C-P-B-T-N-F-S
+  0022033   V-L-D-C-M-Z-E
+  0000211   X-H-G-I-A-O-W-R
+  999 20 25 1 1e-5
+  0.3 0.3
+  0.28 0.28 82000 82000
+  0.4 0.4 1.0 90d 8 4
+  0 753.4 .2 RADIUS 0   GAUGHT RAILY0 RAILZ0 NOMRADR or CANT, CURV
+  'RAIL' 0 1.0 0.0 -1
+  0 0 0 0 0 0
+  1360 -70 460
+  's1002.txt' 0 1.0 0.0 -1
+  0 2 10000 0 4.8e-3 0
+  SPEED 0 0 0 0 -4.3459197
+ 0
+)";
+  const auto forces = [&](const char* config, const char* radius, const char* rail, const char* speed) {
+    std::string own = text;
+    const auto put = [&](const std::string& word, const char* by) { own.replace(own.find(word), word.size(), by); };
+    put("5203100", config);
+    put("RADIUS", radius);
+    put("RAIL' ", rail);
+    put("SPEED", speed);
+    write("roller.inp", own);
+    EXPECT_EQ(run(folder + "/roller.inp"), 0) << read("errors.txt");
+    return numbers_below(read("roller.out"), "FX(TR)", 0, 1);
+  };
+  const auto plain = forces("1203100", "0", "60e1.txt' ", "2000"),
+             vast = forces("5203100", "1e7", "60e1.txt' ", "2e-4"),
+             slices = forces("1203100", "0", "same.slcs' ", "2000");
+  ASSERT_GE(plain.size(), 3u);
+  ASSERT_GE(vast.size(), 3u);
+  ASSERT_GE(slices.size(), 3u);
+  EXPECT_TRUE(near("Fz", plain[2], 10000, 1));
+  for (const size_t k : {0u, 1u, 2u}) {
+    EXPECT_TRUE(near("vast roller", vast[k], plain[k], 1));
+    EXPECT_TRUE(near("equal slices", slices[k], plain[k], 1));
+  }
+}
+
 TEST(inp, wrong_files_are_refused_with_their_line) {
   const std::pair<const char*, const char*> faults[] = {
       {"106700.  1.0d-5", "106700.  abc"}, {"022020", "922020"}, {"022020", "002020"},  {"-2   IPOTCN", "7  IPOTCN"},
