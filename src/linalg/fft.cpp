@@ -63,10 +63,12 @@ struct Calls<double> {
   static Plan plan_real_back(int n, Complex* in, double* out) {
     return fftw_plan_dft_c2r_1d(n, in, out, FFTW_ESTIMATE | FFTW_DESTROY_INPUT);
   }
-  static Plan plan(int n, Complex* data, int sign) { return fftw_plan_dft_1d(n, data, data, sign, FFTW_ESTIMATE); }
+  static Plan plan(int n, Complex* in, Complex* out, int sign) {
+    return fftw_plan_dft_1d(n, in, out, sign, FFTW_ESTIMATE | FFTW_DESTROY_INPUT);
+  }
   static void run_real(Plan p, double* in, Complex* out) { fftw_execute_dft_r2c(p, in, out); }
   static void run_back(Plan p, Complex* in, double* out) { fftw_execute_dft_c2r(p, in, out); }
-  static void run(Plan p, Complex* data) { fftw_execute_dft(p, data, data); }
+  static void run(Plan p, Complex* in, Complex* out) { fftw_execute_dft(p, in, out); }
   static void destroy(Plan p) { fftw_destroy_plan(p); }
 };
 template <>
@@ -79,10 +81,12 @@ struct Calls<float> {
   static Plan plan_real_back(int n, Complex* in, float* out) {
     return fftwf_plan_dft_c2r_1d(n, in, out, FFTW_ESTIMATE | FFTW_DESTROY_INPUT);
   }
-  static Plan plan(int n, Complex* data, int sign) { return fftwf_plan_dft_1d(n, data, data, sign, FFTW_ESTIMATE); }
+  static Plan plan(int n, Complex* in, Complex* out, int sign) {
+    return fftwf_plan_dft_1d(n, in, out, sign, FFTW_ESTIMATE | FFTW_DESTROY_INPUT);
+  }
   static void run_real(Plan p, float* in, Complex* out) { fftwf_execute_dft_r2c(p, in, out); }
   static void run_back(Plan p, Complex* in, float* out) { fftwf_execute_dft_c2r(p, in, out); }
-  static void run(Plan p, Complex* data) { fftwf_execute_dft(p, data, data); }
+  static void run(Plan p, Complex* in, Complex* out) { fftwf_execute_dft(p, in, out); }
   static void destroy(Plan p) { fftwf_destroy_plan(p); }
 };
 constexpr int forwards = FFTW_FORWARD, backwards = FFTW_BACKWARD;
@@ -93,10 +97,10 @@ struct Calls {
   using Complex = std::complex<T>;
   static Plan plan_real(int, T*, Complex*) { return nullptr; }
   static Plan plan_real_back(int, Complex*, T*) { return nullptr; }
-  static Plan plan(int, Complex*, int) { return nullptr; }
+  static Plan plan(int, Complex*, Complex*, int) { return nullptr; }
   static void run_real(Plan, T*, Complex*) {}
   static void run_back(Plan, Complex*, T*) {}
-  static void run(Plan, Complex*) {}
+  static void run(Plan, Complex*, Complex*) {}
   static void destroy(Plan) {}
 };
 constexpr int forwards = -1, backwards = 1;
@@ -165,11 +169,11 @@ void RealFft<T>::inverse(std::complex<T>* in, T* out) const {
 
 template <class T>
 ComplexFft<T>::ComplexFft(std::int64_t n) {
-  AlignedArray<std::complex<T>> data(n);
+  AlignedArray<std::complex<T>> in(n), out(n);
   require_room(n);
   const std::lock_guard guard(planner());
-  forward_ = Calls<T>::plan(static_cast<int>(n), raw<T>(data.data()), forwards);
-  inverse_ = Calls<T>::plan(static_cast<int>(n), raw<T>(data.data()), backwards);
+  forward_ = Calls<T>::plan(static_cast<int>(n), raw<T>(in.data()), raw<T>(out.data()), forwards);
+  inverse_ = Calls<T>::plan(static_cast<int>(n), raw<T>(in.data()), raw<T>(out.data()), backwards);
   require(forward_, inverse_, n);
 }
 
@@ -180,13 +184,13 @@ ComplexFft<T>::~ComplexFft() {
 }
 
 template <class T>
-void ComplexFft<T>::forward(std::complex<T>* data) const {
-  Calls<T>::run(plan<T>(forward_), raw<T>(data));
+void ComplexFft<T>::forward(std::complex<T>* in, std::complex<T>* out) const {
+  Calls<T>::run(plan<T>(forward_), raw<T>(in), raw<T>(out));
 }
 
 template <class T>
-void ComplexFft<T>::inverse(std::complex<T>* data) const {
-  Calls<T>::run(plan<T>(inverse_), raw<T>(data));
+void ComplexFft<T>::inverse(std::complex<T>* in, std::complex<T>* out) const {
+  Calls<T>::run(plan<T>(inverse_), raw<T>(in), raw<T>(out));
 }
 
 template class RealFft<double>;

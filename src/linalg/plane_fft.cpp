@@ -14,12 +14,11 @@ PlaneFft<Real>::PlaneFft(std::int64_t nx, std::int64_t ny, std::int64_t least_x,
       along_(px_),
       across_(py_),
       row_(px_),
-      half_(half_stride_ * ny) {}
+      half_(half_stride_ * ny),
+      columns_(tile * stride()) {}
 
-// Columns are transposed in tiles, because a column alone would use one number of every cache line.
 template <class Real>
 void PlaneFft<Real>::forward(const Real* data, Complex* spectrum) {
-  constexpr std::int64_t tile = 8;
   std::fill(row_.data() + nx_, row_.data() + px_, Real{0});
   for (std::int64_t j = 0; j < ny_; ++j) {
     std::copy(data + j * nx_, data + (j + 1) * nx_, row_.data());
@@ -28,23 +27,25 @@ void PlaneFft<Real>::forward(const Real* data, Complex* spectrum) {
   for (std::int64_t first = 0; first < waves_x(); first += tile) {
     const std::int64_t last = std::min(first + tile, waves_x());
     for (std::int64_t j = 0; j < ny_; ++j)
-      for (std::int64_t k = first; k < last; ++k) spectrum[k * stride() + j] = half_.data()[j * half_stride_ + k];
+      for (std::int64_t k = first; k < last; ++k)
+        columns_.data()[(k - first) * stride() + j] = half_.data()[j * half_stride_ + k];
     for (std::int64_t k = first; k < last; ++k) {
-      Complex* column = spectrum + k * stride();
+      Complex* column = columns_.data() + (k - first) * stride();
       std::fill(column + ny_, column + py_, Complex{});
-      across_.forward(column);
+      across_.forward(column, spectrum + k * stride());
     }
   }
 }
 
 template <class Real>
 void PlaneFft<Real>::backward(Complex* spectrum, Real* data) {
-  constexpr std::int64_t tile = 8;
   for (std::int64_t first = 0; first < waves_x(); first += tile) {
     const std::int64_t last = std::min(first + tile, waves_x());
-    for (std::int64_t k = first; k < last; ++k) across_.inverse(spectrum + k * stride());
+    for (std::int64_t k = first; k < last; ++k)
+      across_.inverse(spectrum + k * stride(), columns_.data() + (k - first) * stride());
     for (std::int64_t j = 0; j < ny_; ++j)
-      for (std::int64_t k = first; k < last; ++k) half_.data()[j * half_stride_ + k] = spectrum[k * stride() + j];
+      for (std::int64_t k = first; k < last; ++k)
+        half_.data()[j * half_stride_ + k] = columns_.data()[(k - first) * stride() + j];
   }
   for (std::int64_t j = 0; j < ny_; ++j) {
     along_.inverse(half_.data() + j * half_stride_, row_.data());

@@ -27,14 +27,17 @@ class PlaneFft {
   void forward(const Real* data, Complex* spectrum);
   /// Leaves out the factor 1 / (period_x period_y); the spectrum is overwritten.
   void backward(Complex* spectrum, Real* data);
-  std::size_t bytes() const { return row_.bytes() + half_.bytes(); }
+  std::size_t bytes() const { return row_.bytes() + half_.bytes() + columns_.bytes(); }
 
  private:
+  /// Columns are transposed in tiles, because a column alone would use one number of every cache line.
+  static constexpr std::int64_t tile = 8;
   std::int64_t nx_, ny_, px_, py_, half_stride_;
   RealFft<Real> along_;
   ComplexFft<Real> across_;
   AlignedArray<Real> row_;
-  AlignedArray<Complex> half_;  ///< [iy][kx]
+  AlignedArray<Complex> half_;     ///< [iy][kx]
+  AlignedArray<Complex> columns_;  ///< [kx of a tile][ky]
 };
 
 }  // namespace rollcon

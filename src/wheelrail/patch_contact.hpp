@@ -220,6 +220,7 @@ class PatchContact {
   std::unique_ptr<StripFrames> strips_;
   StepFrames frames_;                                   ///< makes grids of steps in time
   std::shared_ptr<const WheelPast> begun_;              ///< start of the step that was tried last
+  GridFrame past_frame_;                                ///< grid of that start
   mutable bool shown_ = false;                          ///< the contact has the solution on strips at its nodes
   std::unique_ptr<std::array<StripGivens, 2>> nearby_;  ///< storage of rate()
   std::int64_t solves_ = 0;                             ///< solves so far, resets included

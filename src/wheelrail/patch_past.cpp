@@ -77,7 +77,7 @@ Vec3 origin_from(const WheelPast& past, const Axes& axes, const Rectangle& box) 
 }
 
 RectangleCells start_from(const WheelPast& past, const Axes& axes, const Rectangle& box, double overlap,
-                          PastStep& start) {
+                          PastStep& start, GridFrame& made) {
   start = {};
   start.time = past.time;
   start.steps = past.steps;
@@ -92,8 +92,12 @@ RectangleCells start_from(const WheelPast& past, const Axes& axes, const Rectang
         part.emplace_back(&p, sides);
         cells = widened(cells, sides);
       }
-  start.on = std::make_shared<FrameOfPast>();
-  start.on->frame = frame_of(cells);
+  if (!made.frame || !(made.cells == cells)) {
+    auto frame = std::make_shared<FrameOfPast>();
+    frame->frame = frame_of(cells);
+    made = {cells, std::move(frame)};
+  }
+  start.on = made.frame;
   const std::size_t n = start.on->frame.x.size();
   for (auto& lambda : start.lambda) lambda.assign(n, 0.0);
   const std::optional<Lattice> to = find_lattice(start.on->frame);

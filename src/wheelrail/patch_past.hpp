@@ -36,9 +36,16 @@ struct WheelPast {
 /// projected on the new patch's plane. The box is given in the axes as they are. Returns the axes' own origin if no
 /// past patch is there.
 Vec3 origin_from(const WheelPast& past, const Axes& axes, const Rectangle& box);
+/// Holds the frame of a grid.
+struct GridFrame {
+  RectangleCells cells;
+  std::shared_ptr<FrameOfPast> frame;
+};
+
 /// Gives a step's start the tractions that patches of the past left within the box, in the axes of the new patch, and
-/// returns the grid on which they are. overlap: of the new patch; its increase is an approach within the step.
+/// returns the grid on which they are. overlap: of the new patch; its increase is an approach within the step. made:
+/// the frame of the grid, which stays as long as the grid does.
 RectangleCells start_from(const WheelPast& past, const Axes& axes, const Rectangle& box, double overlap,
-                          PastStep& start);
+                          PastStep& start, GridFrame& made);
 
 }  // namespace rollcon

@@ -30,7 +30,7 @@ void PatchContact::solve_step() {
   begun_ = now_.step.past;
   shown_ = now_.on_strips = false;
   const RectangleCells cells =
-      start_from(*now_.step.past, now_.axes, step_contact(0).box, now_.patch.overlap, steps.last);
+      start_from(*now_.step.past, now_.axes, step_contact(0).box, now_.patch.overlap, steps.last, past_frame_);
   if (first && steps.last.loaded && !frames_.lies(on, cells)) frames_.lay(on, cells.box, cells.along, cells.across);
   if (first) on.forget_all_but_tractions();
   if (frames_.lies(on, cells)) steps.last.mesh = on.scene.revision.mesh;

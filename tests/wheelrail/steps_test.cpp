@@ -109,6 +109,24 @@ TEST_F(wheel_steps, end_in_steady_rolling) {
   }
 }
 
+// Steps end in a state whose difference from the steady solution on their own grid is of second order in their length.
+TEST_F(wheel_steps, end_in_the_steady_state_of_their_grid) {
+  std::vector<double> off;
+  for (const double way : {0.4, 0.2}) {
+    const auto w = make();
+    for (int i = 0; i < std::lround(12 / way); ++i) roll(*w, 1, way, 2e-3);
+    Contact& grid = *w->contact(0);
+    Vec3 of_steps{}, steady{};
+    grid.resultant(InAxes::local, of_steps.data(), nullptr);
+    grid.scene.set_step(0, 0);
+    EXPECT_EQ(grid.solve(), Status::ok);
+    grid.resultant(InAxes::local, steady.data(), nullptr);
+    off.push_back(length(of_steps - steady) / (mu * load));
+  }
+  expect_error("steps of 0.4 mm beside the steady state of their grid, over friction's", off[0], 4e-3);
+  expect_error("steps of 0.2 mm", off[1], off[0] / 2.5);
+}
+
 // Steps that are half as long find nearly the same forces, also where patches part or merge.
 TEST_F(wheel_steps, patches_that_part_and_merge_hand_their_past_on) {
   for (const auto& [from, to] : {std::pair{4.6, 5.6}, {5.6, 4.6}}) {

@@ -73,6 +73,8 @@ class varying : public wheels {
   }
 };
 
+using varying_long = varying;
+
 const std::vector<double> along{-60, -25, 10, 40, 90}, round{-3, -1.5, 0, 0.4, 1.2, 2.5};
 
 TEST_F(varying, equal_slices_answer_as_one_profile) {
@@ -211,6 +213,53 @@ TEST_F(varying, first_touch_is_the_least_gap) {
 }
 TEST(varying_nightly, first_touch_is_the_least_gap) {
   search_beside_brute_force(10000, 3 + extremes::first_seed());
+}
+
+// A rail that rises to a crest, and a wheel with a shallow flat, a chord: forces of steps lag behind the steady ones at
+// the same places, and steps by half as much agree with them.
+TEST_F(varying_long, steps_over_a_crest_and_a_flat) {
+  const double chord = 0.02;
+  std::vector<double> turn, deep;
+  for (double angle = -0.08; angle < 0.081; angle += 0.01) {
+    turn.push_back(angle);
+    deep.push_back(std::min(0.0, -460 * (1 - std::cos(chord) / std::cos(angle))));
+  }
+  for (const bool flat : {false, true}) {
+    const auto body = flat ? sliced("s1002", turn, deep)
+                           : sliced("60e1", {-80, -40, -20, 0, 20, 40, 80}, {0, 0, -0.1, -0.2, -0.1, 0, 0});
+    const auto steady = flat ? make(body, rail) : make(wheel, body),
+               steps = flat ? make(body, rail) : make(wheel, body),
+               halves = flat ? make(body, rail) : make(wheel, body);
+    double off = 0, apart_by_half = 0, largest = 0, change = 0;
+    std::vector<double> before;
+    for (int i = 0; i <= 12; ++i) {
+      const auto solve_at = [&](WheelRail& w, double way, double x) {
+        const double turned = flat ? -x / 460 : 0;
+        w.set_step(i == 0 || way == 0 ? 0 : 1, way / 2000);
+        place(w, flat ? 0 : x, 1, 0, turned);
+        const Status status = w.solve();
+        EXPECT_TRUE(is_answer(status)) << static_cast<int>(status);
+        std::vector<double> force(3);
+        w.resultant(false, force.data(), nullptr);
+        return force;
+      };
+      const double x = -12 + i;
+      const auto expected = solve_at(*steady, 0, x), found = solve_at(*steps, 1, x);
+      if (i > 0) solve_at(*halves, 0.5, x - 0.5);
+      const auto finer = solve_at(*halves, 0.5, x);
+      off = std::max(off, apart(found, expected) / mu);
+      apart_by_half = std::max(apart_by_half, apart(found, finer) / mu);
+      if (i > 1) change = std::max(change, apart(found, before) / mu);
+      if (i > 0) largest = std::max(largest, std::hypot(found[0], found[1]) / (mu * load));
+      before = found;
+    }
+    std::printf("%s: steps beside steady %.4f, half steps %.4f, change in a step %.4f, force %.3f of friction's\n",
+                flat ? "flat" : "crest", off, apart_by_half, change, largest);
+    EXPECT_GT(off, 0.05);
+    EXPECT_LT(off, 0.4);
+    EXPECT_LT(apart_by_half, 0.02);
+    EXPECT_LT(change, 0.1);
+  }
 }
 
 TEST_F(varying, states_come_back_in_mid_passage) {

@@ -81,7 +81,7 @@ void Convolution::fill_rows(const LatticeEntries& entries) {
 }
 
 void Convolution::transform_spectra() {
-  AlignedArray<Complex> line(py_);
+  AlignedArray<Complex> line(py_), waves(py_);
   for (std::size_t k = 0; k < spectrum_.size(); ++k)
     for (std::int64_t x = 0; x < columns_; ++x) {
       Complex* column = spectrum_[k].data() + x * kept_stride_;
@@ -89,8 +89,8 @@ void Convolution::transform_spectra() {
       if (mirrored_)
         for (std::int64_t j = 1; j < py_ - kept_ + 1; ++j)
           line.data()[py_ - j] = static_cast<double>(mirror_[k]) * column[j];
-      across_.forward(line.data());
-      std::copy_n(line.data(), kept_, column);
+      across_.forward(line.data(), waves.data());
+      std::copy_n(waves.data(), kept_, column);
     }
 }
 
@@ -99,12 +99,14 @@ Convolution::Workspace::Workspace(const Convolution& owner)
       waves(owner.blocks_ * block),
       half(owner.tile(3, 0)),
       column(3 * block * owner.column_stride_),
-      sum(block * owner.column_stride_) {
+      sum(block * owner.column_stride_),
+      line(owner.py_) {
   for (auto& rows : loaded) rows.resize(static_cast<std::size_t>(owner.lattice_.ny));
 }
 
 std::size_t Convolution::Workspace::bytes() const {
-  return row.bytes() + waves.bytes() + half.bytes() + column.bytes() + sum.bytes() + 3 * loaded[0].size();
+  return row.bytes() + waves.bytes() + half.bytes() + column.bytes() + sum.bytes() + line.bytes() +
+         3 * loaded[0].size();
 }
 
 std::size_t Convolution::bytes() const {
@@ -146,15 +148,16 @@ void Convolution::convolve_columns(std::int64_t first, const bool (&source)[3], 
   for (int c = 0; c < 3; ++c) {
     if (!source[c]) continue;
     Complex* column = w.column.data() + c * block * column_stride_;
+    Complex* before = w.sum.data();
     const Complex* half = w.half.data() + tile(c, first / block);
     for (std::int64_t iy = 0; iy < ny; ++iy) {
       const bool loaded = w.loaded[c][static_cast<std::size_t>(iy)] != 0;
       for (std::int64_t b = 0; b < count; ++b)
-        column[b * column_stride_ + iy] = loaded ? half[iy * block + b] : Complex{};
+        before[b * column_stride_ + iy] = loaded ? half[iy * block + b] : Complex{};
     }
     for (std::int64_t b = 0; b < count; ++b) {
-      std::fill_n(column + b * column_stride_ + ny, py_ - ny, Complex{});
-      across_.forward(column + b * column_stride_);
+      std::fill_n(before + b * column_stride_ + ny, py_ - ny, Complex{});
+      across_.forward(before + b * column_stride_, column + b * column_stride_);
     }
   }
   for (int r = 0; r < 3; ++r) {
@@ -162,8 +165,8 @@ void Convolution::convolve_columns(std::int64_t first, const bool (&source)[3], 
     Complex* sum = w.sum.data();
     for (std::int64_t b = 0; b < count; ++b) {
       Complex* column = sum + b * column_stride_;
-      if (multiply(r, first + b, source, w.column.data() + b * column_stride_, column))
-        across_.inverse(column);
+      if (multiply(r, first + b, source, w.column.data() + b * column_stride_, w.line.data()))
+        across_.inverse(w.line.data(), column);
       else
         std::fill_n(column, ny, Complex{});
     }

@@ -33,6 +33,7 @@ class Convolution {
     AlignedArray<std::complex<double>> half;    ///< [component][block of kx][iy][kx]: rows transformed
     AlignedArray<std::complex<double>> column;  ///< [component][kx of a block][ky]
     AlignedArray<std::complex<double>> sum;     ///< [kx of a block][ky]
+    AlignedArray<std::complex<double>> line;    ///< one column before its transform
     std::vector<std::uint8_t> loaded[3];        ///< rows with any source
   };
 
