@@ -147,7 +147,7 @@ class RowReader {
     if (equal != line.npos)
       take_key(in_lower_case(trimmed(line.substr(0, equal))), trimmed(line.substr(equal + 1)));
     else if (!heading_open_ && may_be_number(line))
-      take_row(line);
+      take_row(without_comment(line, "\""));
     else if (file_.point.empty() && announced_ < 0)
       take_heading(line);
     else

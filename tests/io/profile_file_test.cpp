@@ -61,7 +61,7 @@ const std::string simpack =
 
 const std::string miniprof =
     "ProgramName=X\r\nColumnDef=X,Y,A,C,N\r\nXOffset=0.5\r\nYOffset=-1\r\n! said of it\r\n\r\n-2.0 4.0 0.1 0.2 0\r\n"
-    "0 0 0 0 0\r\n2.0\t4.0\t0\t0\t0\r\n";
+    "0 0 0 0 0 \" said of it\r\n2.0\t4.0\t0\t0\t0\r\n";
 
 TEST_F(ProfileFiles, three_formats) {
   const ProfileFile columns = read("a.txt", "\xEF\xBB\xBF! y z\n-2, +4\n\n 0 0e0 # top\r\n2;4.0");

@@ -69,6 +69,33 @@ class Pictures(Scene):
         with self.assertRaisesRegex(ValueError, "allowed: longitudinal, lateral, spin"):
             self.drawn.plot_creep_curve([0], "normal")
 
+    def test_filtered_profile(self):
+        radius, noise = 80.0, 0.005
+        turn = np.arange(-0.4, 0.4, 0.2 / radius)
+        off = radius + noise * np.sin(77 * np.arange(len(turn)) ** 2)
+        arc = np.column_stack([off * np.sin(turn), radius - off * np.cos(turn)])
+        ax = plots.filtered(self.context, arc, [4, 12])
+        drawn = {line.get_label(): line.get_xydata() for line in ax.lines}
+        self.assertEqual(len(drawn), 3)
+        error = []
+        for label, xy in drawn.items():
+            inside = np.abs(xy[:, 0]) < 25
+            error.append(np.abs(xy[inside, 1] * radius - 1).max())
+        self.assertGreater(error[0], 10)  # the noise is all that is seen
+        self.assertGreater(error[1], 3 * error[2])
+        self.assertLess(error[2], 0.1)
+        moved = [float(label.split("moves by ")[1].split(",")[0]) for label in list(drawn)[1:]]
+        for way in moved:
+            self.assertGreater(way, 0.5 * noise)
+            self.assertLess(way, 1.5 * noise)
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "arc.txt"
+            np.savetxt(path, 1e-3 * arc)
+            again = plots.filtered(self.context, path, 12, unit=1000.0)
+        np.testing.assert_allclose(again.lines[1].get_ydata(), ax.lines[2].get_ydata(), atol=1e-6)
+        with self.assertRaisesRegex(ValueError, "allowed: lengths above 0"):
+            plots.filtered(self.context, arc, 0)
+
     def test_profiles_and_patches(self):
         bodies = [rc.Body(self.context, "halfspace") for _ in range(2)]
         for body, shape in zip(bodies, ("s1002", "60e1")):

@@ -4,6 +4,8 @@ of Contact, Body and WheelRail call these; matplotlib is imported by the first o
 
 from __future__ import annotations
 
+import os
+
 import numpy as np
 
 from . import _api, wheelrail as wheelrail_module
@@ -182,6 +184,52 @@ def profile(body, ax=None, points=400, **line):
         ax.invert_yaxis()
         ax.set_xlabel("y")
         ax.set_ylabel("z, down")
+    return ax
+
+
+def _curve(body, points):
+    """Returns points and curvatures at equal arc lengths of a profile."""
+    at = [body.profile_point(s) for s in np.linspace(0, body.profile_length(), points)]
+    return np.array([p for p, _, _ in at]), np.array([c for _, _, c in at])
+
+
+def _distance(point, line):
+    """Returns the distance of a point from a line through points."""
+    along, off = np.diff(line, axis=0), point - line[:-1]
+    part = np.clip((off * along).sum(axis=1) / (along * along).sum(axis=1), 0, 1)
+    return np.hypot(*(off - part[:, None] * along).T).min()
+
+
+def filtered(context, profile, filter_length, ax=None, unit=1.0, mirror=0, points=1000):
+    """Draws the curvature of a measured profile over y before and after its filter. profile: the name of a file
+    (Body.read_profile, with unit and mirror), or points[n, 2] (Body.set_profile); filter_length: one length or several.
+    The legend has how far each filter moves the curve at most, and the largest curvature after it."""
+    from .body import Body
+
+    def read(length):
+        body = Body(context, "rigid")
+        if isinstance(profile, (str, os.PathLike)):
+            body.read_profile(profile, unit, mirror, length)
+        else:
+            body.set_profile(profile, length)
+        return _curve(body, points)
+
+    lengths = np.atleast_1d(filter_length)
+    if not (lengths > 0).all():
+        raise ValueError(f"filter_length is {filter_length}; allowed: lengths above 0")
+    raw, curvature = read(0)
+    ax = _axes(ax)
+    ax.plot(raw[:, 0], curvature, color="0.7", linewidth=0.8, label="no filter")
+    most = 0
+    for length in lengths:
+        at, after = read(length)
+        moved = max(_distance(p, raw) for p in at[:: max(points // 200, 1)])
+        most = max(most, np.abs(after).max())
+        ax.plot(at[:, 0], after, label=f"filter {length:g}: moves by {moved:.2g}, curvature up to {np.abs(after).max():.3g}")
+    ax.set_ylim(-1.5 * most, 1.5 * most)
+    ax.set_xlabel("y")
+    ax.set_ylabel("curvature")
+    ax.legend()
     return ax
 
 
