@@ -13,19 +13,38 @@
 
 namespace cntc {
 
+namespace {
+
+/// A value of a digit that is refused, with the values that are not.
+struct Absence {
+  bool is;
+  int code;
+  const char *digit, *what, *allowed;
+  int value;
+};
+
+}  // namespace
+
 void refuse_absent(const Problem& p) {
   const Digits& d = p.in.digits;
-  const bool hertz = p.module == 3 && p.in.hertz.ipotcn != 0;
-  if (d.mater != 0 && d.mater != 4)
-    throw Failure(CNTC_err_other, "material M = " + std::to_string(d.mater) +
-                                      " is not available: elastic half-spaces are M = 0, with a layer M = 4");
-  if (d.bound != 0 && !(d.bound == 2 && hertz))
-    throw Failure(CNTC_err_other, "traction bound B = " + std::to_string(d.bound) +
-                                      " is not available: B = 0 solves for the pressures");
-  if (p.module == 1 && d.discns >= 6)
-    throw Failure(CNTC_err_discr,
-                  "contact search D = " + std::to_string(d.discns) + " is not available: use D = 2 or 4");
-  if (d.inflcf == 9) throw Failure(CNTC_err_input, "influence coefficients from a file (C3 = 9) are not available");
+  const bool hertz = p.module == 3 && p.in.hertz.ipotcn != 0, wheel = p.module == 1;
+  const Absence all[] = {
+      {d.mater == 1 && wheel, CNTC_err_other, "M", "viscoelastic bodies", "0, 4; in module 3 also 1", d.mater},
+      {d.mater == 1 && d.tang != 3, CNTC_err_other, "T", "viscoelastic bodies (M = 1) in motions", "3", d.tang},
+      {d.mater > 1 && d.mater != 4, CNTC_err_other, "M", "FASTSIM or FaStrip", wheel ? "0, 4" : "0, 1, 4", d.mater},
+      {d.bound != 0 && !(d.bound == 2 && hertz), CNTC_err_other, "B", "bounds of traction by a given pressure",
+       "0; on grids of Hertz 2, which is solved in full", d.bound},
+      {wheel && d.config > 1 && d.config < 4, CNTC_err_search, "C1", "sides", "0, 1, 4, 5", d.config},
+      {wheel && d.force == 2, CNTC_err_other, "F", "forces", "0, 1, 3", d.force},
+      {wheel && d.force == 1 && d.norm != 1, CNTC_err_other, "N", "a given FX (F = 1) at a given height", "1", d.norm},
+      {!wheel && d.force == 3, CNTC_err_other, "F", "a massless rail in module 3", "0, 1, 2", d.force},
+      {wheel && d.discns >= 6, CNTC_err_discr, "D", "contact search", "0 to 5", d.discns},
+      {!wheel && d.exrhs >= 2, CNTC_err_other, "E", "rigid slip without parts of the spin", "0, 1, 9", d.exrhs},
+      {d.inflcf == 9, CNTC_err_input, "C3", "influence coefficients from a file", "0 to 4", d.inflcf}};
+  for (const Absence& r : all)
+    if (r.is)
+      throw Failure(r.code, std::string(r.what) + " (" + r.digit + " = " + std::to_string(r.value) +
+                                ") are not available; allowed: " + r.digit + " = " + r.allowed);
 }
 
 namespace {
@@ -111,7 +130,7 @@ int solve_gap(Problem& p, std::string& why) {
   wanted.tang = d.tang;
   wanted.pvtime = d.pvtime;
   wanted.iestim = d.iestim;
-  wanted.force = std::min(d.force, 2);
+  wanted.force = d.force;
   wanted.normal_by_force = d.norm == 1;
   wanted.pen = in.pen;
   wanted.fn = in.fn;

@@ -19,7 +19,10 @@ int check(rollcon_status status) {
 
 void ContactSolver::set_material(const Inputs& in) {
   const int threads = in.digits.openmp < 0 ? 0 : std::max(1, in.digits.openmp);
-  if (contact_ && threads == threads_ && in.material.nu == material_.nu && in.material.g == material_.g) return;
+  const bool relaxes = in.digits.mater == 1;
+  if (contact_ && threads == threads_ && in.material.nu == material_.nu && in.material.g == material_.g &&
+      relaxes == relaxes_ && (!relaxes || in.material.more == material_.more))
+    return;
   rollcon_context* context = nullptr;
   check(rollcon_context_create(ROLLCON_ABI, &context));
   contact_.reset();
@@ -32,8 +35,13 @@ void ContactSolver::set_material(const Inputs& in) {
     bodies[k]->reset(body);
     const double nu = in.material.nu[1 - k], g = in.material.g[1 - k];
     check(rollcon_body_set_elastic(body, 0, 2 * g * (1 + nu), nu));
+    // CONTACT's G is that of fast strains, FG what creep adds to its inverse, TC the time of creep.
+    const double creep = in.material.more[1 - k], ratio = creep / (1 + creep),
+                 time = in.material.more[3 - k] / (1 + creep);
+    if (relaxes && creep != 0) check(rollcon_body_set_viscoelastic(body, 0, 1, &ratio, &time));
   }
   material_ = in.material;
+  relaxes_ = relaxes;
   threads_ = threads;
   compliance_ = contact_compliance(material_);
   set_bodies(context, first_.get(), second_.get());

@@ -81,6 +81,7 @@ class ContactSolver {
   BodyHandle first_, second_;
   ContactHandle contact_;
   Material material_;
+  bool relaxes_ = false;  // bodies are viscoelastic
   int threads_ = 1;
   double compliance_ = 1;
   Lattice lattice_ = Lattice::plain;

@@ -121,7 +121,6 @@ void InpCase::read_material(bool wheel) {
 
 void InpCase::check_digits(int heat_step) {
   const Digits& d = v_.digits;
-  in_.in_range(d.pvtime, 0, 3, "P");
   in_.in_range(d.tang, 0, 3, "T");
   in_.in_range(d.norm, 0, 1, "N");
   in_.in_range(subs_, 0, 3, "S");

@@ -15,6 +15,7 @@ void InpCase::read_gap() {
   const auto c = in_.control(6, "P-B-T-N-F-S");
   in_.in_range(c[1], 0, 6, "B");
   in_.in_range(c[4], 0, 2, "F");
+  in_.in_range(c[0], 0, 3, "P");
   d.pvtime = first_ ? 2 : c[0];
   d.bound = c[1];
   d.tang = c[2];

@@ -14,6 +14,7 @@ void InpCase::read_wheel() {
   if (c[2] != 0 && c[2] != 1 && c[2] != 5 && c[2] != 6) in_.fail(print("B is %d; allowed: 0, 1, 5, 6", c[2]));
   if (c[5] != 0 && c[5] != 1 && c[5] != 3) in_.fail(print("F is %d; allowed: 0, 1, 3", c[5]));
   if (c[5] == 1 && c[4] != 1) in_.fail("F = 1 needs N = 1");
+  in_.in_range(c[1], 0, 3, "P");
   d.config = c[0];
   d.pvtime = first_ ? 2 : c[1];
   d.bound = c[2];

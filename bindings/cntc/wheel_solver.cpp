@@ -30,6 +30,7 @@ void WheelSolver::prepare(const Problem& p) {
       ytape_ == in.wheelset.ytape && roller_ == roller)
     return;
   search_.reset();
+  dimensions_.clear();
   patches.clear();
   rollcon_context* context = nullptr;
   check(rollcon_context_create(ROLLCON_ABI, &context));
@@ -116,10 +117,17 @@ int WheelSolver::search(const Problem& p) {
   if (rail_profile.varies() && track_.gaught > 0)
     throw Failure(CNTC_err_profil,
                   "a variable rail has no gauge: place it by its origin (GAUGHT <= 0, RAILY0, RAILZ0)");
-  check(track_.gaught > 0 ? rollcon_wheelrail_set_track(search, track_.gaugwd, track_.gaught, track_.cant)
-                          : rollcon_wheelrail_place_rail(search, track_.raily0, track_.railz0, track_.cant));
-  check(rollcon_wheelrail_set_wheelset(search, set_.fbdist, set_.fbpos, set_.nomrad));
-  if (set_.ytape < 999) check(rollcon_wheelrail_set_tape_circle(search, set_.ytape));
+  // The search starts from its last solution as long as its dimensions stay.
+  const std::vector<double> dimensions{track_.gaught, track_.gaugwd, track_.raily0, track_.railz0, track_.cant,
+                                       set_.fbdist,   set_.fbpos,    set_.nomrad,   set_.ytape};
+  if (dimensions != dimensions_) {
+    dimensions_.clear();
+    check(track_.gaught > 0 ? rollcon_wheelrail_set_track(search, track_.gaugwd, track_.gaught, track_.cant)
+                            : rollcon_wheelrail_place_rail(search, track_.raily0, track_.railz0, track_.cant));
+    check(rollcon_wheelrail_set_wheelset(search, set_.fbdist, set_.fbpos, set_.nomrad));
+    if (set_.ytape < 999) check(rollcon_wheelrail_set_tape_circle(search, set_.ytape));
+    dimensions_ = dimensions;
+  }
   check(rollcon_wheelrail_set_position(search, set_.position.data()));
   check(rollcon_wheelrail_set_velocity(search, velocity.data()));
   check(rollcon_wheelrail_set_flexibility(search, set_.flexibility.data(), set_.flexibility.data() + 6));

@@ -78,8 +78,9 @@ class WheelSolver {
   Material material_;
   int threads_ = 0;
   double nomrad_ = 0, ytape_ = 0;
-  double roller_ = 0;  // radius; 0: a rail
-  double depth_ = 0;   // of the roller's axis below the origin of its profile
+  std::vector<double> dimensions_;  // what track and wheelset of the search have; none: nothing yet
+  double roller_ = 0;               // radius; 0: a rail
+  double depth_ = 0;                // of the roller's axis below the origin of its profile
   Profile roller_profile_;
   // Inputs, mirrored to the right side.
   Track track_;

@@ -16,6 +16,11 @@ void cells(std::FILE* file, std::initializer_list<double> values) {
   for (const double v : values) std::fprintf(file, "%14.6e", v);
 }
 
+/// Writes two whole numbers in the places of one.
+void whole_pair(std::FILE* file, size_t first, int second) {
+  std::fprintf(file, "%7zu%4d   ", first, second);
+}
+
 /// A row of numbers; the table has 11 columns, unused ones are 0.
 void row(std::FILE* file, std::initializer_list<double> values, size_t columns = 11) {
   cells(file, values);
@@ -52,7 +57,7 @@ void write_elements(std::FILE* file, const Problem& p, const ContactResult& r) {
   heading(file, heat ? "I IGS H MU PN PX PY UN UX UY SREL TEMP1 TEMP2" : "I IGS H MU PN PX PY UN UX UY SREL");
   for (size_t k = 0; k < r.pn.size(); ++k) {
     if (p.in.digits.matfil == 1 && r.division[k] == 0) continue;
-    std::fprintf(file, "%8zu%4d  ", k + 1, r.division[k]);
+    whole_pair(file, k + 1, r.division[k]);
     for (const double v :
          {r.h[k], r.mu[k], r.pn[k], r.px[k], r.py[k], r.un[k], r.ux[k], r.uy[k], std::hypot(r.sx[k], r.sy[k])})
       std::fprintf(file, "%14.6e", v);
@@ -88,19 +93,19 @@ void write_mat(const Problem& p, int patch) {
     delta = s * (at.delta - roll(w->rail.rotation));
   }
   cells(file, {rail[0], s * rail[1], rail[2], delta, wheel[0], s * wheel[1], wheel[2]});
-  std::fprintf(file, "%8zu%4d  ", p.patches.size(), patch);
+  whole_pair(file, p.patches.size(), patch);
   row(file, {r.spinxo, r.spinyo}, 3);
   heading(file, "MX XL YL DX DY CHI DQ C1 YNOM_WHL");
-  std::fprintf(file, "%8d%4d  ", r.grid.mx, r.grid.my);
+  whole_pair(file, size_t(r.grid.mx), r.grid.my);
   cells(file, {r.grid.xc - r.grid.dx / 2, r.grid.yc - r.grid.dy / 2, r.grid.dx, r.grid.dy, r.chi, r.dq});
-  std::fprintf(file, "%8d%4d  ", in.digits.config, w ? in.digits.discns : 0);
+  whole_pair(file, size_t(in.digits.config), w ? in.digits.discns : 0);
   row(file, {w ? in.wheelset.fbdist / 2 - in.wheelset.fbpos : 0, 0, 0}, 3);
   const auto& m = in.material;
   heading(file, "TM GG1 GG2 POISS1 POISS2");
-  std::fprintf(file, "%8d%4d  ", in.digits.tang, in.digits.mater);
+  whole_pair(file, size_t(in.digits.tang), in.digits.mater);
   row(file, {m.g[0], m.g[1], m.nu[0], m.nu[1], m.more[0], m.more[1], m.more[2], m.more[3]}, 10);
   heading(file, "LH VELOC FRICTION");
-  std::fprintf(file, "%8d%4d  ", in.digits.frclaw, in.digits.heat);
+  whole_pair(file, size_t(in.digits.frclaw), in.digits.heat);
   const auto& f = in.friction.rows[0].p;
   row(file, {r.veloc, f[0], f[1], f[2], f[3], f[4], in.friction.memdst, in.friction.mem_s0}, 10);
   write_elements(file, p, r);

@@ -3,8 +3,10 @@
 
 #include <atomic>
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <random>
+#include <string>
 #include <thread>
 
 #include "interface.hpp"
@@ -176,6 +178,109 @@ TEST(calls, one_contact_is_not_solved_by_two) {
   EXPECT_GT(solved, 0);
   EXPECT_EQ(others, 0);
   EXPECT_EQ(solved + refused, 40);
+}
+
+/// Returns what the log says last.
+std::string last_of_log() {
+  std::ifstream file(cntc_test::folder() + "/cntc_test.out");
+  std::string last, line;
+  while (std::getline(file, line))
+    if (!line.empty()) last = line;
+  return last;
+}
+
+// Every value of every digit either is solved, or the log names the digit, its value and those that are taken.
+TEST(calls, digits_run_or_are_refused_by_name) {
+  struct Digit {
+    const char* name;
+    int code, most;
+  };
+  const Digit digits[] = {{"C1", CNTC_ic_config, 5},
+                          {"P", CNTC_ic_pvtime, 3},
+                          {"B", CNTC_ic_bound, 6},
+                          {"T", CNTC_ic_tang, 3},
+                          {"N", CNTC_ic_norm, 1},
+                          {"F", CNTC_ic_force, 3},
+                          {"D", CNTC_ic_discns, 9},
+                          {"C3", CNTC_ic_inflcf, 4},
+                          {"E", CNTC_ic_exrhs, 3},
+                          {"I", CNTC_ic_iestim, 3},
+                          {"M", 0, 7},
+                          {"L", 0, 6}};
+  std::string refused[2];
+  for (const int module : {3, 1})
+    for (const Digit& digit : digits)
+      for (int value = 0; value <= digit.most; ++value) {
+        Element e(1, module, module == 1 ? -1 : 1);
+        if (module == 1) {
+          cntc_test::set_wheel(e);
+          if (digit.code == CNTC_ic_config && value >= 4) {
+            e.set(cntc_settrackdimensions, 1, {14, 0, 1435, 0, 500});
+            e.flags({{CNTC_ic_config, value}});
+            e.set(cntc_setwheelsetvelocity, 2, {4, 0, 0, 0, 0, -4.34});
+          }
+        } else {
+          cntc_test::set_small(e, 1e-3);
+          if (digit.code == CNTC_ic_norm && value == 0) e.penetration(.01);
+        }
+        if (digit.code != 0) {
+          e.flags({{digit.code, value}});
+        } else if (digit.name[0] == 'M') {
+          std::vector<double> constants{.28, .28, 82000, 82000, 1, 1, 1e-3, 1e-3};
+          if (value == 4) constants = {.28, .28, 82000, 82000, 8200, .1, 0, 0};
+          if (value == 3 || value == 5) constants.pop_back();
+          if (value == 0 || value >= 6) constants.resize(4);
+          e.set(cntc_setmaterialparameters, value, constants);
+        } else {
+          std::vector<double> law{.3, .3};
+          if (value >= 2 && value <= 4) law = {.2, .1, 1000, 0, 1, 0, 0};
+          if (value == 5) law = {.3, .5, 1e-3};
+          if (value == 6) law = {.3, 0, -.1, 600, 0, 0};
+          if (value == 1) law.clear();
+          e.set(cntc_setfrictionmethod, value, law);
+        }
+        const int code = e.calculate();
+        if (code >= 0) continue;
+        const std::string said = last_of_log(), asked = std::string(digit.name) + " = " + std::to_string(value);
+        EXPECT_NE(said.find(asked), std::string::npos) << "module " << module << ", " << asked << ": " << said;
+        EXPECT_TRUE(said.find("allowed: ") != std::string::npos || said.find("needs ") != std::string::npos) << said;
+        refused[module == 1] += asked + "; ";
+      }
+  EXPECT_EQ(refused[0],
+            "B = 1; B = 3; B = 4; B = 5; B = 6; F = 3; E = 2; E = 3; M = 2; M = 3; M = 5; M = 6; M = 7; L = 6; ");
+  EXPECT_EQ(
+      refused[1],
+      "C1 = 2; C1 = 3; B = 1; B = 2; B = 3; B = 4; B = 5; B = 6; F = 2; D = 6; D = 7; D = 8; D = 9; M = 1; M = 2; "
+      "M = 3; M = 5; M = 6; M = 7; L = 6; ");
+}
+
+// Control words of input files: digits out of their ranges are refused by name, with the range.
+TEST(calls, digits_of_files_are_refused_by_name) {
+  const std::string words[3] = {"1203100", "0022035", "00112111"};
+  struct Digit {
+    int word, place;
+    const char *name, *wrong;
+  };
+  const Digit digits[] = {
+      {0, 0, "C1", "236789"},  {0, 1, "P", "456789"},   {0, 2, "B", "234789"},  {0, 3, "T", "456789"},
+      {0, 4, "N", "23456789"}, {0, 5, "F", "2456789"},  {0, 6, "S", "456789"},  {1, 0, "V", "3456789"},
+      {1, 1, "L", "5789"},     {1, 3, "C3", "56789"},   {1, 4, "M", "89"},      {1, 5, "Z", "456789"},
+      {1, 6, "E", "6789"},     {2, 0, "X", "23456789"}, {2, 1, "H", "2456789"}, {2, 2, "G", "789"},
+      {2, 3, "I", "456789"},   {2, 4, "A", "3456789"},  {2, 5, "O", "789"},     {2, 7, "R", "456789"}};
+  Element e(1, 1, -1);
+  const std::string name = cntc_test::folder() + "/digits.inp";
+  for (const Digit& digit : digits)
+    for (const char* value = digit.wrong; *value; ++value) {
+      std::string changed[3] = {words[0], words[1], words[2]};
+      changed[digit.word][size_t(digit.place)] = *value;
+      std::ofstream(name) << "1\n" << changed[0] << "\n" << changed[1] << "\n" << changed[2] << "\n";
+      const int type = CNTC_inp_modul1, length = int(name.size());
+      int error = 0;
+      cntc_readinpfile(e.ire(), &type, name.c_str(), &length, &error);
+      EXPECT_EQ(error, CNTC_err_input);
+      const std::string said = last_of_log(), wanted = std::string(digit.name) + " is " + *value + "; allowed: ";
+      EXPECT_NE(said.find(wanted), std::string::npos) << wanted << said;
+    }
 }
 
 }  // namespace

@@ -336,12 +336,45 @@ TEST(gap, contact_at_the_border_is_counted) {
   EXPECT_TRUE(near("Fn", e.found().fn, 106700, 1));  // elements at the border carry their share
 }
 
+TEST(gap, cylinders_that_creep) {
+  // CONTACT's example of like viscoelastic cylinders, and both elastic limits: 99 strips of 0.16 mm.
+  struct Published {
+    double shear, creep, creepage, pressure, touching, sticking;
+  };
+  const Published published[] = {
+      {1143, 1, 1.365e-2, 78.74, 62, 37}, {571.5, 0, 1.378e-2, 60.32, 80, 51}, {1143, 0, 9.792e-3, 85.29, 56, 36}};
+  const double width = 1e4;
+  for (const Published& p : published) {
+    Element e(1, 3, 1);
+    e.flags({{CNTC_if_units, CNTC_un_cntc}, {CNTC_ic_force, 1}});
+    e.set(cntc_setmaterialparameters, 1, {.4, .4, p.shear, p.shear, p.creep, p.creep, 9e-3, 9e-3});
+    e.set(cntc_setfrictionmethod, 0, {.3, .3});
+    e.set(cntc_setpotcontact, 1, {99, 1, -99 * .08, -width / 2, .16, width});
+    e.set(cntc_setundeformeddistc, 1, {.01, 0, 0, 0, 0, 0});
+    e.velocity(1000);
+    e.rolling(0, .16);
+    e.normal_force(600 * width);
+    e.forces(.6, 0);
+    e.creepages(0, 0, 0);
+    EXPECT_EQ(e.calculate(), 0);
+    const Found f = e.found();
+    EXPECT_TRUE(near("largest pressure", f.pmax, p.pressure, 2e-3 * p.pressure));
+    EXPECT_TRUE(near("creepage", std::abs(f.ksi), p.creepage, .02 * p.creepage));
+    EXPECT_TRUE(near("strips in contact", f.area / (.16 * width), p.touching, 2));
+    EXPECT_TRUE(near("strips that stick", f.stick / (.16 * width), p.sticking, 2));
+    e.flags({{CNTC_ic_tang, 2}});
+    if (p.creep > 0) {
+      EXPECT_EQ(e.calculate(), CNTC_err_other);
+    }
+  }
+}
+
 TEST(gap, what_is_absent_is_refused) {
   Element e(1, 3, 1);
   EXPECT_EQ(e.calculate(), CNTC_err_discr);
   set_curve(e, 10, 10, 1.2);
-  e.set(cntc_setmaterialparameters, 1, {.28, .28, 82000, 82000, 1, 1, 1, 1});
-  EXPECT_EQ(e.flag(CNTC_ic_mater), 1);
+  e.set(cntc_setmaterialparameters, 3, {.28, .28, 82000, 82000, 1, 1, 1});
+  EXPECT_EQ(e.flag(CNTC_ic_mater), 3);
   EXPECT_EQ(e.calculate(), CNTC_err_other);
   set_curve(e, 10, 10, 1.2);
   e.flags({{CNTC_ic_bound, 5}});

@@ -88,12 +88,21 @@ TEST(inp, creep_curve) {
       if (k < 12) {
         EXPECT_EQ(line[0] == '%', k % 2 == 0);
       }
+      // Rows have 11 numbers of 14 places; two whole ones share the first 11 places of one, 7 and 4.
+      if (k < 12 && k % 2 == 1) {
+        EXPECT_EQ(line.size(), 154u) << line;
+      }
+      if (k == 7) {
+        EXPECT_EQ(line.substr(0, 14), "     44  48   ");
+      }
       continue;
     }
     std::istringstream words(line);
     std::vector<double> v;
     for (double x = 0; words >> x;) v.push_back(x);
     columns = int(v.size());
+    EXPECT_EQ(line.size(), 140u) << line;
+    EXPECT_EQ(line.substr(11, 3), "   ") << line;
     ++rows;
     force += v[4] * 2 * 6.303597 * 1.0083 / 44 * 2 * 12.607194 * 1.0083 / 48;
   }
