@@ -200,7 +200,6 @@ void get_field(Call& c, int field, int n, double* values) {
   if (!r) return;
   if (n > 0 && !values) return say(c, "an array is NULL");
   const double length = 1 / c.units().length, stress = 1 / c.units().stress(), sign = c.units().sign;
-  const std::vector<double> none;
   struct Row {
     int code;
     const std::vector<double>& field;
@@ -211,10 +210,14 @@ void get_field(Call& c, int field, int n, double* values) {
       {CNTC_fld_py, r->py, sign * stress}, {CNTC_fld_pn, r->pn, stress},  {CNTC_fld_ux, r->ux, length},
       {CNTC_fld_uy, r->uy, length},        {CNTC_fld_un, r->un, length},  {CNTC_fld_sx, r->sx, sign},
       {CNTC_fld_sy, r->sy, sign},          {CNTC_fld_temp1, r->temp1, 1}, {CNTC_fld_temp2, r->temp2, 1},
-      {CNTC_fld_wx, r->wx, sign},          {CNTC_fld_wy, r->wy, sign},    {CNTC_fld_taucrt, none, 1},
-      {CNTC_fld_uplsx, none, 1},           {CNTC_fld_uplsy, none, 1}};
+      {CNTC_fld_wx, r->wx, sign},          {CNTC_fld_wy, r->wy, sign}};
   for (const Row& row : rows)
     if (row.code == field) return put_field(c, n, values, row.field, row.factor);
+  if (field == CNTC_fld_taucrt || field == CNTC_fld_uplsx || field == CNTC_fld_uplsy)
+    return say(c,
+               "field %d (%s) is not available: the flow of layers is not known by elements; allowed: 1 to 5, 7 to 9, "
+               "15, 16, 20 to 23",
+               field, field == CNTC_fld_taucrt ? "TAUCRT" : "UPLS");
   say(c, "there is no field %d", field);
 }
 

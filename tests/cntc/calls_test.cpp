@@ -254,6 +254,17 @@ TEST(calls, digits_run_or_are_refused_by_name) {
       "M = 3; M = 5; M = 6; M = 7; L = 6; ");
 }
 
+TEST(calls, fields_that_are_absent_are_named) {
+  Element e(1, 3, 1);
+  cntc_test::set_small(e, 1e-3);
+  EXPECT_GE(e.calculate(), 0);
+  for (const auto& [field, name] : {std::pair{CNTC_fld_taucrt, "TAUCRT"}, {CNTC_fld_uplsx, "UPLS"}}) {
+    EXPECT_EQ(e.field(field, 4)[0], -777);
+    EXPECT_NE(last_of_log().find(name), std::string::npos);
+  }
+  EXPECT_NE(e.field(CNTC_fld_pn, 4)[0], -777);
+}
+
 // Control words of input files: digits out of their ranges are refused by name, with the range.
 TEST(calls, digits_of_files_are_refused_by_name) {
   const std::string words[3] = {"1203100", "0022035", "00112111"};
