@@ -97,15 +97,18 @@ MeshOnFrame look_under(const BodyMesh& mesh, std::span<const std::int64_t> eleme
     double deepest = 0;
     for (const std::int32_t k : mesh.volume.element(mesh.origin[i].element))
       deepest = std::max(deepest, dot(face.x - surface.node[static_cast<std::size_t>(k)], normalized(face.normal)));
+    // Rings have pressures that are off by 2 to 5 % where contacts have half of the first width, and creepages that are
+    // off by 9 to 10 % where they have half of the second.
     const bool quadratic = is_quadratic(surface.type[i]);
-    const double depth = quadratic ? 0.5 * deepest : deepest;
-    if (opposite->distance < few_layers * depth) found.element = std::min(found.element, depth);
+    found.pressed = std::min(found.pressed, quadratic ? 0.5 * deepest : deepest);
+    found.rolled = std::min(found.rolled, quadratic ? 0.4 * deepest : 2 * deepest);
     if (++seen % (1 + element.size() / looked_at) != 0) continue;
     const std::size_t few = quadratic ? 2 * few_layers : few_layers;
     const double layer = deepest_of_few_layers(surface, e, face, opposite->distance, few);
     if (layer > 0) layered = std::min(layered, layer);
   }
-  if (std::isfinite(layered)) found.element = std::isfinite(found.element) ? std::max(found.element, layered) : layered;
+  if (std::isfinite(layered))
+    for (double* const shown : {&found.pressed, &found.rolled}) *shown = std::max(*shown, layered);
   found.under_faces = areas > 0 ? sum / areas : most;
   return found;
 }

@@ -44,6 +44,7 @@ class StripFrames final : public MovingFrame {
   };
   Sizes sizes() const;
   double largest_pressure() const { return strips::largest_pressure(peaked()).pressure; }
+  std::array<double, 3> lacking_at_poles() const { return strips::lacking_at_poles(peaked()); }
   /// Holds angles, weighted by pressures: that of the mean normal to n of the axes, and the root mean square by which
   /// normals turn away from the mean.
   struct Inclination {

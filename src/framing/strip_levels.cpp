@@ -68,7 +68,7 @@ ErrorEstimate estimate(const Scene& scene, StripFrames& on, double off_by, const
   const auto own = [](const Rates& r) {
     return r.moment[2] - (r.moment[1] * r.force[1] + r.moment[0] * r.force[0]) / -r.force[2];
   };
-  const double moment = (own(fine) - own(coarse)) / std::sqrt(size.area / std::numbers::pi);
+  const double radius = std::sqrt(size.area / std::numbers::pi), moment = (own(fine) - own(coarse)) / radius;
   ErrorEstimate e;
   e.known = true;
   e.normal = off_by * (scene.load(Direction::normal).how == How::by_force
@@ -76,8 +76,12 @@ ErrorEstimate estimate(const Scene& scene, StripFrames& on, double off_by, const
                            : std::abs(force[2] / fine.force[2]));
   const double found = forces_of_motions(scene, on, coarse, fine);
   const double carried = on.by_law() ? std::hypot(fine.force[0], fine.force[1]) : size.carried;
-  e.tangential =
-      carried > 0 ? off_by * std::max({std::hypot(force[0], force[1]), std::abs(moment), found}) / carried : 0;
+  const auto [lack1, lack2, turning] = on.lacking_at_poles();
+  const double lacking =
+      std::max(std::hypot(lack1, lack2),
+               std::abs(own({{lack1, lack2, fine.force[2]}, {fine.moment[0], fine.moment[1], turning}, {}})) / radius);
+  const double differs = off_by * std::max({std::hypot(force[0], force[1]), std::abs(moment), found});
+  e.tangential = carried > 0 ? std::max(differs, lacking) / carried : 0;
   e.tractions = std::max({e.normal, e.tangential, std::abs(1 - pressure / on.largest_pressure())});
   return e;
 }

@@ -64,8 +64,8 @@ struct MeshOnFrame {
   double under_faces = 0;   ///< thickness over length of faces (square root of the area), mean by area; at most 10
   double glued = INFINITY;  ///< least thickness where the other side is held
   double spacing = 0;       ///< distance between nodes of faces, mean by number of faces
-  /// Least depth of volume elements, half of it if quadratic, where the body has fewer than four layers of them.
-  double element = INFINITY;
+  /// Least half widths of contacts whose pressures, and whose creepages, the volume elements show.
+  double pressed = INFINITY, rolled = INFINITY;
   bool between_nodes = false;  ///< true: displacements between nodes are a half-space's
 };
 

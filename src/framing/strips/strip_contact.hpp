@@ -55,6 +55,7 @@ struct StripState {
   StripLayout layout;
   std::vector<double> geometry, pressure, traction;  ///< traction: along x of all nodes, then along y
   StripFactors factors;                              ///< of the last solve
+  std::vector<double> slip;                          ///< slip over speed in that order; of solutions alone
   double approach = 0;
   std::array<double, 3> motion{};
 };

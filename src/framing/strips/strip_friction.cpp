@@ -337,6 +337,7 @@ void StripSolver::slide(const StripScene& scene, StripState& state, StripStart s
     const double residual = judge(scene, state);
     if (!std::isfinite(residual)) return;
     if (residual < converged) {
+      state.slip = slip_now_;
       report.status = StripStatus::solved;
       return;
     }

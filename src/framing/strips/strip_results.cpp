@@ -35,6 +35,48 @@ double area(const StripState& state) {
   return sum;
 }
 
+std::array<double, 3> lacking_at_poles(const StripState& solution) {
+  constexpr int points = 4;  // in each direction between four nodes
+  // Cells with a node that sticks do not count; slip of a few per cent of the mean is as good as none. Directions are
+  // rounded off over the distance of points, so that sums are continuous.
+  constexpr double slow = 0.05, rounded = 0.5 / points;
+  const StripLayout& l = solution.layout;
+  const double* g = solution.geometry.data();
+  const auto vector = [n = l.nodes](const std::vector<double>& of, int node) { return Vec2{of[node], of[n + node]}; };
+  std::array<double, 3> sum{};
+  for (int first = 0; first + l.nodes_each < l.nodes; ++first) {
+    const int row = first / l.nodes_each;
+    if (l.part_of(row) != l.part_of(row + 1) || first % l.nodes_each + 1 == l.nodes_each) continue;
+    const int node[] = {first, first + 1, first + l.nodes_each, first + l.nodes_each + 1};
+    Vec2 slip[4], traction[4], place[4];
+    double carried[4], mean = 0, spread = 0, weight = 1;
+    for (int k = 0; k < 4; ++k) {
+      slip[k] = vector(solution.slip, node[k]);
+      traction[k] = vector(solution.traction, node[k]);
+      place[k] = {l.x(l.node[node[k]], g), l.y(l.node[node[k]], g)};
+      carried[k] = length(traction[k]);
+      mean += length(slip[k]) / 4;
+      spread = std::max(spread, length(slip[k] - slip[0]));
+    }
+    if (!(mean > 0)) continue;
+    for (const Vec2& s : slip) weight *= std::min(1.0, length(s) / (slow * mean));
+    for (int i = 0; i < points * points && weight > 0; ++i) {
+      const double u = (i % points + 0.5) / points, v = (i / points + 0.5) / points;
+      const auto between = [&](const auto& of) {
+        return (1 - v) * ((1 - u) * of[0] + u * of[1]) + v * ((1 - u) * of[2] + u * of[3]);
+      };
+      const double chord = (1 - v) * (place[1][0] - place[0][0]) + v * (place[3][0] - place[2][0]),
+                   part = weight * chord * (place[2][1] - place[0][1]) / (points * points);
+      const Vec2 s = between(slip), x = between(place);
+      const Vec2 lack = -between(carried) / std::hypot(s[0], s[1], rounded * spread) * s - between(traction);
+      sum[0] += part * lack[0];
+      sum[1] += part * lack[1];
+      sum[2] += part * (x[0] * lack[1] - x[1] * lack[0]);
+    }
+  }
+  return sum;
+}
+
 PressurePeak largest_pressure(const StripState& state) {
   const StripLayout& l = state.layout;
   const double* g = state.geometry.data();

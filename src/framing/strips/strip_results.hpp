@@ -15,6 +15,9 @@ struct PressurePeak {
 /// taken away. The square of the pressure is taken for a parabola along each row and across rows: exact for an ellipse.
 PressurePeak largest_pressure(const StripState& state);
 double area(const StripState& state);  ///< area in contact
+/// Returns what the tangential force and its moment about the origin lack because tractions are linear between nodes:
+/// friction opposes slip, whose direction is far from linear beside a pole of sliding. Slip is taken for linear.
+std::array<double, 3> lacking_at_poles(const StripState& solution);
 
 /// Measures how far a solution is from contacts that strips do not fit; all measures are continuous.
 struct StripTrust {
