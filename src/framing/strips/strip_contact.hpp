@@ -55,7 +55,7 @@ struct StripState {
   StripLayout layout;
   std::vector<double> geometry, pressure, traction;  ///< traction: along x of all nodes, then along y
   StripFactors factors;                              ///< of the last solve
-  std::vector<double> slip;                          ///< slip over speed in that order; of solutions alone
+  std::vector<double> slip;  ///< slip over speed in the order of traction, 0 where nodes stick; of solutions alone
   double approach = 0;
   std::array<double, 3> motion{};
 };
@@ -129,6 +129,7 @@ class StripSolver {
   void rigid_slip(const StripScene& scene, const StripState& state);
   void bounds(const StripScene& scene, const StripState& state);
   void slip(const StripState& state);
+  void keep_slip(StripState& state) const;
   void load_errors(const StripScene& scene, const StripState& state);
   double judge(const StripScene& scene, const StripState& state);
   double* spread(const double* u, const double* v, double* to) const;

@@ -105,6 +105,14 @@ void StripSolver::slip(const StripState& state) {
   }
 }
 
+// Nodes that stick slip by what rounding leaves.
+void StripSolver::keep_slip(StripState& state) const {
+  state.slip = slip_now_;
+  const std::size_t n = laws_.size();
+  for (std::size_t i = 0; i < n; ++i)
+    if (!laws_[i].slides) state.slip[i] = state.slip[n + i] = 0;
+}
+
 void StripSolver::bounds(const StripScene& scene, const StripState& state) {
   const StripLayout& l = state.layout;
   const double* g = state.geometry.data();
@@ -337,7 +345,7 @@ void StripSolver::slide(const StripScene& scene, StripState& state, StripStart s
     const double residual = judge(scene, state);
     if (!std::isfinite(residual)) return;
     if (residual < converged) {
-      state.slip = slip_now_;
+      keep_slip(state);
       report.status = StripStatus::solved;
       return;
     }

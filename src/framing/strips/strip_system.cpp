@@ -109,7 +109,7 @@ StripReport StripSolver::couple(const StripScene& scene, StripState& state, Stri
     const double residual = judge(scene, state);
     if (!std::isfinite(residual)) return report;
     if (change < last_step && residual < 1e-9) {
-      state.slip = slip_now_;
+      keep_slip(state);
       report.status = StripStatus::solved;
       return report;
     }
