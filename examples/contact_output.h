@@ -24,7 +24,8 @@ static int32_t must(int32_t status) {
 
 static void must_solve(rollcon_contact* contact) {
   const int32_t status = must(rollcon_contact_solve(contact));
-  if (status == ROLLCON_OK) return;
+  if (status == ROLLCON_INACCURATE) fprintf(stderr, "%s\n", rollcon_last_caveat());
+  if (status == ROLLCON_OK || status == ROLLCON_INACCURATE) return;
   fprintf(stderr, "no good solution: %s\n", rollcon_status_string(status));
   exit(1);
 }
