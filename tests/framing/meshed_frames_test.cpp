@@ -104,6 +104,7 @@ TEST(meshed_frames_long, a_layer_thinner_than_its_contact_is_wide) {
   expect_same("by force and by approach", pair.solution(), s, radius, 0.02, 1e-9);
 }
 
+// The contact is less than four times as wide as the block's elements are deep, which is told.
 TEST(meshed_frames_long, a_roller_ends_on_a_block) {
   const surfaces::ZoneBlock shape{.side = 40, .depth = 20, .zone = 8, .n = 12, .grade = 4, .deep = 6};
   RollingPair pair(block(shape), scenes::RigidBody{}, 1);
@@ -112,7 +113,7 @@ TEST(meshed_frames_long, a_roller_ends_on_a_block) {
   const double line[2] = {3, 0}, origin[3] = {0, 0, 50}, axis[3] = {0, 1, 0};
   ASSERT_EQ(rollcon_body_set_profile_shape(pair.body(2), "line", 2, line), ROLLCON_OK);
   ASSERT_EQ(rollcon_body_revolve_profile(pair.body(2), origin, axis, 50), ROLLCON_OK);
-  ASSERT_EQ(pair.solve(), ROLLCON_OK) << rollcon_last_error();
+  ASSERT_EQ(pair.solve(), ROLLCON_INACCURATE) << rollcon_last_error();
   const Solution s = pair.solution();
   double most = 0, corner = 0;
   for (std::size_t k = 0; k < s.nodes(); ++k) most = std::max(most, std::abs(s.y[k]));
@@ -124,7 +125,7 @@ TEST(meshed_frames_long, a_roller_ends_on_a_block) {
   expect_error("the frame ends where the roller does", most - 3, 1e-3);
   EXPECT_EQ(corner, 0) << "the contact ends there";
   pair.rectangle(ElementType::quad4, 24, 48, 1.6, 3 * (1 - 1e-9));
-  ASSERT_EQ(pair.solve(), ROLLCON_OK) << rollcon_last_error();
+  ASSERT_EQ(pair.solve(), ROLLCON_INACCURATE) << rollcon_last_error();
   expect_same("beside a lattice", s, pair.solution(), 2, 0.05, 0.02);
 }
 

@@ -77,7 +77,8 @@ TEST(Rings_long, by_finite_and_by_boundary_elements) {
                                        {"FEM on BEM", bem},
                                        {"BEM on BEM", scenes::TwinBody{}}}) {
       auto pair = example1::pair(name[0] == 'F' ? fem : bem, second, "least_squares");
-      ASSERT_EQ(pair->solve(), ROLLCON_OK) << name;
+      // Unlike meshes are told.
+      ASSERT_EQ(pair->solve(), name == "FEM on BEM" ? ROLLCON_INACCURATE : ROLLCON_OK) << name;
       const Solution s = pair->solution();
       found[name] = {mid_plane(s).p0, s.creep[0]};
       const std::string what = name + ", zone " + std::to_string(parts) + " x " + std::to_string(parts) + ": ";
