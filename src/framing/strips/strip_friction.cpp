@@ -340,11 +340,11 @@ void StripSolver::slide(const StripScene& scene, StripState& state, StripStart s
     return;
   }
   // Factors at hand serve as long as they shorten residuals as much as new ones would in their time.
-  double most_kept = start == StripStart::solution ? first_kept : 0;
+  double most_kept = start == StripStart::solution ? first_kept : 0, enough = converged;
   while (report.friction_rounds++ < most_rounds) {
     const double residual = judge(scene, state);
     if (!std::isfinite(residual)) return;
-    if (residual < converged) {
+    if (residual < enough) {
       keep_slip(state);
       report.status = StripStatus::solved;
       return;
@@ -352,7 +352,10 @@ void StripSolver::slide(const StripScene& scene, StripState& state, StripStart s
     // Motions that are not known are found from sticking everywhere, first.
     if (loads && !warm && report.friction_rounds == 1)
       for (Law& law : laws_) law = Law{};
-    if (!friction_step(scene, state, residual < most_kept && is_kept(scene, state.factors))) return;
+    const bool by_kept = residual < most_kept && is_kept(scene, state.factors);
+    if (!friction_step(scene, state, by_kept)) return;
+    // What Newton's step leaves is far below what it meets.
+    enough = by_kept ? converged / 100 : converged;
     most_kept = rate_of_kept * residual;
     slip(state);
   }

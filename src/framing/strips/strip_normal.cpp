@@ -18,7 +18,7 @@ constexpr double least_share = 0.02;                   // least part of a step t
 // Steps with the factors of an earlier solution: the longest first one that is taken, and that after which Newton's
 // steps take as long; the least rate at which they shrink; the next step that is left out.
 constexpr int most_kept = 5;
-constexpr double longest_kept = 0.03, long_kept = 3e-3, slowest_kept = 0.02, left_out = 1e-10;
+constexpr double longest_kept = 0.03, long_kept = 3e-3, slowest_kept = 0.02, left_out = 1e-11;
 
 }  // namespace
 
