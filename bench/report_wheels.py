@@ -13,7 +13,7 @@ from report import load, magnitude, of_case, processor, put_part, table
 TEXT = """
 S1002 on 60E1 under 10 kN on each wheel, yaw 2.4 mrad for each millimetre. Made by `{command}` on
 {processor},
-one thread, processor time. Errors are relative to the finest strips (12 x 12) at 41 shifts: |(ΔFx, ΔFy)| over μFn,
+one thread, processor time. Errors are relative to the finest strips (12 x 14) at 41 shifts: |(ΔFx, ΔFy)| over μFn,
 and those of the spin moments over μFn times the radius of the circle with the patches' area. The first table is for a
 vehicle's time loop of {steps} steps, in which the wheelset is shifted to and fro in 1000 steps each:
 

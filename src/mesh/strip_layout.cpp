@@ -74,8 +74,8 @@ StripLayout::StripLayout(StripCounts of, int number_of_parts, std::vector<double
   weight.assign(3 * static_cast<std::size_t>(places), 0);
   turn = weight;
   const std::vector<double> area = row_areas(across);
-  const double whole_load = 1 + load_along / (std::pow(n, 4) * (1 + std::pow(n / load_later, 2))) +
-                            load_across / std::pow(m, 4);
+  const double whole_load =
+      1 + load_along / (std::pow(n, 4) * (1 + std::pow(n / load_later, 2))) + load_across / std::pow(m, 4);
   for (int row = 0; row < rows; ++row) {
     const int part = part_of(row), line = row % rows_each + 1;
     const double below = 1 / (across[line] - across[line - 1]), above = 1 / (across[line + 1] - across[line]);

@@ -225,8 +225,8 @@ class GapOfSurfaces final : public KnownGap {
   PairOfBodies pair_;
   std::optional<std::array<double, 3>> given_;  ///< coefficients of x^2, y^2, xy
   mutable PlacesMet met_;
-  std::array<bool, 2> straight_{};              ///< bodies that go on without end along t1
-  mutable double last_y_ = NAN;                 ///< y of the heights found last
+  std::array<bool, 2> straight_{};  ///< bodies that go on without end along t1
+  mutable double last_y_ = NAN;     ///< y of the heights found last
   mutable Heights last_;
 };
 

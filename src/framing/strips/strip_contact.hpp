@@ -42,11 +42,11 @@ struct StripScene {
 /// Holds factors of a solve. Solves nearby take steps with them, which cost less than Newton's and lead to the same
 /// solution.
 struct StripFactors {
-  Lu<double> normal, friction;  ///< of the normal problem, and of friction alone between like bodies
+  Lu<double> normal, friction;  ///< the normal problem's, and friction's alone between like bodies
   std::vector<double> across;   ///< StripLayout::across of the normal problem
-  int parts = 0;                ///< 0: none of the normal problem
+  int parts = 0;                ///< 0: there are none of the normal problem
   bool by_load = false;
-  std::vector<char> slides;  ///< says which nodes slide in those of friction; empty: none
+  std::vector<char> slides;  ///< says which nodes slide in friction's; empty: none
   std::array<bool, 3> force_given{};
 };
 
@@ -54,7 +54,7 @@ struct StripFactors {
 struct StripState {
   StripLayout layout;
   std::vector<double> geometry, pressure, traction;  ///< traction: along x of all nodes, then along y
-  StripFactors factors;                              ///< of the last solve
+  StripFactors factors;                              ///< those of the last solve
   std::vector<double> slip;  ///< slip over speed in the order of traction, 0 where nodes stick; of solutions alone
   double approach = 0;
   std::array<double, 3> motion{};
