@@ -225,7 +225,8 @@ def report(path, docs, command):
     for name in models:
         for r in sorted((r for r in records if r["model"] == name), key=lambda r: r["unknowns"]):
             time_of[name].append((r["unknowns"], r["seconds"]))
-            rows.append([name, f"{r['nodes']:,}", f"{r['unknowns']:,}", f"{r['seconds']:.{2 if r['seconds'] < 99.5 else 3}g} s", memory(r["bytes"]),
+            digits = 2 if r["seconds"] < 99.5 else 3
+            rows.append([name, f"{r['nodes']:,}", f"{r['unknowns']:,}", f"{r['seconds']:.{digits}g} s", memory(r["bytes"]),
                          f"{r['error']:.1e}" if "error" in r else "-"])
     image = plot(f"{docs}/images/sizes.png", "Time of a first solve on one thread", "unknowns", "seconds", time_of)
     text = (f"Made by `{command}`, {processor()}; seconds of one processor. Hierarchical "

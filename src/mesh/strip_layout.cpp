@@ -14,9 +14,9 @@ constexpr double upstream_part = 0.6;  // part of the mean spacing
 // across: the mean over Hertz's ellipses of ratios 0.25 to 2, whose chords are 1 % too long without.
 constexpr double beyond_chord = 0.9, beyond_width = 0.21;
 
-// Hats whose displacements close the gap carry less load than the pressures they stand for: the mean over Hertz's
-// ellipses of ratios 0.2 to 5 and over wheels on rails falls with the fourth power of the intervals along, later with
-// the sixth, and with the fourth power of those across.
+// Hats that close the gap carry less load than the pressures they stand for. The missing part, a mean over Hertz's
+// ellipses of ratios 0.2 to 5 and over wheels on rails, falls with the fourth power of the intervals along, with the
+// sixth from about load_later on, and with the fourth power of those across.
 constexpr double load_along = 6.6, load_later = 9, load_across = 1.2;
 
 // Returns integrals over the width of hats of rows, constant beyond the outer rows, times the chords of an ellipse,

@@ -53,6 +53,7 @@ TEST_F(wheelrail_handles, a_contact_shows_its_patch_and_outlives_it) {
   EXPECT_NEAR(force[0], patch_stat(right, "longitudinal_force"), 1e-9 * 9799);
   EXPECT_NEAR(force[1], patch_stat(right, "lateral_force"), 1e-9 * 9799);
   ASSERT_OK(rollcon_contact_get_stat(contact, "max_pressure", &pressure));
+  // The contact solves the frame of the strips anew.
   EXPECT_NEAR(pressure, patch_stat(right, "max_pressure"), 1e-9 * pressure);
 
   ASSERT_OK(rollcon_wheelrail_prescribe_vertical(right, ROLLCON_BY_FORCE, 20000));

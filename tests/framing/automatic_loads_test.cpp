@@ -100,7 +100,9 @@ TEST(automatic_loads_long, spin_moments_lead_to_spins_that_lead_back) {
     ASSERT_EQ(pair.solve(), ROLLCON_OK);
     const auto given = pair.solution();
     pair.creep(0, 0, given.creep[2]);
-    ASSERT_EQ(pair.solve(), ROLLCON_OK);
+    // The pole of sliding lies inside, where strips do not reach 0.2 % and say so.
+    const std::int32_t status = pair.solve();
+    ASSERT_TRUE(status == ROLLCON_OK || status == ROLLCON_INACCURATE) << status;
     const auto back = pair.solution();
     expect_error("moment under the spin found", back.moment[2] / limit + share, 4e-3);
     expect_error("lateral force", (back.force[1] - given.force[1]) / (mu * hertz.load), 2e-3);

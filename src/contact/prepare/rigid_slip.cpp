@@ -67,15 +67,6 @@ void add_velocities(Preparation& preparation, const Scene& scene) {
   }
 }
 
-// Rounds a distance over the frame's size to 36 binary digits. Rows that depend on the distance then stay while the
-// height of a wheel is found, which changes its speed a little.
-double rounded_part(double part) {
-  constexpr int digits = 36;
-  int power = 0;
-  const double mantissa = std::frexp(part, &power);
-  return std::ldexp(std::round(std::ldexp(mantissa, digits)), power - digits);
-}
-
 // Takes what a time step makes of speed and motions. The particle that is at a node now came along a path whose middle
 // is half the distance upstream, where the rigid slip equals its mean over the path.
 void take_step(Preparation& preparation, const Scene& scene) {
@@ -91,7 +82,7 @@ void take_step(Preparation& preparation, const Scene& scene) {
   on.speed = 1 / scene.step_time();
   if (on.step == StepKind::rolling) {
     const double speed = scene.speed(preparation.origin_between), dt = scene.step_time();
-    p.motion_scale = on.distance = rounded_part(speed * dt / p.length) * p.length;
+    p.motion_scale = on.distance = speed * dt;
     if (constexpr double most = 1e12; !(on.distance <= most * p.length))
       fail(Status::err_argument,
            "a step rolls by V dt = %g (V %g, dt %g), %g times the frame's size; allowed: up to %g (units?)",

@@ -42,9 +42,10 @@ double largest_friction(const Solution& s) {
   return mu.empty() ? 0 : *std::max_element(mu.begin(), mu.end());
 }
 
-// Pressure strains the surfaces along the rolling direction, which acts as creepage where it does so unlike. Volume
-// elements show less of it the deeper they are: on rings, linear ones of a quarter, half and all of the contact's half
-// width in depth lose 3, 9 and 25 %, quadratic ones of five times that depth. Like meshes of like bodies lose alike.
+// Pressure strains both surfaces along the rolling direction, and a difference of the two strains acts as creepage.
+// Volume elements show less of the strain the deeper they are: on rings, linear ones of a quarter, half and all of the
+// contact's half width in depth lose 3, 9 and 25 %, quadratic ones of five times that depth. Equal meshes of equal
+// bodies lose the same part.
 Line doubt_about_strain(const Solution& s) {
   constexpr double lost = 0.25, power = 1.5, most = 0.05;
   const auto [along, across] = half_widths(s);
@@ -66,8 +67,7 @@ Line doubt_about_strain(const Solution& s) {
   return line_of(
       "body %d: its elements under the frame show less of the strain along the surface than those of body %d, another "
       "mesh or model: that acts as a creepage of about %.2g; take elements that are less deep there, or like meshes "
-      "for "
-      "both bodies",
+      "for both bodies",
       which, 3 - which, off);
 }
 
@@ -96,8 +96,7 @@ Line doubt_about(const Solution& s, int which) {
   if (half > 0 && std::isfinite(shown) && shown > half)
     return line_of(
         "body %d: its elements under the frame are too deep for the contact, which is %.3g wide: %s may be off by a "
-        "tenth "
-        "and more; take linear elements no deeper than %.3g there, or quadratic ones no deeper than %.3g",
+        "tenth and more; take linear elements no deeper than %.3g there, or quadratic ones no deeper than %.3g",
         which + 1, 2 * half, s.frictionless ? "pressures" : "creepages and pressures", s.frictionless ? half : half / 2,
         2 * half);
   if (mesh.between_nodes && mesh.under_faces < shallow)
@@ -153,17 +152,15 @@ Line describe_too_deep(const Solution& s) {
         "material bears: check loads, moduli and all units",
         deep, bears);
   const double largest = largest_pressure(s), modulus = s.prepared->problem.stiffness;
-  // Peaks of 400 times the mean were found at single nodes where this was 1 and more.
+  // Single nodes have up to 400 times the mean pressure where this is 1 or more.
   constexpr double much = 0.5;
   const PairOfBodies& pair = s.prepared->pair;
   const double coupled = pair.meshed() ? 0 : std::abs(dundurs_beta(pair)) * largest_friction(s);
   if (largest > modulus && coupled > much)
     return line_of(
-        "the largest pressure is %.4g, more than the modulus of contact (%.4g), as no material bears: friction is high "
-        "for "
-        "bodies as unlike as these (Dundurs' beta times mu is %.2g), so that pressures of single nodes may be the "
-        "frame's "
-        "alone; take less friction, or check units and loads",
+        "the largest pressure is %.4g, more than the modulus of contact (%.4g), as no material bears: with so much "
+        "friction between such unlike bodies (Dundurs' beta times mu is %.2g) single nodes may have pressures that "
+        "come from the frame alone; take less friction, or check units and loads",
         largest, modulus, coupled);
   return describe_pressure(largest, modulus);
 }

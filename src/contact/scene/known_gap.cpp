@@ -51,9 +51,10 @@ class PlacesMet {
  public:
   PlacesMet() = default;
   PlacesMet(double low, double high) : low_(low), per_length_(count / (high - low)) {}
-  /// Returns the hints of both bodies at y, where nothing was met yet those from the nearest y.
+  /// Returns the hints of both bodies at y. A place where nothing was met yet takes those of the nearest place.
   std::array<SurfaceHint, 2>& at(double y) {
-    const auto i = static_cast<int>(std::clamp((y - low_) * per_length_, 0.0, count - 1.0));
+    const double place = (y - low_) * per_length_;
+    const int i = !(place > 0) ? 0 : place < count - 1 ? static_cast<int>(place) : count - 1;
     if (!known_[i]) {
       int from = last_;
       for (int k = 1; k < std::abs(from - i); ++k)

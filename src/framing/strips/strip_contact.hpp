@@ -120,10 +120,15 @@ class StripSolver {
   enum class Rows { none, pressures, all };
   void normal_rows(const StripScene& scene, const StripState& state, Rows rows, double* matrix, int columns, int stride,
                    double* residual);
-  double kept_step(const StripScene& scene, StripState& state, int n);
+  double kept_step(const StripScene& scene, StripState& state, const StripFactors& factors, int n);
   static double normal_size(const StripState& state, const double* step);
   static double normal_step(const StripScene& scene, StripState& state, const double* step, double share);
   bool press_on(const StripScene& scene, StripState& state);
+  /// Returns where factors of a solve belong: the state, unless they take megabytes.
+  StripFactors& factors(StripState& state) {
+    constexpr int most_nodes = 160;
+    return state.layout.nodes <= most_nodes ? state.factors : large_;
+  }
   bool press_by_kept(const StripScene& scene, StripState& state, int n);
   void slip_rows(const StripScene& scene, const StripState& state, bool rates);
   void rigid_slip(const StripScene& scene, const StripState& state);
@@ -157,6 +162,7 @@ class StripSolver {
 
   StripIntegrals integrals_;
   Lu<double> lu_, lu_friction_;
+  StripFactors large_;
   Samples gap_, friction_, slip_[2], creep_rates_[2];
   std::vector<double> residual_, step_;
   std::vector<double> compliance_[5];  ///< derivatives of slip by tractions: 11, 12, 22; by pressures: 1n, 2n

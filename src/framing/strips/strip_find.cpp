@@ -246,7 +246,7 @@ bool StripFinder::more_parts(const StripScene& scene, const Rectangle& box, Stri
         value = there;
       }
       step[d] = std::max(step[d] / 2, 1e-4 * (d == 0 ? hx : hy));
-      // It leads to the contact that is there already.
+      // The least gap lies in the contact that is known.
       if (inside(state, at, reach)) return false;
     }
   if (!(value < 0) || inside(state, at, reach)) return false;

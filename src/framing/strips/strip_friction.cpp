@@ -305,7 +305,7 @@ bool StripSolver::friction_step(const StripScene& scene, StripState& state, bool
   if (loads > 0) load_errors(scene, state);
   step_.resize(static_cast<std::size_t>(most));
   friction_errors(scene, step_.data());
-  StripFactors& f = state.factors;
+  StripFactors& f = factors(state);
   if (!by_kept) {
     f.slides.clear();
     friction_rows(scene, state, false, f.friction.prepare(size, most - size), size);
@@ -339,7 +339,9 @@ void StripSolver::slide(const StripScene& scene, StripState& state, StripStart s
     report.status = StripStatus::beyond_friction;
     return;
   }
-  // Factors at hand serve as long as they shorten residuals as much as new ones would in their time.
+  // Kept factors serve while each step leaves at most rate_of_kept of the residual.
+  StripFactors& f = factors(state);
+  if (&f == &large_) f.slides.clear();
   double most_kept = start == StripStart::solution ? first_kept : 0, enough = converged;
   while (report.friction_rounds++ < most_rounds) {
     const double residual = judge(scene, state);
@@ -352,9 +354,9 @@ void StripSolver::slide(const StripScene& scene, StripState& state, StripStart s
     // Motions that are not known are found from sticking everywhere, first.
     if (loads && !warm && report.friction_rounds == 1)
       for (Law& law : laws_) law = Law{};
-    const bool by_kept = residual < most_kept && is_kept(scene, state.factors);
+    const bool by_kept = residual < most_kept && is_kept(scene, f);
     if (!friction_step(scene, state, by_kept)) return;
-    // What Newton's step leaves is far below what it meets.
+    // Steps with kept factors shrink by a ratio, so that they go on to a hundredth of what ends Newton's.
     enough = by_kept ? converged / 100 : converged;
     most_kept = rate_of_kept * residual;
     slip(state);

@@ -15,8 +15,9 @@ constexpr double last_step = 3e-7;
 constexpr double rounded_step = 1e-5, rounded = 1e-6;  // step that no longer shortens residuals, their size
 constexpr double small_step = 1e-3;                    // step after which the same factors may do for another
 constexpr double least_share = 0.02;                   // least part of a step that is shortened as residuals grow
-// Steps with the factors of an earlier solution: the longest first one that is taken, and that after which Newton's
-// steps take as long; the least rate at which they shrink; the next step that is left out.
+// Steps with the factors of an earlier solution: how many at most; the longest first one, over sizes, and that from
+// which Newton's method is as fast; the greatest ratio of a step to the one before; the size of a step that is left
+// out.
 constexpr int most_kept = 5;
 constexpr double longest_kept = 0.03, long_kept = 3e-3, slowest_kept = 0.02, left_out = 1e-11;
 
@@ -139,28 +140,28 @@ bool StripSolver::press_on(const StripScene& scene, StripState& state) {
   return true;
 }
 
-// Takes a step with the factors at hand; it leaves an error in proportion to the product of both sizes.
-double StripSolver::kept_step(const StripScene& scene, StripState& state, int n) {
+// Computes a step with the factors at hand; it leaves an error in proportion to the product of both sizes. Returns the
+// longest change of a chord or a width, over its half: infinity where it is no number.
+double StripSolver::kept_step(const StripScene& scene, StripState& state, const StripFactors& factors, int n) {
   integrals_.lay(state.layout, scene.bodies, state.geometry.data());
   set_fields(state);
   normal_rows(scene, state, Rows::none, nullptr, n, n, step_.data());
-  state.factors.normal.solve(step_.data());
-  return std::max(normal_size(state, step_.data()), normal_step(scene, state, step_.data(), 1));
+  factors.normal.solve(step_.data());
+  const double size = norm2(step_.data(), n);
+  return std::isfinite(size) ? normal_size(state, step_.data()) : std::numeric_limits<double>::infinity();
 }
 
-// Goes on from a solution nearby with the factors of the last one, if they are those of the same strips. Returns
-// whether this solved the problem; otherwise the state is one to go on from.
+// Goes on from a solution nearby with its factors, if they are those of the same strips. Returns whether this solved
+// the problem; otherwise the state is one to go on from.
 bool StripSolver::press_by_kept(const StripScene& scene, StripState& state, int n) {
   const StripLayout& l = state.layout;
-  const StripFactors& f = state.factors;
+  const StripFactors& f = factors(state);
   if (f.parts != l.parts || f.across != l.across || f.by_load != scene.by_load || f.normal.size() != n) return false;
   double before = 0;
   for (int round = 0; round < most_kept; ++round) {
-    const double change = kept_step(scene, state, n);
-    if (round == 0 && !(change < longest_kept)) {
-      normal_step(scene, state, step_.data(), -1);
-      return false;
-    }
+    const double moved = kept_step(scene, state, f, n);
+    if (!(moved < longest_kept)) return false;
+    const double change = std::max(moved, normal_step(scene, state, step_.data(), 1));
     if (change < left_out || (round > 0 && change * change < left_out * before)) return true;
     if (change > (round == 0 ? long_kept : slowest_kept * before)) return false;
     before = change;
@@ -173,6 +174,8 @@ StripReport StripSolver::press(const StripScene& scene, StripState& state, Strip
   const int n = l.nodes + l.geometry + 1;
   StripReport report{StripStatus::not_converged};
   step_.resize(static_cast<std::size_t>(n));
+  StripFactors& f = factors(state);
+  if (&f == &large_) f.parts = 0;
   if (start == StripStart::solution && press_by_kept(scene, state, n)) {
     report.status = StripStatus::solved;
     return report;
@@ -182,7 +185,6 @@ StripReport StripSolver::press(const StripScene& scene, StripState& state, Strip
     if (start == StripStart::geometry) state.traction.assign(2 * static_cast<std::size_t>(l.nodes), 0);
     if (!press_on(scene, state)) return report;
   }
-  StripFactors& f = state.factors;
   double before = std::numeric_limits<double>::infinity(), share = 0, change = 1;
   while (report.normal_rounds++ < most_rounds) {
     integrals_.lay(l, scene.bodies, state.geometry.data());
@@ -217,7 +219,11 @@ StripReport StripSolver::press(const StripScene& scene, StripState& state, Strip
     if (!std::isfinite(longest)) return report;
     share = longest > longest_step ? longest_step / longest : 1;
     change = std::max(longest, normal_step(scene, state, step_.data(), share));
-    if (change < last_step || (change < small_step && kept_step(scene, state, n) * change < last_step * last_step)) {
+    const auto last = [&] {
+      const double moved = kept_step(scene, state, f, n);
+      return std::isfinite(moved) ? std::max(moved, normal_step(scene, state, step_.data(), 1)) : moved;
+    };
+    if (change < last_step || (change < small_step && last() * change < last_step * last_step)) {
       report.status = StripStatus::solved;
       return report;
     }
