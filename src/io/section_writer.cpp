@@ -114,7 +114,7 @@ void SectionWriter::commit() {
   if (close(file) != 0) fail_here(errno);
   std::error_code renamed;
   std::filesystem::rename(part_, path_, renamed);
-  if (renamed) fail_here(renamed.value());
+  if (renamed) fail_here(renamed.default_error_condition().value());
   part_.clear();
   // Some file systems cannot bring a folder to the disk; the file itself is whole in any case.
   if (const int folder = open(folder_of(path_).c_str(), O_RDONLY | O_CLOEXEC); folder >= 0) {

@@ -57,7 +57,7 @@ void write_whole_file(const std::string& name, const std::string& text) {
     std::error_code renamed;
     std::filesystem::rename(part, path, renamed);
     if (!renamed) return;
-    error = renamed.value();
+    error = renamed.default_error_condition().value();
   }
   std::remove(part.c_str());
   fail_io(path, error);
