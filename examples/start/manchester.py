@@ -21,7 +21,8 @@ for side, y, z, roll, rate, published in CASES:
     wheel.set_position([0, y, z, roll, 2.4e-3 * y, 0])
     wheel.set_velocity([2000, 0, 0, 0, 0, rate])
     wheel.solve()
-    solved = (wheel.patch_stat(0, name) for name in ("normal_force", "longitudinal_force", "lateral_force", "max_pressure"))
+    names = "normal_force", "longitudinal_force", "lateral_force", "max_pressure"
+    solved = (wheel.patch_stat(0, name) for name in names)
     for name, numbers in (("rollcon", solved), ("CONTACT", published)):
         print("{:6} {:5.1f}  {} {:8.0f} {:13.0f} {:8.0f} {:17.0f}".format(side, y, name, *numbers))
     if (side, y) == ("right", 2.0):

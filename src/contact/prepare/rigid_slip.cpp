@@ -1,7 +1,5 @@
 #include "contact/prepare/rigid_slip.hpp"
 
-#include <cmath>
-
 #include "contact/prepare/between_surfaces.hpp"
 #include "support/error.hpp"
 #include "support/index.hpp"
