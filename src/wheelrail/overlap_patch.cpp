@@ -274,6 +274,7 @@ void gather(const ProfileGap& gap, const std::vector<Overlap>& overlap, const Me
       const double share = inner - std::max(before, after);
       if (share > 0) {
         patch.push_back(patch_of(gap, &overlap[i], &overlap[j], side, radius));
+        patch.back().apart = inner - share;
         patch.back().share = share;
       }
       inner = std::min(inner, after);

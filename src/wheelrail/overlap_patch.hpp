@@ -2,6 +2,7 @@
 /// Describes what overlaps of a wheel's outline and a rail are to a contact: where, how deep and how large; and which
 /// of them are one patch.
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -29,8 +30,10 @@ struct OverlapPatch {
   double overlap = 0;          ///< greatest overlap along the normal
   double low = 0, high = 0;    ///< ends of the overlap along the lateral axis from the reference
   double back = 0, front = 0;  ///< ends along x
-  /// Weight with which this patch counts: patches apart and the same patches as one have weights that add up to 1.
+  /// Weight with which this patch counts: patches apart and the same patches as one have weights that add up to 1. It
+  /// counts from the level `apart` to apart + share, where levels run from 0, all that may merge is one, to 1.
   double share = 1;
+  double apart = 0;            ///< first of its levels
   bool cut = false;            ///< the overlap ends where a profile does, or where it is too steep to be seen
   bool parted = false;         ///< along x the overlap has two parts somewhere
   double wheel_y = 0;          ///< y of the wheel's profile at the reference, its own
@@ -41,6 +44,11 @@ struct OverlapPatch {
   /// its half-width squared over 8.
   double fullness = 0;  ///< mean depth, as depth^2.5 weighs it, over that of a paraboloid of this overlap and spread
   double spread = 0;    ///< mean square of the lateral distance from the centre of depth^2.5
+  /// Returns the part of the other one's levels at which this patch counts, too.
+  double beside(const OverlapPatch& other) const {
+    const double both = std::min(apart + share, other.apart + other.share) - std::max(apart, other.apart);
+    return other.share > 0 ? std::max(0.0, both) / other.share : 0;
+  }
 };
 
 /// Holds an interval of s in which the gap is negative and has one least value.

@@ -89,10 +89,14 @@ void PatchContact::solve_contact(const Fineness& fineness) {
   const bool may_fit = fineness.strips.along > 0 && !fineness.lattice.conformal && !now_.patch.parted;
   now_.on_strips = may_fit && solve_on_strips(fineness);
   if (now_.on_strips) return;
-  now_.place = place();
-  put_frame(contact_->scene, fineness.lattice, now_.place, false);
-  contact_->solver->forget_all_but_tractions();
-  now_.status = contact_->solver->solve();
+  // What is left of an overlap that is deepest near an end reaches beyond the smaller lattice.
+  for (const bool whole : {false, true}) {
+    now_.place = place(whole);
+    put_frame(contact_->scene, fineness.lattice, now_.place, false);
+    contact_->solver->forget_all_but_tractions();
+    now_.status = contact_->solver->solve();
+    if (now_.status != Status::rim_contact || now_.patch.cut) break;
+  }
 }
 
 bool PatchContact::solve_on_strips(const Fineness& fineness) {
@@ -101,7 +105,8 @@ bool PatchContact::solve_on_strips(const Fineness& fineness) {
   strips::StripStatus found = strips::StripStatus::unfit;
   for (const auto& [counts, patient] :
        {std::pair{fineness.strips, false}, {fineness.strips, true}, {fineness.finer, true}})
-    if (found == strips::StripStatus::unfit || found == strips::StripStatus::not_converged)
+    if ((found == strips::StripStatus::unfit || found == strips::StripStatus::not_converged) &&
+        (fineness.patient || !patient))
       found = strips_->fit(on, box(), counts, patient);
   if (found == strips::StripStatus::no_contact) {
     now_.status = Status::no_contact;
@@ -129,7 +134,7 @@ Status PatchContact::show() const {
   if (!now_.on_strips || shown_) return now_.status;
   shown_ = true;
   if (now_.status != Status::no_contact) return strips_->show(*contact_->solver, strips_->seconds());
-  put_frame(contact_->scene, now_.lattice, place(), false);
+  put_frame(contact_->scene, now_.lattice, place(false), false);
   return contact_->solver->solve();
 }
 

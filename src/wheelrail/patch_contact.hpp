@@ -33,6 +33,7 @@ struct Fineness {
   strips::StripCounts strips;  ///< 0: a lattice is wanted
   strips::StripCounts finer;   ///< what those that do not fit give way to
   LatticeSize lattice;
+  bool patient = true;  ///< strips are sought from all starts
 };
 
 /// Describes the wheel's motion in the axes of the rail: x forward, y to the right, z down.
@@ -159,6 +160,8 @@ class PatchContact {
   void forget_cancel() { contact_->forget_cancel(); }
   /// Returns E* of the bodies.
   double modulus() const;
+  /// Says whether the last solve was on no strips.
+  bool without_strips() const { return !now_.on_strips; }
 
  private:
   /// Holds all of the patch but the contact.
@@ -196,7 +199,7 @@ class PatchContact {
   Velocity flat_velocity() const;
   bool take_hertzian_results(const PatchFriction& friction, double give_way);
   static void put_frame(Scene& scene, const LatticeSize& size, const FramePlace& place, bool given);
-  FramePlace place() const;
+  FramePlace place(bool whole) const;
   Rectangle box() const;
   void stand_nearby(const Nearby& nearby);
   Loads found_loads() const;

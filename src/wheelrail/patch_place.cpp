@@ -96,10 +96,11 @@ Rectangle PatchContact::box() const {
   return {x - along, x + along, y - across, y + across};
 }
 
-// Lays a lattice over the box of the overlap, as much smaller as what the surfaces give way makes the contact.
-FramePlace PatchContact::place() const {
+// Lays a lattice over the whole box of the overlap, or one as much smaller as what the surfaces give way makes the
+// contact.
+FramePlace PatchContact::place(bool whole) const {
   const Rectangle all = box();
-  const double left = std::sqrt(std::max(1 - now_.give_way / now_.patch.overlap, 0.01));
+  const double left = whole ? 1 : std::sqrt(std::max(1 - now_.give_way / now_.patch.overlap, 0.01));
   // Rounding must not decide whether the last nodes are beyond the end of a profile.
   constexpr double inside = 1 - 1e-6;
   return {left * all.x_greatest, (now_.patch.cut ? inside : 1) * left * all.y_greatest, 0};

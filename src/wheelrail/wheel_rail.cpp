@@ -92,7 +92,7 @@ WheelRail::Slot& WheelRail::add_slot() {
     Slot& slot = *slot_.back();
     slot.contact.reset();
     slot.give_way = slot.wheel_y = 0;
-    slot.taken = false;
+    slot.taken = slot.unfit = false;
     return slot;
   }
   const WholeBodies whole = whole_bodies();
@@ -140,14 +140,7 @@ Status WheelRail::solve_at(double z) {
       break;
     }
     for (std::size_t i = 0; i < active_.size() && !cancelled(); ++i) solve_patch(*active_[i], found_[i], motion);
-    double change = 0;
-    if (active_.size() > 1 && !has_sections())
-      for (Slot* slot : active_) {
-        const double now = give_way_under_others(*slot);
-        change = std::max(change, std::abs(now - slot->give_way) / slot->contact.overlap().overlap);
-        slot->give_way = now;
-      }
-    if (change <= settled || cancelled()) break;
+    if (active_.size() == 1 || has_sections() || cancelled() || foresee_ways() <= settled) break;
   }
   for (const Slot* slot : active_) {
     Status status = slot->contact.status();
@@ -165,8 +158,13 @@ void WheelRail::solve_patch(Slot& slot, const OverlapPatch& patch, const WheelMo
   try {
     PatchFriction friction = friction_of(patch);
     calibrate(patch, slot.give_way, friction);
-    slot.contact.solve(patch, motion, friction, fineness_for(in_.options, on_lattices_, patch), slot.give_way,
+    Fineness fineness = fineness_for(in_.options, on_lattices_, patch);
+    fineness.patient = !slot.unfit;
+    slot.contact.solve(patch, motion, friction, fineness, slot.give_way,
                        {in_.step, in_.dt, in_.options.accuracy, start_});
+    const bool without = fineness.strips.along > 0 && slot.contact.without_strips();
+    hasty_ = hasty_ || (without && slot.unfit);
+    slot.unfit = slot.unfit || without;
   } catch (const Error& e) {
     if (!in_.options.conformal || e.status() != Status::err_mesh) throw;
     fail(Status::err_mesh,
@@ -179,20 +177,45 @@ void WheelRail::solve_patch(Slot& slot, const OverlapPatch& patch, const WheelMo
 // Uses Boussinesq's point load; tangential loads and tilted normals are left out.
 double WheelRail::give_way_per_load(const OverlapPatch& here, const OverlapPatch& there, double modulus) const {
   const double distance = length(here.reference - there.reference), along = dot(here.normal, there.normal);
-  // Patches with weights below one may be parts of each other.
-  const double beside = std::max(here.high - here.low, there.high - there.low) / 2;
-  return distance > beside && along > 0 ? there.share * along / (distance * std::numbers::pi * modulus) : 0;
+  return distance > 0 && along > 0 ? there.beside(here) * along / (distance * std::numbers::pi * modulus) : 0;
 }
 
-double WheelRail::give_way_under_others(const Slot& slot) const {
-  const double modulus = slot.contact.modulus();
-  double sum = 0;
-  for (const Slot* other : active_) {
-    const OverlapPatch& there = other->contact.overlap();
-    if (other != &slot)
-      sum += give_way_per_load(slot.contact.overlap(), there, modulus) * dot(other->contact.force(), there.normal);
+// Sets what patches give way under each other for the next round, and returns the largest change that the forces of
+// this round ask for, over the overlap. Loads are foreseen to grow as the power 3/2 of what is left of the overlap.
+double WheelRail::foresee_ways() {
+  constexpr int most = 50;
+  way_.clear();
+  for (const Slot* slot : active_)
+    way_.push_back({dot(slot->contact.force(), slot->contact.overlap().normal), slot->give_way, slot->give_way});
+  const auto under_others = [&](std::size_t i) {
+    const OverlapPatch& here = active_[i]->contact.overlap();
+    const double modulus = active_[i]->contact.modulus();
+    double sum = 0;
+    for (std::size_t j = 0; j < way_.size(); ++j) {
+      if (j == i) continue;
+      const OverlapPatch& there = active_[j]->contact.overlap();
+      const double left = there.overlap - way_[j].before,
+                   part = left > 0 ? std::max(0.0, there.overlap - way_[j].now) / left : 1;
+      sum += give_way_per_load(here, there, modulus) * way_[j].load * part * std::sqrt(part);
+    }
+    return std::max(sum, 0.0);
+  };
+  const auto off = [&](std::size_t i, double found) {
+    return std::abs(found - way_[i].now) / active_[i]->contact.overlap().overlap;
+  };
+  double change = 0;
+  for (std::size_t i = 0; i < way_.size(); ++i) change = std::max(change, off(i, under_others(i)));
+  double last = change;
+  for (int round = 0; round < most && last > 0; ++round) {
+    last = 0;
+    for (std::size_t i = 0; i < way_.size(); ++i) {
+      const double found = under_others(i);
+      last = std::max(last, off(i, found));
+      way_[i].now = found;
+    }
   }
-  return std::max(sum, 0.0);
+  for (std::size_t i = 0; i < way_.size(); ++i) active_[i]->give_way = way_[i].now;
+  return change;
 }
 
 double WheelRail::vertical_force() const {
@@ -227,9 +250,9 @@ Status WheelRail::meet_force() {
     return Status::no_contact;
   }
   constexpr int most = 60;
-  constexpr double tolerance = 1e-6;
+  constexpr double tolerance = 1e-6, jump = 1e-3, jump_within = 1e-5;
   const double deepest = nonsense * radius_;
-  double low = 0, high = INFINITY, before = 0, force_before = 0;
+  double low = 0, high = INFINITY, force_low = 0, force_high = 0, before = 0, force_before = 0;
   double sink = std::min(sink_ > 0 ? sink_ : first_sink(touch), deepest);
   Status status = Status::ok;
   for (int i = 0; i < most; ++i) {
@@ -241,8 +264,10 @@ Status WheelRail::meet_force() {
       return status;
     }
     (force < in_.load ? low : high) = sink;
+    (force < in_.load ? force_low : force_high) = force;
     // Where no height between two that are so near has the force, it jumps.
     if (high - low <= 1e-3 * tolerance * low) break;
+    if (high - low <= jump_within * low && force_high - force_low > jump * in_.load) break;
     if (low == deepest)
       fail(Status::err_load,
            "no height of the wheelset carries the vertical force %g: sunk by a tenth of its radius, the wheel carries "
@@ -261,13 +286,23 @@ Status WheelRail::meet_force() {
   return Status::not_converged;
 }
 
+void WheelRail::seek_strips() {
+  for (const auto& slot : slot_) slot->unfit = false;
+  hasty_ = false;
+}
+
 Status WheelRail::find_height() {
   return has_sections() ? find_height_of_sections() : find_height_of_half_spaces();
 }
 
 Status WheelRail::find_height_of_half_spaces() {
   on_lattices_ = false;
-  Status status = in_.by_force ? meet_force() : solve_at(in_.position.z);
+  Status status = Status::ok;
+  // All starts are tried once on the way to a height, and again there.
+  for (int pass = 0; pass == 0 || (pass == 1 && hasty_ && is_answer(status)); ++pass) {
+    seek_strips();
+    status = in_.by_force ? meet_force() : solve_at(in_.position.z);
+  }
   // Forces may jump where strips begin to fit a patch, and no height have the one that is wanted.
   if (in_.by_force && status == Status::not_converged && in_.step == StepKind::steady) {
     on_lattices_ = true;

@@ -158,6 +158,11 @@ class WheelRail {
     double wheel_y = 0;
     bool taken = false;
     double give_way = 0;
+    bool unfit = false;  ///< strips were sought from all starts before and not found
+  };
+  /// Holds a patch's load, and by how much it gives way in this round and in the next one.
+  struct Way {
+    double load, before, now;
   };
   /// Holds inputs and outcome of the last solve; what is set later does not change its results.
   struct Solved {
@@ -233,6 +238,7 @@ class WheelRail {
   void end_step(Status status);
   double mark_of_past() const;
   Status meet_force();
+  void seek_strips();  ///< lets strips be sought from all starts again
   Status find_height();
   Status find_height_of_half_spaces();
   bool has_sections() const { return given_wheel_->traits().section || given_rail_->traits().section; }
@@ -260,7 +266,7 @@ class WheelRail {
   void tell(Status status) const;
   double first_sink(double touch);
   double vertical_force() const;
-  double give_way_under_others(const Slot& slot) const;
+  double foresee_ways();
   double give_way_per_load(const OverlapPatch& here, const OverlapPatch& there, double modulus) const;
   static constexpr std::size_t entries = 12;  ///< entries of position and velocity
   static constexpr std::size_t shifts = 2;    ///< entries behind them: deviations y and z of the rail
@@ -310,7 +316,9 @@ class WheelRail {
   std::vector<Slot*> active_;
   double z_ = 0;
   double sink_ = 0;           ///< way beyond first touch in the last solve with a force; 0: none
+  std::vector<Way> way_;      ///< storage of foresee_ways()
   bool on_lattices_ = false;  ///< patches are solved on lattices alone
+  bool hasty_ = false;        ///< strips were not found for a patch, and not sought from all starts
   std::int64_t solves_ = 0;
   std::optional<Solved> solved_;
   std::shared_ptr<const WheelPast> past_;   ///< start of the next step in time; null: the last solve was steady

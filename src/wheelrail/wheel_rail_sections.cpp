@@ -35,7 +35,7 @@ Status PatchContact::solve_whole(double normal, bool alone) {
   if (alone)
     whole_->scene.forget_frame();
   else
-    put_frame(whole_->scene, now_.lattice, place(), true);
+    put_frame(whole_->scene, now_.lattice, place(false), true);
   place_bodies(whole_->scene, whole_place_);
   give_friction(whole_->scene);
   whole_->scene.prescribe(static_cast<std::int32_t>(Direction::normal), static_cast<std::int32_t>(How::by_force),
@@ -209,6 +209,7 @@ Status WheelRail::find_height_of_sections() {
   const double z = in_.position.z;
   for (const auto& slot : slot_) slot->give_way = 0;
   on_lattices_ = false;
+  seek_strips();
   const double depth = in_.by_force ? 0 : -search_->first_touch(motion_at(z).pose);
   if (!in_.by_force && !(depth > 0)) return solve_at(z);
   Status half_spaces =

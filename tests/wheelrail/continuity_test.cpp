@@ -128,3 +128,30 @@ TEST(contact_search_continuity_long, patches_move_on_or_begin_with_nothing) {
   report("greatest step of an overlap, mm", deeper);
   report("greatest step of both ends, mm", wider);
 }
+
+// Patches that are about to merge count at levels: at each level every overlap belongs to one patch, so that those that
+// count together with a patch, and the patch itself, make up all overlaps of its levels.
+TEST(contact_search_continuity, each_level_has_every_overlap_once) {
+  ContactSearch search(wheel(), rail());
+  std::vector<OverlapPatch> patch;
+  int merging = 0;
+  double worst = 0, together = 0;
+  for (int i = 0; i <= 400; ++i) {
+    Pose pose = placed(6.2 + 0.002 * i, 0, 0.0132, 0);
+    pose.translation[2] += search.first_touch(pose) + 0.12;
+    search.find(pose, patch);
+    for (const OverlapPatch& p : patch) {
+      merging += p.share < 1;
+      for (const OverlapPatch& q : patch) {
+        worst = std::max(worst, std::abs(p.share * q.beside(p) - q.share * p.beside(q)));
+        // Patches in the same place count one after the other.
+        const double apart = length(p.reference - q.reference);
+        if (&p != &q && apart < 0.25 * std::max(p.high - p.low, q.high - q.low))
+          together = std::max(together, q.beside(p));
+      }
+    }
+  }
+  EXPECT_GT(merging, 20);
+  expect_error("levels that two patches share, seen from both", worst, 1e-14);
+  expect_error("levels that patches in the same place share", together, 1e-14);
+}

@@ -30,7 +30,7 @@ class Settings:
             if not hasattr(lib, f"rollcon_{self._kind}_set_str"):
                 raise TypeError(f"no setting of a {self._kind} is a text")
             self._call("set_str", text, c_text(value, "value"))
-        elif isinstance(value, (bool, int, np.integer)):
+        elif isinstance(value, (bool, int, np.integer)) and _type_of(self._kind, name) != _api.TYPE_REAL:
             self._call("set_int", text, int(value))
         else:
             self._call("set_real", text, value)

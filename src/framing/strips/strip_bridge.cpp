@@ -218,6 +218,7 @@ StripReport StripContact::solve(const StripScene& scene, const Rectangle& box, S
     return report.status == StripStatus::no_contact || report.status == StripStatus::beyond_friction;
   };
   if (ended()) return report;
+  if (report.status != StripStatus::solved && finder_.scattered()) return {StripStatus::unfit};
   // Necks explain most starts that lead nowhere; where there is none, all others are tried.
   bool necked = find_neck(scene, report, solution);
   if (report.status != StripStatus::solved && !necked && patient) {

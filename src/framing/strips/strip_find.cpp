@@ -286,6 +286,7 @@ StripReport StripFinder::find(const StripScene& scene, const Rectangle& box, Str
   StripReport report;
   report.status = StripStatus::unfit;
   missed_corners_ = false;
+  parts_seen_ = 0;
   const int attempts = patient ? static_cast<int>(std::size(probes)) : 1;
   warm = warm && state.layout.counts == counts && !state.pressure.empty();
   const bool refined = counts.along * counts.across > most_without_rough;
@@ -311,6 +312,7 @@ StripReport StripFinder::find(const StripScene& scene, const Rectangle& box, Str
         report.status = StripStatus::unfit;
       if (report.status == StripStatus::not_converged && !from_probe && attempt >= 0 && at_corners(probed_)) return {};
       if (report.status == StripStatus::solved || report.status == StripStatus::beyond_friction) return report;
+      if (scattered()) return report;
     }
   return report;
 }

@@ -23,8 +23,11 @@ class StripFinder {
   /// Says whether the last contact has corners and rows were not found near them: peaks of pressure there are missed.
   bool missed_corners() const { return missed_corners_; }
   const StripProbe& probe() const { return probe_; }
+  /// Says whether the last contact begins in so many parts that one attempt is all it gets: those of rough profiles.
+  bool scattered() const { return parts_seen_ > most_parts; }
 
  private:
+  static constexpr int most_parts = 2;
   void look_closer(const StripScene& scene, StripCounts counts, ProbeCells cells, StripState& state);
   bool start(const StripScene& scene, const Rectangle& box, StripCounts counts, int cells, bool joined,
              StripState& state);
