@@ -13,6 +13,7 @@ pages that have such blocks. A picture of docs/images that a page shows must com
 saves it; --pictures puts the new ones there.
 """
 
+import concurrent.futures
 import os
 import pathlib
 import re
@@ -78,7 +79,10 @@ def shell(lines, home, folder):
 
 
 def run(page, home, folder):
-    """Returns what fails on a page, or nothing."""
+    """Returns what fails on a page, or "" where nothing does; None where it needs what is not installed."""
+    if page.name == "calculix.md" and not shutil.which("ccx"):
+        return None
+    folder.mkdir()
     for title, path in PROGRAM.findall(page.read_text(encoding="utf-8")):
         shutil.copy(page.parent / path, folder / title)
     for _, title, text, _ in BLOCK.findall(page.read_text(encoding="utf-8")):
@@ -133,21 +137,20 @@ def check(chosen, prefix):
         (home / "rollcon").symlink_to(prefix)
         # Matplotlib says once that it looks for fonts, and Octave complains of a home that has nowhere for its history.
         shell("mkdir -p .local/share/octave; python3 -c 'import matplotlib.pyplot'", home, home)
-        for number, page in enumerate(chosen):
-            if page.name == "calculix.md" and not shutil.which("ccx"):
-                print(f"{page.relative_to(ROOT)}: passed over, as CalculiX is not installed", flush=True)
-                continue
-            folder = pathlib.Path(work) / str(number)
-            folder.mkdir()
-            wrong = run(page, home, folder)
-            for name in saved(page) if "--pictures" in sys.argv and not wrong else ():
-                if (folder / name).exists():
-                    shutil.copy(folder / name, ROOT / "docs/images" / name)
-            failed += bool(wrong)
-            without = "octave-cli" in page.read_text(encoding="utf-8") and not OCTAVE
-            passed = "runs as it says" + ", but for Octave, which is not installed" * without
-            said = f"FAILED: {wrong}" if wrong else passed
-            print(f"{page.relative_to(ROOT)}: {said}", flush=True)
+        folders = [pathlib.Path(work) / str(number) for number in range(len(chosen))]
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            found = pool.map(lambda page, folder: run(page, home, folder), chosen, folders)
+            for page, folder, wrong in zip(chosen, folders, found):
+                if wrong is None:
+                    print(f"{page.relative_to(ROOT)}: passed over, as CalculiX is not installed", flush=True)
+                    continue
+                for name in saved(page) if "--pictures" in sys.argv and not wrong else ():
+                    if (folder / name).exists():
+                        shutil.copy(folder / name, ROOT / "docs/images" / name)
+                failed += bool(wrong)
+                without = "octave-cli" in page.read_text(encoding="utf-8") and not OCTAVE
+                passed = "runs as it says" + ", but for Octave, which is not installed" * without
+                print(f"{page.relative_to(ROOT)}: {f'FAILED: {wrong}' if wrong else passed}", flush=True)
     return 1 if failed else 0
 
 
