@@ -133,14 +133,14 @@ Status WheelRail::solve_at(double z) {
   if (active_.size() == 1 && !has_sections()) active_.front()->give_way = 0;
   // A few rounds settle what patches give way under each other, a small part of their overlap.
   constexpr int most_rounds = 30;
-  constexpr double settled = 1e-6;
   for (int round = 0;; ++round) {
     if (round == most_rounds) {
       worst = Status::not_converged;
       break;
     }
-    for (std::size_t i = 0; i < active_.size() && !cancelled(); ++i) solve_patch(*active_[i], found_[i], motion);
-    if (active_.size() == 1 || has_sections() || cancelled() || foresee_ways() <= settled) break;
+    for (std::size_t i = 0; i < active_.size() && !cancelled(); ++i)
+      if (round == 0 || way_[i].moved) solve_patch(*active_[i], found_[i], motion);
+    if (active_.size() == 1 || has_sections() || cancelled() || !foresee_ways()) break;
   }
   for (const Slot* slot : active_) {
     Status status = slot->contact.status();
@@ -180,10 +180,11 @@ double WheelRail::give_way_per_load(const OverlapPatch& here, const OverlapPatch
   return distance > 0 && along > 0 ? there.beside(here) * along / (distance * std::numbers::pi * modulus) : 0;
 }
 
-// Sets what patches give way under each other for the next round, and returns the largest change that the forces of
-// this round ask for, over the overlap. Loads are foreseen to grow as the power 3/2 of what is left of the overlap.
-double WheelRail::foresee_ways() {
+// Sets what patches give way under each other for the next round; returns false where none has to be solved again.
+// Loads are foreseen to grow as the power 3/2 of what is left of the overlap.
+bool WheelRail::foresee_ways() {
   constexpr int most = 50;
+  constexpr double settled = 1e-6;  // part of the overlap
   way_.clear();
   for (const Slot* slot : active_)
     way_.push_back({dot(slot->contact.force(), slot->contact.overlap().normal), slot->give_way, slot->give_way});
@@ -200,22 +201,23 @@ double WheelRail::foresee_ways() {
     }
     return std::max(sum, 0.0);
   };
-  const auto off = [&](std::size_t i, double found) {
-    return std::abs(found - way_[i].now) / active_[i]->contact.overlap().overlap;
-  };
-  double change = 0;
-  for (std::size_t i = 0; i < way_.size(); ++i) change = std::max(change, off(i, under_others(i)));
-  double last = change;
-  for (int round = 0; round < most && last > 0; ++round) {
-    last = 0;
+  double change = 1;
+  for (int round = 0; round < most && change > 0; ++round) {
+    change = 0;
     for (std::size_t i = 0; i < way_.size(); ++i) {
       const double found = under_others(i);
-      last = std::max(last, off(i, found));
+      change = std::max(change, std::abs(found - way_[i].now));
       way_[i].now = found;
     }
   }
-  for (std::size_t i = 0; i < way_.size(); ++i) active_[i]->give_way = way_[i].now;
-  return change;
+  bool any = false;
+  for (std::size_t i = 0; i < way_.size(); ++i) {
+    Way& way = way_[i];
+    way.moved = std::abs(way.now - way.before) > settled * active_[i]->contact.overlap().overlap;
+    any = any || way.moved;
+    if (way.moved) active_[i]->give_way = way.now;
+  }
+  return any;
 }
 
 double WheelRail::vertical_force() const {

@@ -163,6 +163,7 @@ class WheelRail {
   /// Holds a patch's load, and by how much it gives way in this round and in the next one.
   struct Way {
     double load, before, now;
+    bool moved = false;  ///< has to be solved again
   };
   /// Holds inputs and outcome of the last solve; what is set later does not change its results.
   struct Solved {
@@ -266,7 +267,7 @@ class WheelRail {
   void tell(Status status) const;
   double first_sink(double touch);
   double vertical_force() const;
-  double foresee_ways();
+  bool foresee_ways();
   double give_way_per_load(const OverlapPatch& here, const OverlapPatch& there, double modulus) const;
   static constexpr std::size_t entries = 12;  ///< entries of position and velocity
   static constexpr std::size_t shifts = 2;    ///< entries behind them: deviations y and z of the rail

@@ -164,6 +164,16 @@ void BridgedGap::at(std::span<const Vec2> point, double* value, Vec2* slope) con
   }
 }
 
+// Goes on from the state for one height of the bump, a part of the wall, to that for another.
+bool StripContact::change_bump(const StripScene& scene, BridgedGap& gap, StripState& state, double from, double to,
+                               int steps) {
+  for (int step = 1; step <= steps; ++step) {
+    gap.height = (from + (to - from) * step / steps) * gap.neck.wall;
+    if (finder_.solver().solve(scene, state, StripStart::solution).status != StripStatus::solved) return false;
+  }
+  return true;
+}
+
 bool StripContact::bridge(const StripScene& scene, const Rectangle& box, StripCounts counts, StripSolution& solution,
                           bool warm, bool patient) {
   BridgedGap gap;
@@ -178,19 +188,15 @@ bool StripContact::bridge(const StripScene& scene, const Rectangle& box, StripCo
   };
   const auto find = [&](std::size_t i, bool near) { return find_at(heights[i], solution.neighbour[i], near); };
   const auto go_on = [&](StripState& state, double from, double to, int steps) {
-    for (int step = 1; step <= steps; ++step) {
-      gap.height = (from + (to - from) * step / steps) * wall;
-      if (finder_.solver().solve(other, state, StripStart::solution).status != StripStatus::solved) return false;
-    }
-    return true;
+    return change_bump(other, gap, state, from, to, steps);
   };
   const auto reach = [&](std::size_t i, std::size_t from, int steps) {
     solution.neighbour[i] = solution.neighbour[from];
     return go_on(solution.neighbour[i], heights[from], heights[i], steps);
   };
-  // Necks that are filled up more are found more easily.
-  const auto find_filled = [&](std::size_t i) {
-    for (const double more : {2.0, 4.0})
+  // Necks that are filled up or dug out more are found more easily.
+  const auto find_beyond = [&](std::size_t i) {
+    for (const double more : heights[i] < 0 ? std::array{2.0, 4.0} : std::array{1.4, 2.0})
       if (find_at(more * heights[i], solution.neighbour[i], false) &&
           go_on(solution.neighbour[i], more * heights[i], heights[i], 10))
         return true;
@@ -199,7 +205,7 @@ bool StripContact::bridge(const StripScene& scene, const Rectangle& box, StripCo
   // One neighbour of either sign is found by itself, the other one from it.
   constexpr int steps = 5;
   for (const auto& [far, near] : {std::pair<std::size_t, std::size_t>{0, 1}, {3, 2}}) {
-    const bool first = find(far, warm) || (far == 0 && find_filled(far)), both = warm && find(near, true);
+    const bool first = find(far, warm) || ((far == 0 || patient) && find_beyond(far)), both = warm && find(near, true);
     if (both && first) continue;
     if (first ? reach(near, far, 1) || reach(near, far, steps) || find(near, false)
               : (both || find(near, false)) && (reach(far, near, 1) || reach(far, near, steps)))
@@ -255,12 +261,18 @@ bool StripContact::solve_near_neck(const StripScene& scene, const Rectangle& box
 
 // Strips that are not found from the probe may be from the neighbours.
 void StripContact::start_from_neighbours(const StripScene& scene, StripSolution& solution) {
-  for (const std::size_t i : {1, 2}) {
-    if (solution.share > 0) break;
-    solution.strips = solution.neighbour[i];
-    if (finder_.solver().solve(scene, solution.strips, StripStart::solution).status == StripStatus::solved)
-      solution.share = trust(solution.strips).share();
-  }
+  BridgedGap gap;
+  gap.gap = scene.gap;
+  gap.neck = solution.neck;
+  StripScene other = scene;
+  other.gap = &gap;
+  for (const int steps : {1, 5})
+    for (const std::size_t i : {1, 2}) {
+      solution.strips = solution.neighbour[i];
+      if (change_bump(other, gap, solution.strips, heights[i], 0, steps))
+        solution.share = trust(solution.strips).share();
+      if (solution.share > 0) return;
+    }
 }
 
 // Finds the weight of the strips, and the neck if they are not all. Returns false where there is none.

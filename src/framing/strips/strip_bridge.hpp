@@ -48,6 +48,7 @@ class StripContact {
  private:
   bool solve_near_neck(const StripScene& scene, const Rectangle& box, StripCounts counts, StripSolution& solution,
                        bool patient);
+  bool change_bump(const StripScene& scene, BridgedGap& gap, StripState& state, double from, double to, int steps);
   void start_from_neighbours(const StripScene& scene, StripSolution& solution);
   bool bridge(const StripScene& scene, const Rectangle& box, StripCounts counts, StripSolution& solution, bool warm,
               bool patient);
