@@ -58,8 +58,13 @@ template <ElementType type>
 void element_rule(const InteriorElement& element, const NearPoints& points, const InteriorPoint& at, double kappa,
                   double* sum) {
   constexpr int nodes = rollcon::node_count(type);
-  Pack node_x[nodes], node_y[nodes];  // nodes relative to the observer, so that what is close to it loses no digits
-  for (int i = 0; i < nodes; ++i) node_x[i] = splat(element.x[i] - at.x), node_y[i] = splat(element.y[i] - at.y);
+  // Nodes relative to the observer lose no digits of what is close to it, those relative to the first node no digits of
+  // the element's area, however far it is.
+  Pack node_x[nodes], node_y[nodes], side_x[nodes], side_y[nodes];
+  for (int i = 0; i < nodes; ++i) {
+    node_x[i] = splat(element.x[i] - at.x), node_y[i] = splat(element.y[i] - at.y);
+    side_x[i] = splat(element.x[i] - element.x[0]), side_y[i] = splat(element.y[i] - element.y[0]);
+  }
   const Pack oz = splat(at.z);
   Sums sums(kappa);
   for (int q = 0; q < points.n; q += lanes) {
@@ -69,10 +74,10 @@ void element_rule(const InteriorElement& element, const NearPoints& points, cons
     for (int i = 0; i < nodes; ++i) {
       x = fma(n[i], node_x[i], x);
       y = fma(n[i], node_y[i], y);
-      xu = fma(u[i], node_x[i], xu);
-      xv = fma(v[i], node_x[i], xv);
-      yu = fma(u[i], node_y[i], yu);
-      yv = fma(v[i], node_y[i], yv);
+      xu = fma(u[i], side_x[i], xu);
+      xv = fma(v[i], side_x[i], xv);
+      yu = fma(u[i], side_y[i], yu);
+      yv = fma(v[i], side_y[i], yv);
       fx = fma(n[i], splat(element.traction[0][i]), fx);
       fy = fma(n[i], splat(element.traction[1][i]), fy);
       fz = fma(n[i], splat(element.traction[2][i]), fz);

@@ -118,6 +118,31 @@ TEST(inside_field_laws, moduli_tractions_and_lengths_scale) {
   expect_error("and shear modulus times 1e7: displacements", motion, 3.3e-16);
 }
 
+// Far away the field is that of a point force, until its values or squares of distances leave the numbers' range.
+TEST(inside_field_laws, far_away_it_is_that_of_a_point_force) {
+  const Frame frame = frame_of(1);
+  constexpr double area = 4 * 3, away[] = {0.6, -0.48, 0.64};
+  const std::array<double, 3> pull{0.3, -0.2, 1}, force{area * pull[0], area * pull[1], area * pull[2]};
+  std::vector<double> t;
+  for (std::size_t k = 0; k < frame.x.size(); ++k) t.insert(t.end(), pull.begin(), pull.end());
+  const Solid solid{2, 0.3};
+  const Values one = inside::point_force(solid, force, away[0], away[1], away[2]);
+  double stress = 0, motion = 0;
+  for (const double r : {1e8, 1e15, 1e25, 1e80, 1e140}) {
+    const Values s = inside::from_library(frame, t, solid, {{r * away[0], r * away[1], r * away[2]}}, accuracy)[0];
+    for (std::size_t c = 0; c < 9; ++c) {
+      double& worst = c < 6 ? stress : motion;
+      worst = std::max(worst, std::abs(s[c] * r * (c < 6 ? r : 1) - one[c]) / area);
+    }
+  }
+  expect_error("stresses 1e8 to 1e140 lengths away, times the distance squared", stress, 1e-7);
+  expect_error("displacements there, times the distance", motion, 1e-7);
+  for (const double r : {1e160, 1e250, 1e307}) {
+    const Values s = inside::from_library(frame, t, solid, {{r, -r, r}}, accuracy)[0];
+    for (const double v : s) EXPECT_EQ(v, 0) << r;
+  }
+}
+
 TEST(inside_field_laws, instruction_sets_agree) {
   const Frame frame = frame_of(1);
   const std::vector<double> t = inside::random_load(frame, 9);
