@@ -142,6 +142,37 @@ TEST_F(mesh_file, that_cannot_be_read_leaves_the_body_as_it_was) {
   EXPECT_EQ(nodes_of("low_end").size(), 4U);
 }
 
+// What the file has beyond the body's elements is missing in every answer.
+TEST_F(mesh_file, is_told_with_answers_where_parts_of_it_were_passed_over) {
+  const std::string path = "beam_of_a_test.inp";
+  const std::string column =
+      "*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n5,0,0,3\n6,1,0,3\n7,1,1,3\n8,0,1,3\n"
+      "*ELEMENT, TYPE=C3D8\n1, 1,2,3,4,5,6,7,8\n";
+  for (const std::string more : {"", "*ELEMENT, TYPE=B31\n2, 1,7\n3, 2,8\n"}) {
+    std::ofstream(path) << column << more;
+    make(ROLLCON_BODY_FEM);
+    ASSERT_OK(rollcon_body_read_mesh(bar, path.c_str(), ""));
+    std::remove(path.c_str());
+    ASSERT_OK(rollcon_body_set_elastic(bar, 0, 200, 0.3));
+    const std::int32_t bottom[] = {0, 1, 2, 3}, element = 0, top = BoxVolume::top, tag = 6;
+    ASSERT_OK(rollcon_body_tag_faces(bar, 1, &element, &top, 0, tag));
+    ASSERT_OK(rollcon_body_set_contact_faces(bar, 1, &tag));
+    ASSERT_OK(rollcon_body_set_support(bar, 4, bottom, 0, ROLLCON_DOF_XYZ, nullptr));
+    const double origin[] = {0.5, 0.5, 3}, rolling[] = {1, 0, 0}, normal[] = {0, 0, 1}, mu = 0;
+    rollcon_contact* c = nullptr;
+    ASSERT_OK(rollcon_contact_create(context, bar, plane, &c));
+    EXPECT_OK(rollcon_contact_set_axes(c, origin, rolling, normal));
+    EXPECT_OK(rollcon_contact_frame_rectangle(c, ROLLCON_QUAD4, 8, 8, -0.5, 0.5, -0.5, 0.5));
+    EXPECT_OK(rollcon_contact_set_friction(c, "coulomb", 1, &mu));
+    EXPECT_OK(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.01));
+    EXPECT_EQ(rollcon_contact_solve(c), more.empty() ? ROLLCON_OK : ROLLCON_INACCURATE) << error();
+    const std::string told = "body 1: its mesh is not all of its file, passed over: elements of type B31 (2)";
+    EXPECT_EQ(std::string(rollcon_last_caveat()).find(told) == std::string::npos, more.empty())
+        << rollcon_last_caveat();
+    rollcon_contact_release(c);
+  }
+}
+
 TEST_F(mesh_file, gives_rigid_bodies_their_surface) {
   make(ROLLCON_BODY_RIGID);
   ASSERT_OK(rollcon_body_read_mesh(bar, from_gmsh("hex27.msh").c_str(), "High_End"));

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <string>
 
 #include "bodies/body.hpp"
 #include "bodies/model/imbalance.hpp"
@@ -81,6 +82,12 @@ Line doubt_about_units(const Solution& s, int which) {
       "body %d: its matrix gives way between neighbouring nodes as a half-space of Young's modulus %.3g, but "
       "rollcon_body_set_elastic gave %.3g, apart by a factor of %.3g: check the units of matrix, nodes and modulus",
       which + 1, shown, own, ratio);
+}
+
+Line doubt_about_file(const Solution& s, int which) {
+  const std::string& what = s.prepared->pair.body[static_cast<std::size_t>(which)]->mesh().passed_over;
+  if (!what.starts_with("passed over")) return {};
+  return line_of("body %d: its mesh is not all of its file, %s", which + 1, what.c_str());
 }
 
 Line doubt_about(const Solution& s, int which) {
@@ -185,7 +192,8 @@ Line describe_units(const Solution& s) {
 
 Line describe_meshes(const Solution& s) {
   for (const int which : {0, 1})
-    if (const Line line = doubt_about(s, which); *line.text) return line;
+    for (const auto doubt : {doubt_about, doubt_about_file})
+      if (const Line line = doubt(s, which); *line.text) return line;
   return doubt_about_strain(s);
 }
 
