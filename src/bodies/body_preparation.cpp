@@ -11,6 +11,7 @@
 #include "mesh/surface_check.hpp"
 #include "mesh/surface_geometry.hpp"
 #include "support/error.hpp"
+#include "support/memory_limit.hpp"
 
 namespace rollcon {
 namespace {
@@ -122,8 +123,8 @@ void prepare_model(BodyModel& model, int threads, const EquationSource& from) {
       model.own = model.response->own();
     }
   } catch (const std::bad_alloc&) {
-    fail(Status::err_memory, "%s; the body has %lld nodes", out_of_memory_text(),
-         static_cast<long long>(mesh.surface.nodes()));
+    refuse_more_memory(0, "take a coarser mesh", "the body of %lld nodes needs",
+                       static_cast<long long>(mesh.surface.nodes()));
   }
 }
 

@@ -14,6 +14,7 @@
 #include "support/clock.hpp"
 #include "support/index.hpp"
 #include "support/interrupt.hpp"
+#include "support/memory_limit.hpp"
 
 namespace rollcon {
 namespace {
@@ -186,7 +187,11 @@ void Solver::prepare() {
 
 PairOfBodies Solver::pair() {
   if (!preparation_) preparation_ = std::make_shared<Preparation>();
-  prepare_bodies(*preparation_, *body1_, *body2_);
+  if (!body1_->prepared() || !body2_->prepared()) {
+    const BlasThreads blas(blas_threads());
+    const HostInterrupt interrupt(host.progress, host.user, *host.cancel);
+    prepare_bodies(*preparation_, *body1_, *body2_);
+  }
   return bodies();
 }
 
@@ -222,10 +227,10 @@ Status Solver::solve() {
     host.context->log(LogLevel::info, "cancelled during preparation");
     return Status::cancelled;
   } catch (const std::bad_alloc&) {
-    const double held = 1e-9 * static_cast<double>(bytes());
+    const double there = static_cast<double>(bytes()) + memory_left();
     clear();
-    fail(Status::err_memory, "%s; the solve on a frame of %lld nodes held %.3g GB", out_of_memory_text(),
-         static_cast<long long>(scene.mesh().nodes()), held);
+    refuse_more_memory(there, "take a coarser or smaller frame", "the solve on a frame of %lld nodes needs more than",
+                       static_cast<long long>(scene.mesh().nodes()));
   } catch (...) {
     // Whatever was half built when memory ran out or a callback threw must not be taken for whole. A refused load
     // leaves everything but the solution intact.

@@ -20,7 +20,7 @@ struct UntouchedAllocator : std::allocator<T> {
     try {
       return std::allocator<T>::allocate(n);
     } catch (const std::bad_alloc&) {
-      refuse_matrix(static_cast<double>(n) * sizeof(T));
+      refuse_more_memory(static_cast<double>(n) * sizeof(T), "take a coarser frame or mesh", "a matrix needs");
     }
   }
   template <class U>

@@ -9,7 +9,8 @@
 namespace rollcon {
 namespace {
 
-constexpr double most_operations = 1e11;  // between two checks for a stop: a second or two
+/// Operations between two checks for a stop: a second or two. Slabs of few columns cost a large update its speed.
+constexpr double most_of_panel = 2.5e10, most_of_slab = 1e11;
 
 struct Columns {
   int n;
@@ -28,7 +29,7 @@ struct Columns {
   void update(int first, int middle, int last) const {
     constexpr double one = 1, minus = -1;
     const int done = middle - first, below = n - middle;
-    const int slab = std::max(static_cast<int>(most_operations / (static_cast<double>(done) * (done + 2 * below))), 64);
+    const int slab = std::max(static_cast<int>(most_of_slab / (static_cast<double>(done) * (done + 2 * below))), 64);
     for (int j = middle; j < last; j += slab) {
       check_interrupt();
       const int columns = std::min(slab, last - j);
@@ -43,7 +44,7 @@ struct Columns {
   int factor(int first, int last) const {
     const int rows = n - first, columns = last - first;
     int info = 0;
-    if (static_cast<double>(rows) * columns * columns < most_operations) {
+    if (static_cast<double>(rows) * columns * columns < most_of_panel) {
       check_interrupt();
       dgetrf_(&rows, &columns, entry(first, first), &n, pivot + first, &info);
       for (int i = first; i < last; ++i) pivot[i] += first;

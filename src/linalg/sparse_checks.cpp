@@ -12,6 +12,7 @@
 namespace rollcon {
 namespace {
 
+constexpr char factorisation_needs[] = "the factorisation of a sparse matrix with %lld unknowns needs";
 constexpr char remedy[] = "take a coarser mesh or fewer faces where contact is possible";
 
 // Returns the largest row sum of the scaled matrix.
@@ -51,15 +52,11 @@ void check_sparse(const SparseMatrix& matrix, std::span<const std::int64_t> cond
 }
 
 void require_memory(std::int64_t unknowns, double bytes, double held) {
-  require_memory({bytes - held, bytes}, remedy, "the factorisation of a sparse matrix with %lld unknowns needs",
-                 static_cast<long long>(unknowns));
+  require_memory({bytes - held, bytes}, remedy, factorisation_needs, static_cast<long long>(unknowns));
 }
 
 void out_of_memory(std::int64_t unknowns, double bytes) {
-  fail(Status::err_memory,
-       "out of memory in the factorisation of a sparse matrix with %lld unknowns, which needs "
-       "%.3g GB: %s",
-       static_cast<long long>(unknowns), 1e-9 * bytes, remedy);
+  refuse_more_memory(bytes, remedy, factorisation_needs, static_cast<long long>(unknowns));
 }
 
 std::vector<double> diagonal_scale(const SparseMatrix& matrix) {

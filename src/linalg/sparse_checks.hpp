@@ -22,7 +22,7 @@ void check_sparse(const SparseMatrix& matrix, std::span<const std::int64_t> cond
 /// Throws Error(err_memory) when a factorisation needs more than this process may have; `held` is what it has already
 /// of these bytes.
 void require_memory(std::int64_t unknowns, double bytes, double held = 0);
-/// Throws Error(err_memory) after an allocation has failed.
+/// Throws Error(err_memory) after an allocation has failed; `bytes` is the need, 0: not known.
 [[noreturn]] void out_of_memory(std::int64_t unknowns, double bytes);
 
 /// Returns 1 / sqrt |diagonal|, and 1 where that is zero.

@@ -131,7 +131,7 @@ void CholmodFactor::factorise(const SparseMatrix& matrix) {
 
   const SerialLoops serial;
   factor_.reset(cholmod_l_analyze(&view, &c));
-  if (!factor_) out_of_memory(matrix.columns, static_cast<double>(c.memory_usage));
+  if (!factor_) out_of_memory(matrix.columns, 0);
   const double condensed_bytes = 8.0 * static_cast<double>(condensed_) * static_cast<double>(condensed_);
   const double need =
       8.0 * static_cast<double>(factor_->xsize) +

@@ -106,6 +106,12 @@ double left_of(int resource, int column) {
   return std::max(0.0, static_cast<double>(limit.rlim_cur) - in_use(column));
 }
 
+MemoryLimit least_limit() {
+  const MemorySources sources = memory_sources();
+  const MemoryLimit allocation = allocation_limit(sources), memory = memory_limit(sources);
+  return allocation.bytes < memory.bytes ? allocation : memory;
+}
+
 std::string formatted(const char* format, std::va_list args) {
   char text[512];
   std::vsnprintf(text, sizeof text, format, args);
@@ -141,9 +147,7 @@ const char* out_of_memory_text() noexcept {
   thread_local char text[128];
   std::snprintf(text, sizeof text, "out of memory");
   try {
-    const MemorySources sources = memory_sources();
-    MemoryLimit least = memory_limit(sources);
-    if (const MemoryLimit allocation = allocation_limit(sources); allocation.bytes < least.bytes) least = allocation;
+    const MemoryLimit least = least_limit();
     std::snprintf(text, sizeof text, "out of memory: %s %.3g GB", least.what, 1e-9 * least.bytes);
   } catch (...) {
     // Looking needs memory, too; on failure the short text stays.
@@ -151,9 +155,22 @@ const char* out_of_memory_text() noexcept {
   return text;
 }
 
-void refuse_matrix(double bytes) {
-  fail(Status::err_memory, "%s; a matrix needs %.3g GB: take a coarser frame or mesh", out_of_memory_text(),
-       1e-9 * bytes);
+double memory_left() noexcept {
+  try {
+    return least_limit().bytes;
+  } catch (...) {
+    return 0;
+  }
+}
+
+void refuse_more_memory(double need, const char* remedy, const char* subject, ...) {
+  std::va_list args;
+  va_start(args, subject);
+  const std::string who = formatted(subject, args);
+  va_end(args);
+  char bytes[32] = "more than that";
+  if (need > 0) std::snprintf(bytes, sizeof bytes, "%.3g GB", 1e-9 * need);
+  fail(Status::err_memory, "%s; %s %s: %s", out_of_memory_text(), who.c_str(), bytes, remedy);
 }
 
 void require_memory(const MemoryNeed& need, const char* remedy, const char* subject, ...) {

@@ -41,7 +41,13 @@ struct MemoryNeed {
 void require_memory(const MemoryNeed& need, const char* remedy, const char* subject, ...)
     __attribute__((format(printf, 3, 4)));
 
-/// Throws Error(err_memory) for a matrix of so many bytes that could not be allocated.
-[[noreturn]] void refuse_matrix(double bytes);
+/// Returns the bytes that this process may have now by all limits; 0 where memory to look for them is lacking.
+double memory_left() noexcept;
+
+/// Throws Error(err_memory) after an allocation has failed: "out of memory: this machine has free 1 GB; <subject> 1.2
+/// GB: <remedy>"; a need of 0 is not known, and told as "more than that". The subject includes its verb, and is
+/// formatted as printf does.
+[[noreturn]] void refuse_more_memory(double need, const char* remedy, const char* subject, ...)
+    __attribute__((format(printf, 3, 4)));
 
 }  // namespace rollcon

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <cstdio>
 #include <iterator>
+#include <new>
 #include <utility>
 
 #include "bodies/model/mesh_models.hpp"
 #include "linalg/blas_threads.hpp"
 #include "linalg/shared_factor.hpp"
+#include "linalg/sparse_checks.hpp"
 #include "mesh/box.hpp"
 #include "mesh/surface_geometry.hpp"
 #include "support/clock.hpp"
@@ -97,11 +99,11 @@ void System::require_matrix(int threads) {
 std::unique_ptr<SparseFactor> System::factor_of(std::span<const std::int64_t> condensed, int threads,
                                                 const Ranks& ranks) {
   const BlasThreads blas(threads);
-  require_matrix(threads);
-  check_interrupt();
   double seconds = 0;
   std::unique_ptr<SparseFactor> factor;
   try {
+    require_matrix(threads);
+    check_interrupt();
     const Stopwatch watch(seconds);
     factor = ranks.size() > 1 ? factor_over_ranks(matrix_, condensed, ranks) : factor_definite(matrix_, condensed);
   } catch (const ZeroPivot& pivot) {
@@ -112,6 +114,8 @@ std::unique_ptr<SparseFactor> System::factor_of(std::span<const std::int64_t> co
          "(counting from %d): check its supports, its mesh and the ratio of its moduli%s",
          "xyz"[place % 3], static_cast<long long>(place / 3) + surface_.index_base, surface_.index_base,
          bending_hint().c_str());
+  } catch (const std::bad_alloc&) {
+    out_of_memory(unknowns_.count, 0);  // how much it needs is known once the unknowns are ordered
   }
   ++statistics_.factorizations;
   const SparseStatistics s = factor->statistics();
