@@ -179,12 +179,15 @@ std::optional<Outcome> NewtonIteration::touch_again(Part part, std::int64_t iter
   return std::nullopt;
 }
 
-// Returns the linear tolerance: the linear residual need not be smaller than the next Newton residual can be.
+// Returns the linear tolerance: the linear residual need not be smaller than the next Newton residual can be. Where
+// GMRES applies the operators anew in each iteration, decades that Newton's step may waste cost more than another step.
 double NewtonIteration::forcing_of(std::int64_t iteration, const LawResidual& residual, double worst,
                                    double tolerance) {
+  constexpr double loosest = 1e-2;
   double forcing =
       std::clamp(iteration == 0 ? 1e-3 * worst : 0.1 * std::min(worst, last_worst_ > 0 ? worst / last_worst_ : 1.0),
-                 std::min(1e-2, 0.05 * tolerance / std::max(worst, tolerance)), 1e-2);
+                 std::min(loosest, 0.05 * tolerance / std::max(worst, tolerance)), loosest);
+  if (problem_->op->all_at_once()) forcing = loosest;
   if (procedure.eta > 0) forcing = procedure.eta;
   if (procedure.linear == LinearMethod::gmres_adaptive)
     forcing = eta_ = adaptive_tolerance(procedure.eta_max, residual.merit, last_merit_, eta_);
