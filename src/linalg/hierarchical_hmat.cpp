@@ -25,6 +25,9 @@ namespace {
 
 constexpr int leaf = 200;         ///< most unknowns of a cluster that is not divided
 constexpr double admissible = 4;  ///< largest size of a cluster over its distance from another at which ranks are low
+/// Fraction of the accuracy to which blocks are assembled. ACA+ stops by the size of its last cross, which tells too
+/// little of the rest: errors of its blocks, and not those of the factorisation, decided how wrong solutions were.
+constexpr double assembled_finer = 0.1;
 constexpr std::int64_t whole = 1'000'000;  ///< entries up to which blocks are computed in full
 
 std::mutex& one_at_a_time() {
@@ -169,7 +172,7 @@ HmatFactor::HmatFactor(const BlockMatrix& matrix, std::span<const Pivot> pivots,
     try {
       make_empty(pivots);
       call.set_low_rank_epsilon(matrix_, accuracy);
-      assemble(matrix, accuracy);
+      assemble(matrix, assembled_finer * accuracy);
       norm = call.norm(matrix_);
       factorise();
     } catch (...) {
