@@ -25,12 +25,13 @@ void set_creepages(Call& c, double vx, double vy, double phi);
 void set_extra_slip(Call& c, int n, const double* wx, const double* wy);
 void get_hertz_contact(Call& c, int n, double* values);
 
-int read_inp_file(Call& c, int type, const char* fname, int length);
+void read_inp_file(Call& c, int type, const char* fname, int length, ErrorCode error);
 void set_vertical_force(Call& c, double fz);
 void set_profile_file(Call& c, const char* fname, int length, int nints, const int* ints, int nreals,
                       const double* reals);
 void set_profile_values(Call& c, int npoint, const double* values, int nints, const int* ints, int nreals,
                         const double* reals);
+void keep_profile_file(Call& c, std::string path, bool wheel, ProfileOptions options);
 void set_track(Call& c, int kind, int n, const double* params);
 void set_wheelset_dimensions(Call& c, int kind, int n, const double* params);
 void set_wheelset_position(Call& c, int kind, int n, const double* params);
@@ -54,7 +55,7 @@ void set_friction(Call& c, int method, int n, const double* params);
 void set_potential_contact(Call& c, int ipotcn, int n, const double* params);
 void set_tangential_forces(Call& c, double fx, double fy);
 void set_temperature_data(Call& c, int method, int n, const double* params);
-int calculate(Call& c);
+void calculate(Call& c, ErrorCode error);
 
 void get_flags(Call& c, int n, const int* params, int* values);
 void get_grid_steps(Call& c, double& dx, double& dy);
@@ -81,6 +82,6 @@ void get_block_size(Call& c, int block, int& nx, int& ny, int& nz);
 void get_block_results(Call& c, int block, int n, int columns, const int* which, double* values);
 void add_block(Call& c, int block, int isubs, int npx, int npy, int npz, const double* x, const double* y,
                const double* z);
-int calculate_subsurface(Call& c);
+void calculate_subsurface(Call& c, ErrorCode error);
 
 }  // namespace cntc

@@ -125,30 +125,18 @@ int solve_gap(Problem& p, std::string& why) {
   ContactCase wanted;
   fill_gap(p, wanted.grid, wanted.gap);
   p.contact->set_surfaces(in, in.friction.rows[0], d.tang);
-  wanted.chi = in.chi;
-  wanted.veloc = in.veloc;
+  static_cast<Motion&>(wanted) = in;
   wanted.tang = d.tang;
   wanted.pvtime = d.pvtime;
   wanted.iestim = d.iestim;
   wanted.force = d.force;
   wanted.normal_by_force = d.norm == 1;
-  wanted.pen = in.pen;
-  wanted.fn = in.fn;
   if (wanted.normal_by_force && in.fn < 0) throw Failure(CNTC_err_norm, "the normal force is below 0");
-  if (in.digits.tang > 0) {
-    wanted.cksi = in.cksi;
-    wanted.ceta = in.ceta;
-    wanted.cphi = in.cphi;
-    if (d.exrhs == 1) {
-      wanted.wx = in.wx;
-      wanted.wy = in.wy;
-    }
+  if (d.tang == 0) wanted.cksi = wanted.ceta = wanted.cphi = 0;
+  if (d.tang == 0 || d.exrhs != 1) {
+    wanted.wx.clear();
+    wanted.wy.clear();
   }
-  wanted.spinxo = in.spinxo;
-  wanted.spinyo = in.spinyo;
-  wanted.fx = in.fx;
-  wanted.fy = in.fy;
-  wanted.dt = in.dt;
   wanted.dq = d.tang == 3 ? wanted.grid.dx : in.dq;
   wanted.sensitivities = d.sens >= 2;
   const int code = p.contact->solve(wanted, why);
@@ -178,14 +166,14 @@ class Stopwatch {
 
 }  // namespace
 
-int calculate(Call& c) {
+void calculate(Call& c, ErrorCode error) {
   Problem& p = c.p;
   Digits& d = p.in.digits;
   ++d.ncase;
   if (d.idebug >= 1) say(c, "calculating case %d", d.ncase);
   if (d.wrtinp >= 1) write_inp(p);
   std::string why;
-  int code = 0;
+  int& code = error.value = 0;
   {
     const Stopwatch watch(p);
     try {
@@ -200,7 +188,6 @@ int calculate(Call& c) {
   if (code > 0) say(c, "%d elements in contact are next to the border of the potential contact", code);
   if (code >= 0) write_results(p);
   if (d.idebug >= 1) say(c, "done, error code %d", code);
-  return code;
 }
 
 }  // namespace cntc

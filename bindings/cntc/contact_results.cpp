@@ -55,7 +55,8 @@ void ContactSolver::read_elements(const ContactCase& wanted, ContactResult& r) c
     r.un[k] = u2[a3 + 2] - u1[a3 + 2];
     r.mu[k] = friction[at];
     r.h[k] = wanted.placement ? gap[at] - r.un[k] : wanted.gap[k];
-    r.division[k] = states[at] == ROLLCON_STICK ? 1 : states[at] == ROLLCON_SLIP ? 2 : 0;
+    // Without friction all that touches counts as sticking.
+    r.division[k] = states[at] == ROLLCON_OPEN ? 0 : states[at] == ROLLCON_SLIP && wanted.tang > 0 ? 2 : 1;
     const bool border =
         (grid_.mx > 1 && (i == 0 || i == grid_.mx - 1)) || (grid_.my > 1 && (j == 0 || j == grid_.my - 1));
     r.rim += border && r.division[k] > 0;
@@ -64,13 +65,9 @@ void ContactSolver::read_elements(const ContactCase& wanted, ContactResult& r) c
 
 void ContactSolver::read(const ContactCase& wanted, ContactResult& r) const {
   rollcon_contact* contact = contact_.get();
+  static_cast<Motion&>(r) = wanted;
   r.solved = true;
   r.grid = grid_;
-  r.chi = chi_;
-  r.veloc = wanted.veloc;
-  r.dq = wanted.dq;
-  r.spinxo = wanted.spinxo;
-  r.spinyo = wanted.spinyo;
   r.fstat = fstat_;
   read_elements(wanted, r);
   Vec3 f{}, m{}, creep{};
@@ -89,16 +86,22 @@ void ContactSolver::read(const ContactCase& wanted, ContactResult& r) const {
   r.cksi = turn.x(creep[0], creep[1]) - r.cphi * wanted.spinyo;
   r.ceta = turn.y(creep[0], creep[1]) + r.cphi * wanted.spinxo;
   if (lattice_ == Lattice::point) {
-    // Displacements are those of the centre; the approach and shifts that were found belong to it, too.
-    const double centre[2] = {grid_.xc, grid_.yc};
-    double u1[3], u2[3];
-    check(rollcon_contact_get_displacements_at(contact, ROLLCON_BODY1, 1, centre, u1));
-    check(rollcon_contact_get_displacements_at(contact, ROLLCON_BODY2, 1, centre, u2));
-    const double ux = turn.x(u1[0] - u2[0], u1[1] - u2[1]), uy = turn.y(u1[0] - u2[0], u1[1] - u2[1]);
+    // Displacements are those of the centre; the approach and shifts that were found belong to it, too. A particle that
+    // rolls steadily comes from a step ahead, where it was displaced already.
+    const double x = turn.c * grid_.xc + turn.s * grid_.yc, y = turn.c * grid_.yc - turn.s * grid_.xc;
+    const double places[4] = {x, y, x + wanted.dq, y};
+    double u1[6], u2[6];
+    check(rollcon_contact_get_displacements_at(contact, ROLLCON_BODY1, 2, places, u1));
+    check(rollcon_contact_get_displacements_at(contact, ROLLCON_BODY2, 2, places, u2));
+    const auto u = [&](int at, auto part) {
+      return (turn.*part)(u1[3 * at] - u2[3 * at], u1[3 * at + 1] - u2[3 * at + 1]);
+    };
+    const double ux = u(0, &Turn::x), uy = u(0, &Turn::y);
     if (pushed(wanted)) {
+      const bool steady = wanted.tang == 3;
       const double step = wanted.tang == 1 ? 1 : wanted.dq;
-      r.cksi = -ux / step;
-      r.ceta = wanted.force == 2 ? -uy / step : wanted.ceta;
+      r.cksi = -(ux - (steady ? u(1, &Turn::x) : 0)) / step;
+      r.ceta = wanted.force == 2 ? -(uy - (steady ? u(1, &Turn::y) : 0)) / step : wanted.ceta;
       r.cphi = wanted.cphi;
       r.division[0] = std::hypot(wanted.fx, wanted.force == 2 ? wanted.fy : 0) < 1 ? 1 : 2;
       r.sx[0] = r.sy[0] = r.wx[0] = r.wy[0] = 0;
@@ -109,7 +112,8 @@ void ContactSolver::read(const ContactCase& wanted, ContactResult& r) const {
     r.pen = r.un[0] + r.h[0];
     r.rim = 0;
   }
-  check(rollcon_contact_get_stat(contact, "friction_power", &r.power));
+  // A single element that sticks is pushed by sliding far.
+  if (!pushed(wanted) || r.division[0] == 2) check(rollcon_contact_get_stat(contact, "friction_power", &r.power));
   r.temp1.clear();
   r.temp2.clear();
   if (heat_) {

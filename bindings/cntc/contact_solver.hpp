@@ -22,17 +22,11 @@ struct Placement {
 double rest_friction(const FrictionRow& row, int law);
 
 /// Holds what is prescribed for one contact, and how, in mm, s and N, by CONTACT's signs.
-struct ContactCase {
+struct ContactCase : Motion {
   Grid grid;
-  double chi = 0, veloc = 1;
   int tang = 3, pvtime = 2, iestim = 0, force = 0;
   bool normal_by_force = false;
-  double pen = 0, fn = 0;
-  double cksi = 0, ceta = 0, cphi = 0, spinxo = 0, spinyo = 0;
-  double fx = 0, fy = 0;  // over fstat times fn
-  double dt = 1, dq = 1;
   std::vector<double> gap;  // by element; not used with profiles
-  std::vector<double> wx, wy;
   bool sensitivities = false;
   const Placement* placement = nullptr;
   bool moved = true;  // the placement differs from that of the last solve

@@ -57,7 +57,11 @@ void say(const Call& c, const char* format, ...) {
   va_start(arguments, format);
   std::vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
-  log_line(c.name, c.p.ire, c.icp, "%s", text);
+  if (c.refusal) {
+    *c.refusal = text;
+  } else {
+    log_line(c.name, c.p.ire, c.icp, "%s", text);
+  }
 }
 
 ContactResult* Call::elements() const {

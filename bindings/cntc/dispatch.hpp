@@ -1,6 +1,5 @@
 #pragma once
 #include <exception>
-#include <tuple>
 #include <type_traits>
 
 #include "log.hpp"
@@ -34,7 +33,8 @@ enum Refusal {
 struct Call {
   const char* name;
   Problem& p;
-  int icp;  // icp of the caller; -1: the whole wheel
+  int icp;                         // icp of the caller; -1: the whole wheel
+  std::string* refusal = nullptr;  // takes what would go to the log
 
   Inputs& in() const { return p.in; }
   const Units& units() const { return p.in.units; }
@@ -44,60 +44,43 @@ struct Call {
   ContactResult* elements() const;
 };
 
-/// Writes a line to the log.
+/// Writes a line to the log, or to the refusal of the call.
 void say(const Call& c, const char* format, ...) __attribute__((format(printf, 2, 3)));
 
 /// Checks ire, icp and module, and makes the problem if there is none; returns 0 or the code of a refusal.
 int admit(Category category, int ire, int icp, bool has_icp);
 const char* refusal_text(int code);
 
+/// Holds the last argument of a function that answers with an error code.
+struct ErrorCode {
+  int& value;
+};
+
 template <class T, class A>
 decltype(auto) pass(A* pointer) {
   if constexpr (std::is_pointer_v<T>) {
     return static_cast<A*>(pointer);
+  } else if constexpr (std::is_same_v<T, ErrorCode>) {
+    return ErrorCode{*pointer};
   } else {
     return static_cast<A&>(*pointer);
   }
 }
 
-template <class T, class A>
-bool missing(A* pointer) {
-  return !std::is_pointer_v<T> && !pointer;
-}
-
 template <class... T, class... A>
 void apply_body(Call& c, void (*body)(Call&, T...), A*... arguments) {
-  if ((missing<T>(arguments) || ...)) return say(c, "an argument is NULL");
+  if (((!std::is_pointer_v<T> && !arguments) || ...)) return say(c, "an argument is NULL");
   body(c, pass<T>(arguments)...);
 }
 
-template <class Body, class... A, size_t... I>
-void apply_with_error(Call& c, Body body, std::tuple<A...> arguments, std::index_sequence<I...>) {
-  *std::get<sizeof...(A) - 1>(arguments) =
-      body(c, pass<std::tuple_element_t<I, typename Body::Types>>(std::get<I>(arguments))...);
-}
-
-template <class... T>
-struct WithError {
-  using Types = std::tuple<T...>;
-  int (*function)(Call&, T...);
-  int operator()(Call& c, T... values) const { return function(c, values...); }
-};
-
 template <class... T, class... A>
-void apply_body(Call& c, int (*body)(Call&, T...), A*... arguments) {
-  static_assert(sizeof...(A) == sizeof...(T) + 1);
-  const std::tuple<A*...> all(arguments...);
-  const auto any_missing = [&]<size_t... I>(std::index_sequence<I...>) {
-    return (missing<std::tuple_element_t<I, std::tuple<T..., int&>>>(std::get<I>(all)) || ...);
+int* error_of(void (*)(Call&, T...), A*... arguments) {
+  int* error = nullptr;
+  [[maybe_unused]] const auto take = [&]<class One>(auto* argument) {
+    if constexpr (std::is_same_v<One, ErrorCode>) error = argument;
   };
-  if (any_missing(std::make_index_sequence<sizeof...(A)>())) return say(c, "an argument is NULL");
-  apply_with_error(c, WithError<T...>{body}, all, std::make_index_sequence<sizeof...(T)>());
-}
-
-template <class Result, class... T>
-constexpr bool gives_error(Result (*)(Call&, T...)) {
-  return std::is_same_v<Result, int>;
+  (take.template operator()<T>(arguments), ...);
+  return error;
 }
 
 /// Admits a call, or refuses it with a line in the log.
@@ -118,8 +101,8 @@ void enter(const char* name, Body body, const int* ire, const int* icp, int* err
       try {
         return apply_body(c, body, arguments...);
       } catch (const std::exception& e) {
-        say(c, "failed: %s", e.what());
-        code = CNTC_err_other;
+        if (error) *error = CNTC_err_other;
+        return say(c, "failed: %s", e.what());
       }
     }
   }
@@ -127,32 +110,16 @@ void enter(const char* name, Body body, const int* ire, const int* icp, int* err
   log_line(name, *ire, *icp, "%s", refusal_text(code));
 }
 
-inline int* last_pointer(int* p) {
-  return p;
-}
-template <class A>
-int* last_pointer(A*) {
-  return nullptr;
-}
-template <class A, class... B>
-int* last_pointer(A*, B*... rest) {
-  return last_pointer(rest...);
-}
-
 template <Category category, class Body, class... A>
 void run(const char* name, Body body, const int* ire, const int* icp,
          A*... arguments) requires(category != Category::none && category != Category::wheel) {
-  int* error = nullptr;
-  if constexpr (gives_error(Body{})) error = last_pointer(arguments...);
-  enter<category>(name, body, ire, icp, error, arguments...);
+  enter<category>(name, body, ire, icp, error_of(body, arguments...), arguments...);
 }
 
 template <Category category, class Body, class... A>
 void run(const char* name, Body body, const int* ire, A*... arguments) requires(category == Category::wheel) {
   static const int whole = -1;
-  int* error = nullptr;
-  if constexpr (gives_error(Body{})) error = last_pointer(arguments...);
-  enter<category>(name, body, ire, &whole, error, arguments...);
+  enter<category>(name, body, ire, &whole, error_of(body, arguments...), arguments...);
 }
 
 template <Category category, class Body, class... A>

@@ -57,7 +57,7 @@ void get_parameters(Call& c, int task, int n, double* values) {
   if (task == 1) {
     const double v[6] = {(r->solved ? r->veloc : in.veloc) / length,
                          in.chi,
-                         in.dq / (c.p.module == 3 ? length : 1),
+                         (r->solved ? r->dq : in.dq) / length,
                          in.spinxo / length,
                          in.spinyo / length,
                          layer ? more[2] / stress : 0};
@@ -66,41 +66,33 @@ void get_parameters(Call& c, int task, int n, double* values) {
   if (task == 2) {
     const double g = 2 / (1 / m.g[0] + 1 / m.g[1]), nu = g * (m.nu[0] / m.g[0] + m.nu[1] / m.g[1]) / 2;
     const double k = g * ((1 - 2 * m.nu[0]) / m.g[0] - (1 - 2 * m.nu[1]) / m.g[1]) / 4;
-    const bool fastsim = in.digits.mater == 2 || in.digits.mater == 3 || in.digits.mater == 5;
-    const double flx = in.digits.mater == 2 ? more[0] / (length * area)
-                       : layer              ? more[1] / more[0] / (length * area)
-                                            : 0;
-    const double v[22] = {m.g[0] / stress,
-                          m.g[1] / stress,
-                          g / stress,
-                          m.nu[0],
-                          m.nu[1],
-                          nu,
-                          k,
-                          flx,
-                          flx,
-                          flx,
-                          fastsim ? more[1] : 0,
-                          fastsim ? more[2] : 0,
-                          fastsim ? more[3] : 0,
-                          0,
-                          layer ? more[0] / stress : 0,
-                          layer ? more[1] / length : 0,
-                          layer ? more[2] / stress : 0,
-                          layer ? more[3] / (stress / length) : 0,
-                          m.cdampn,
-                          m.cdampt,
-                          m.dfnmax,
-                          m.dftmax};
+    const int M = in.digits.mater;
+    double v[22] = {};
+    for (size_t i = 0; i < 2; ++i) {
+      v[i] = m.g[i] / stress;
+      v[3 + i] = m.nu[i];
+    }
+    v[2] = g / stress;
+    v[5] = nu;
+    v[6] = k;
+    std::fill_n(v + 7, 3, (M == 2 ? more[0] : layer ? more[1] / more[0] : 0) / (length * area));
+    if (M == 2 || M == 3 || M == 5) std::copy_n(&more[M == 2 ? 1 : 0], 3, v + 10);
+    const double layers[4] = {more[0] / stress, more[1] / length, more[2] / stress, more[3] / stress * length};
+    if (layer) std::copy_n(layers, 4, v + 14);
+    const double damping[4] = {m.cdampn, m.cdampt, m.dfnmax, m.dftmax};
+    std::copy_n(damping, 4, v + 18);
     return put(n, values, v, 22, true);
   }
   if (task != 3) return void(no_method(c, task));
   std::vector<double> v{double(in.friction.law), double(in.friction.rows.size()), in.friction.memdst,
                         in.friction.mem_s0};
   for (const FrictionRow& row : in.friction.rows) {
-    const double rest = in.friction.law == 0 ? row.p[0] : row.p[0] + row.p[1] + row.p[3];
-    v.insert(v.end(),
-             {row.place / (in.friction.variation == 2 ? length : 1), rest, in.friction.law == 0 ? row.p[1] : row.p[0]});
+    const int law = in.friction.law;
+    const double first = law == 0 || law == 6 ? row.p[0] : row.p[0] + row.p[1] + row.p[3],
+                 last = law == 0   ? row.p[1]
+                        : law == 6 ? row.p[0] + row.p[2]
+                                   : row.p[0];
+    v.insert(v.end(), {row.place / (in.friction.variation == 2 ? length : 1), first, last});
   }
   put(n, values, v.data(), int(v.size()), true);
 }

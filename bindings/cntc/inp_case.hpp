@@ -1,12 +1,14 @@
 #pragma once
 #include <string>
 
+#include "bodies.hpp"
 #include "inp_reader.hpp"
 #include "problem.hpp"
 
 namespace cntc {
 
-/// Reads one case of an input file; values that the case leaves out stay as they were.
+/// Reads one case of an input file; values that the case leaves out stay as they were. What is read is set by the
+/// functions of the library.
 class InpCase {
  public:
   InpCase(InpReader& reader, Problem& problem, std::string folder, bool first)
@@ -18,27 +20,38 @@ class InpCase {
   void read_simpack();
 
  private:
+  /// Calls a setter, whose refusal is a mistake of the file.
+  template <class... T, class... A>
+  void set(void (*setter)(Call&, T...), A... values) {
+    std::string refusal;
+    Call call{"", p_, p_.icp, &refusal};
+    setter(call, values...);
+    if (!refusal.empty()) in_.fail(refusal);
+  }
+  void give(void (*setter)(Call&, int, int, const double*), int method, const std::vector<double>& q) {
+    set(setter, method, int(q.size()), q.data());
+  }
+
   void read_last_control();
-  void check_digits(int heat_step);
+  void check_case(int law, int grid) const;
   void read_solver();
-  void read_friction();
-  void read_friction_line(int law, bool with_place);
-  void read_material(bool wheel);
-  void read_profile(ProfileInput& profile, bool wheel);
+  void read_friction(int variation, int law);
+  void read_material(int coefficients);
+  void read_profile(bool wheel);
   void read_plane_grid();
   void read_track(int z);
   void read_wheelset(int e, bool motion);
   void read_potential();
   void read_gap_shape();
   void read_extra_slip();
-  void read_subsurface();
+  void read_subsurface(int stresses);
 
   InpReader& in_;
   Problem& p_;
   Inputs& v_;
   std::string folder_;
   bool first_;
-  int subs_ = 0, v_digit_ = 0;
+  int heat_ = 0;  // digit H, whose 1 keeps what was set
 };
 
 }  // namespace cntc

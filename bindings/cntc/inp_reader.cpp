@@ -3,6 +3,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 
 #include "log.hpp"
@@ -33,10 +34,6 @@ InpReader::InpReader(const std::string& path) : path_(path) {
 
 void InpReader::fail(const std::string& text) const {
   throw InpError(print("%s, line %zu: %s", path_.c_str(), line_, text.c_str()));
-}
-
-void InpReader::in_range(int value, int low, int high, const char* digit) const {
-  if (value < low || value > high) fail(print("%s is %d; allowed: %d to %d", digit, value, low, high));
 }
 
 /// Goes to the next line that has words; comments begin with a per cent sign outside of quotes.
@@ -105,19 +102,29 @@ bool InpReader::number(const Word& word, double& value) {
   return *end == 0 && end != text.c_str() && std::isfinite(value);
 }
 
-std::vector<int> InpReader::control(int width, const char* what, int* extra) {
-  if (!next_line()) fail(print("the file ends before %s", what));
+std::vector<int> InpReader::control(std::initializer_list<Digit> digits, int* extra) {
+  std::string names;
+  for (const Digit& d : digits) names += (names.empty() ? "" : "-") + std::string(d.name);
+  if (!next_line()) fail(print("the file ends before %s", names.c_str()));
   const std::string& word = words_[0].text;
-  if (int(word.size()) > width) fail(print("%s has more than %d digits: %.40s", what, width, word.c_str()));
-  std::vector<int> digits(size_t(width), 0);
-  for (size_t k = 0; k < word.size(); ++k) {
-    if (!std::isdigit(static_cast<unsigned char>(word[k])))
-      fail(print("%s: digits are expected, not %.40s", what, word.c_str()));
-    digits[size_t(width) - word.size() + k] = word[k] - '0';
+  const size_t width = digits.size();
+  if (word.size() > width) fail(print("%s has more than %zu digits: %.40s", names.c_str(), width, word.c_str()));
+  std::vector<int> values;
+  for (const Digit& d : digits) {
+    const size_t at = values.size() + word.size();
+    const char digit = at < width ? '0' : word[at - width];
+    if (!std::isdigit(static_cast<unsigned char>(digit)))
+      fail(print("%s: digits are expected, not %.40s", names.c_str(), word.c_str()));
+    if (!std::strchr(d.allowed, digit)) {
+      std::string allowed;
+      for (const char* c = d.allowed; *c; ++c) allowed += (c == d.allowed ? "" : ", ") + std::string(1, *c);
+      fail(print("%s is %c; allowed: %s", d.name, digit, allowed.c_str()));
+    }
+    values.push_back(digit - '0');
   }
   double more = 0;
   if (extra && words_.size() > 1 && number(words_[1], more) && more >= 0 && more <= 9) *extra = int(more);
-  return digits;
+  return values;
 }
 
 std::vector<double> InpReader::reals(int n, const char* what) {

@@ -16,8 +16,12 @@ class InpReader {
   /// Reads a file as a whole; throws InpError where that cannot be done.
   explicit InpReader(const std::string& path);
 
-  /// Reads a control word of `width` digits; leading zeros may be missing. A digit in the next word goes to *extra.
-  std::vector<int> control(int width, const char* what, int* extra = nullptr);
+  /// Names a digit of a control word, and the values that it may have.
+  struct Digit {
+    const char *name, *allowed;
+  };
+  /// Reads a control word; leading zeros may be missing. A digit in the next word goes to *extra.
+  std::vector<int> control(std::initializer_list<Digit> digits, int* extra = nullptr);
   std::vector<double> reals(int n, const char* what);
   /// Reads n values, and up to `more` further ones on the line of the last.
   std::vector<double> reals(int n, int more, const char* what);
@@ -27,8 +31,6 @@ class InpReader {
   bool at_end();
 
   [[noreturn]] void fail(const std::string& text) const;
-  /// Fails unless low <= value <= high.
-  void in_range(int value, int low, int high, const char* digit) const;
 
  private:
   struct Word {

@@ -21,7 +21,8 @@ using Problems = std::map<std::tuple<int, int, int>, std::unique_ptr<Problem>>;
 bool run_case(Problem& p, bool check_only) {
   Call c{"rollcon-cntc", p, p.icp};
   if (check_only || p.in.digits.ret >= 2) return false;
-  const int code = calculate(c);
+  int code = 0;
+  calculate(c, {code});
   if (code < 0) return true;
   const auto blocks = p.blocks.find(p.module == 1 ? -1 : p.icp);
   if (blocks == p.blocks.end() || blocks->second.empty()) return false;
@@ -30,7 +31,8 @@ bool run_case(Problem& p, bool check_only) {
     p.blocks.clear();
     p.blocks[-1] = kept;
   }
-  return calculate_subsurface(c) < 0;
+  calculate_subsurface(c, {code});
+  return code < 0;
 }
 
 }  // namespace
@@ -73,15 +75,16 @@ int run_inp(const std::string& path, bool check_only) {
   return failed;
 }
 
-int read_inp_file(Call& c, int type, const char* fname, int length) {
+void read_inp_file(Call& c, int type, const char* fname, int length, ErrorCode error_code) {
   const std::string name = text_of(fname, length);
   const std::string path = in_folder(session().wrkdir, name);
+  error_code.value = CNTC_err_input;
   if (type != CNTC_inp_modul1 && type != CNTC_inp_spck) {
-    say(c, "input files of type %d are not available; allowed: %d, %d", type, CNTC_inp_modul1, CNTC_inp_spck);
-    return CNTC_err_input;
+    return say(c, "input files of type %d are not available; allowed: %d, %d", type, CNTC_inp_modul1, CNTC_inp_spck);
   }
   Problem copy(c.p.ire, c.p.icp, 1);
   copy.in = c.in();
+  copy.in.units = {};
   try {
     InpReader reader(path);
     const int module = reader.integer("the module");
@@ -94,8 +97,7 @@ int read_inp_file(Call& c, int type, const char* fname, int length) {
       next.read_simpack();
     }
   } catch (const InpError& error) {
-    say(c, "%s", error.what());
-    return CNTC_err_input;
+    return say(c, "%s", error.what());
   }
   const Digits old = c.in().digits;
   copy.in.units = c.in().units;
@@ -103,7 +105,7 @@ int read_inp_file(Call& c, int type, const char* fname, int length) {
   copy.in.digits.idebug = old.idebug;
   c.in() = std::move(copy.in);
   c.p.blocks = std::move(copy.blocks);
-  return 0;
+  error_code.value = 0;
 }
 
 }  // namespace cntc

@@ -25,6 +25,15 @@ struct SolverSettings {
   std::array<double, 8> reals{1e-5, .9, 1, .5, 0, 0, 0, 0};
 };
 
+/// Says how many numbers a solver (digit G) has on its own line of an input file, and which of them, from 0, is whole.
+struct SolverLine {
+  int numbers, whole;
+};
+inline constexpr SolverLine solver_lines[] = {{0, 0}, {0, 0}, {4, 2}, {4, 2}, {2, 0}, {8, 2}, {0, 0}};
+/// Counts parameters of materials (digit M), and those of laws of friction (digit L) without memory.
+inline constexpr int material_parameters[] = {4, 8, 8, 7, 8, 7, 4, 4};
+inline constexpr int friction_parameters[] = {2, 0, 5, 5, 5, 3, 4};
+
 /// Holds the material: values behind the elastic constants depend on the digit M and have the order of
 /// cntc_setmaterialparameters.
 struct Material {
@@ -81,14 +90,21 @@ struct PlaneGrid {
   double dx = .5, ds = .5, a_sep = 3.141592653589793, d_sep = 8, d_comb = 4, d_turn = 12, g_miss = -1;
 };
 
+/// Holds options of a profile in the order of cntc_setprofileinputfname: type, unused, mirrors in y and z, handling of
+/// errors, kind of smoothing; factor, length of smoothing, share of points left out, angles of zig-zags and kinks,
+/// width of kinks.
+struct ProfileOptions {
+  std::array<int, 6> ints{0, 0, 0, 0, 1, 0};
+  std::array<double, 7> reals{0, 0, .5, 2.6179938779914944, .5235987755982988, .10471975511965977, 2};
+};
+
 /// Holds a profile as the caller gave it: a file, or points.
 struct ProfileInput {
   bool given = false;
   bool wheel = false;
   std::string path;
   std::vector<double> points;
-  int mirror_y = 0, mirror_z = 0, error_handling = 1, smoothing_kind = 0;
-  double scale = 0, smoothing = 0;
+  ProfileOptions options;
   unsigned number = 0;  // counts changes
 };
 
@@ -111,8 +127,16 @@ struct BlockInput {
   std::vector<double> x, y, z;  // values that the caller gave, in mm
 };
 
+/// Holds how the bodies of a contact meet and move.
+struct Motion {
+  double chi = 0, veloc = 1, dt = 1, dq = 1;
+  double pen = 0, fn = 0, cksi = 0, ceta = 0, cphi = 0, spinxo = 0, spinyo = 0;
+  double fx = 0, fy = 0;  // module 3: over fstat times fn
+  std::vector<double> wx, wy;
+};
+
 /// Holds all that setters keep, in mm, s, N and rad; forces are those on body 1.
-struct Inputs {
+struct Inputs : Motion {
   Digits digits;
   Units units;
   SolverSettings solver;
@@ -120,16 +144,12 @@ struct Inputs {
   std::array<Heat, 2> heat;
   double betapl = 0;
   Friction friction;
-  double dt = 1, chi = 0, dq = 1;
-  double fx = 0, fy = 0;
   // Inputs of module 3.
-  double veloc = 1, pen = 0, fn = 0, cksi = 0, ceta = 0, cphi = 0, spinxo = 0, spinyo = 0;
   Grid grid;
   HertzInput hertz;
   int ibase = 1, iplan = 1;
   std::vector<double> gap{std::vector<double>(6)};
   std::array<double, 8> plan{};
-  std::vector<double> wx, wy;
   // Inputs of module 1.
   double fz = 0;
   PlaneGrid plane;

@@ -12,8 +12,9 @@ constexpr double shortest = 5, longest = 500;
 
 /// Filter of rollcon that keeps half of the waves that CONTACT's smoothing keeps half of.
 double filter_length(const ProfileInput& input) {
-  if (input.smoothing <= 0) return 0;
-  return input.smoothing_kind == 0 ? 6.283185307179586 * std::pow(input.smoothing, .25) : input.smoothing;
+  const double smoothing = input.options.reals[1];
+  if (smoothing <= 0) return 0;
+  return input.options.ints[5] == 0 ? 6.283185307179586 * std::pow(smoothing, .25) : smoothing;
 }
 
 }  // namespace
@@ -59,14 +60,15 @@ void Profile::make(rollcon_context* context, const ProfileInput& input, const Ma
   if (!input.given) throw Failure(CNTC_err_profil, std::string("the profile of the ") + which + " is missing");
   varies_ = ends_with(input.path, ".slcs") || ends_with(input.path, ".slcw");
   try {
-    int mirror = (input.mirror_y == 1 ? 1 : 0) + (input.mirror_z == 1 ? 2 : 0);
-    double unit = input.scale > 0 ? input.scale : 1;
+    const ProfileOptions& o = input.options;
+    int mirror = (o.ints[2] == 1 ? 1 : 0) + (o.ints[3] == 1 ? 2 : 0);
+    double unit = o.reals[0] > 0 ? o.reals[0] : 1;
     read(context, input, unit, mirror);
     if (input.points.empty() && unit != 1 && length_ > longest) {
       unit = 1;  // the file's own units were obeyed already
       read(context, input, unit, mirror);
     }
-    if (input.mirror_z == 0 && upside_down(input.wheel)) mirror |= 2, read(context, input, unit, mirror);
+    if (o.ints[3] == 0 && upside_down(input.wheel)) mirror |= 2, read(context, input, unit, mirror);
     if (turned_over) read(context, input, unit, mirror ^ 2);
     if (!(length_ >= shortest && length_ <= longest))
       throw Failure(CNTC_err_profil, std::string("the profile of the ") + which + " is " + std::to_string(length_) +

@@ -4,7 +4,7 @@
 
 #include <array>
 #include <ctime>
-#include <shared_mutex>
+#include <mutex>
 
 #include "contact_solver.hpp"
 #include "log.hpp"
@@ -29,7 +29,7 @@ struct Element {
 };
 
 struct Registry {
-  std::shared_mutex lock;
+  std::mutex lock;
   Session session;
   std::array<std::unique_ptr<Element>, most_ire + 1> elements;
   int alive = 0;
@@ -55,7 +55,8 @@ std::string title() {
 #endif
   char date[32];
   std::strftime(date, sizeof date, "%Y-%m-%d", &parts);
-  return edge + box_line("") + box_line("rollcon - frictional rolling contact of elastic bodies") +
+  // Parsers of out-files look for "detailed investigation of 3D" on the second line.
+  return edge + box_line("rollcon - detailed investigation of 3D frictional rolling contact") + box_line("") +
          box_line(print("version %s, interface of CONTACT, version %d", rollcon_version_string(), interface_version)) +
          box_line(std::string("run on ") + date) + box_line("(c) the rollcon authors, BSD-3-Clause") + box_line("") +
          edge + "\n";
@@ -64,12 +65,12 @@ std::string title() {
 }  // namespace
 
 Session session() {
-  std::shared_lock guard(registry().lock);
+  const std::lock_guard guard(registry().lock);
   return registry().session;
 }
 
 void begin_session(bool screen, const std::string& wrkdir, const std::string& outdir, const std::string& expnam) {
-  const std::unique_lock guard(registry().lock);
+  const std::lock_guard guard(registry().lock);
   Session& s = registry().session;
   if (s.begun) return;
   s.begun = true;
@@ -86,7 +87,7 @@ void begin_session(bool screen, const std::string& wrkdir, const std::string& ou
 }
 
 void end_session() {
-  const std::unique_lock guard(registry().lock);
+  const std::lock_guard guard(registry().lock);
   for (auto& element : registry().elements) element.reset();
   registry().alive = 0;
   log_close();
@@ -97,23 +98,23 @@ void end_session() {
 }
 
 void set_global(int Session::*flag, int value) {
-  const std::unique_lock guard(registry().lock);
+  const std::lock_guard guard(registry().lock);
   registry().session.*flag = value;
 }
 
 void set_program() {
-  const std::unique_lock guard(registry().lock);
+  const std::lock_guard guard(registry().lock);
   registry().session.program = true;
 }
 
 int module_of(int ire) {
-  std::shared_lock guard(registry().lock);
+  const std::lock_guard guard(registry().lock);
   const auto& element = registry().elements[size_t(ire)];
   return element ? element->module : 0;
 }
 
 bool make_element(int ire, int module) {
-  const std::unique_lock guard(registry().lock);
+  const std::lock_guard guard(registry().lock);
   auto& element = registry().elements[size_t(ire)];
   if (element) return true;
   if (registry().alive >= most_alive) return false;
@@ -126,7 +127,7 @@ bool make_element(int ire, int module) {
 bool free_element(int ire) {
   bool last = false;
   {
-    const std::unique_lock guard(registry().lock);
+    const std::lock_guard guard(registry().lock);
     auto& element = registry().elements[size_t(ire)];
     if (!element) return false;
     element.reset();
@@ -137,14 +138,7 @@ bool free_element(int ire) {
 }
 
 std::shared_ptr<Problem> problem_of(int ire, int icp) {
-  {
-    std::shared_lock guard(registry().lock);
-    const auto& element = registry().elements[size_t(ire)];
-    if (!element) return nullptr;
-    const auto found = element->problems.find(element->module == 1 ? -1 : icp);
-    if (found != element->problems.end()) return found->second;
-  }
-  const std::unique_lock guard(registry().lock);
+  const std::lock_guard guard(registry().lock);
   const auto& element = registry().elements[size_t(ire)];
   if (!element) return nullptr;
   const int key = element->module == 1 ? -1 : icp;

@@ -9,15 +9,14 @@ namespace cntc {
 using Vec3 = std::array<double, 3>;
 using Mat3 = std::array<Vec3, 3>;  // rows
 
-/// Holds the results of a contact, in mm, s and N, on body 1, in the axes of the contact.
-struct ContactResult {
+/// Holds the results of a contact, in mm, s and N, on body 1, in the axes of the contact; its motion is what was found.
+struct ContactResult : Motion {
   bool solved = false;
   bool deferred = false;  // elements are filled when a getter asks for them
   Grid grid;
-  double veloc = 1, chi = 0, dq = 1, spinxo = 0, spinyo = 0, fstat = 0;
-  double pen = 0, cksi = 0, ceta = 0, cphi = 0, fn = 0, tx = 0, ty = 0, mz = 0, power = 0;
+  double fstat = 0, tx = 0, ty = 0, mz = 0, power = 0;
   double mx = 0, my = 0;  // moments of the pressures about the axes x and y
-  std::vector<double> h, mu, px, py, pn, ux, uy, un, sx, sy, temp1, temp2, wx, wy;
+  std::vector<double> h, mu, px, py, pn, ux, uy, un, sx, sy, temp1, temp2;
   std::vector<int> division;
   std::array<double, 16> sensitivities{};
   double pmax = 0;  // largest pressure, where it is not that of the elements

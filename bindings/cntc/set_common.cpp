@@ -24,7 +24,7 @@ void set_metadata(Call& c, int n, const int* params, const double* values) {
 }
 
 void set_solver_flags(Call& c, int g, int nints, const int* ints, int nreals, const double* reals) {
-  static const int n_ints[] = {4, 0, 5, 5, 5, 5, 1}, n_reals[] = {1, 0, 4, 4, 3, 8, 1};
+  static const int n_ints[] = {4, 0, 5, 5, 5, 5, 1}, n_reals[] = {1, 0, 4, 4, 2, 8, 1};
   if (g < 0 || g > 6) return void(no_method(c, g));
   if (nints < n_ints[g]) return say(c, "method %d needs %d integers, not %d", g, n_ints[g], nints);
   if (n_ints[g] > 0 && !ints) return say(c, "an array is NULL");
@@ -42,7 +42,6 @@ void set_solver_flags(Call& c, int g, int nints, const int* ints, int nreals, co
 }
 
 void set_material(Call& c, int method, int n, const double* params) {
-  static const int needed[] = {4, 8, 8, 7, 8, 7, 4, 4};
   Inputs& in = c.in();
   if ((method == 0 || method == 1) && n <= 1) method += 10;
   if (method == 10 || method == 11) {
@@ -59,7 +58,7 @@ void set_material(Call& c, int method, int n, const double* params) {
     return;
   }
   if (method < 0 || method > 7) return void(no_method(c, method));
-  if (lacks(c, method, n, needed[method], params)) return;
+  if (lacks(c, method, n, material_parameters[method], params)) return;
   for (int k = 0; k < 2; ++k)
     if (!(params[k] > -1 && params[k] <= .5) || !(params[2 + k] > 0))
       return say(c, "body %d has Poisson's ratio %g and shear modulus %g; allowed: -1 to 0.5, above 0", k + 1,
@@ -69,7 +68,7 @@ void set_material(Call& c, int method, int n, const double* params) {
   in.material.nu = {params[0], params[1]};
   in.material.g = {params[2] / area, params[3] / area};
   in.material.more = {};
-  for (int k = 4; k < needed[method]; ++k) in.material.more[size_t(k - 4)] = params[k];
+  for (int k = 4; k < n; ++k) in.material.more[size_t(k - 4)] = params[k];
   auto& more = in.material.more;
   if (method == 2) more[0] *= length * area;
   if (method == 4) more = {more[0] / area, more[1] * length, more[2] / area, more[3] / (area * length)};
@@ -136,24 +135,24 @@ void take_row(Friction& f, int law, const double* q, double length, double place
 }  // namespace
 
 void set_friction(Call& c, int method, int n, const double* params) {
-  static const int needed[] = {2, 0, 7, 7, 7, 3, 6};
   const int v = method / 10, law = method % 10;
   if (method < 0 || v > 2 || law > 6 || (v && c.p.module == 3)) return void(no_method(c, method));
   if (law == 1) return;
+  const int needed = friction_parameters[law] + (law >= 2 && law != 5 ? 2 : 0);
   Friction f;
   f.rows.clear();
   f.variation = v;
   f.law = law == 5 ? 4 : law;
   const double length = c.units().length;
   if (v == 0) {
-    if (lacks(c, method, n, needed[law], params)) return;
+    if (lacks(c, method, n, needed, params)) return;
     take_row(f, law, params, length, 0);
   } else {
     const int rows = n > 0 && params ? whole(params[0]) : 0;
     if (rows < 1 || rows > 10000) return say(c, "the number of places is %d; allowed: 1 to 10000", rows);
-    if (lacks(c, method, n, 1 + rows * (1 + needed[law]), params)) return;
+    if (lacks(c, method, n, 1 + rows * (1 + needed), params)) return;
     for (int k = 0; k < rows; ++k) {
-      const double* q = params + 1 + k * (1 + needed[law]);
+      const double* q = params + 1 + k * (1 + needed);
       if (k > 0 && q[0] * (v == 2 ? length : 1) <= f.rows.back().place)
         return say(c, "places must increase: number %d does not", k + 1);
       take_row(f, law, q + 1, length, q[0] * (v == 2 ? length : 1));

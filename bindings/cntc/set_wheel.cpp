@@ -16,43 +16,47 @@ void set_vertical_force(Call& c, double fz) {
 
 namespace {
 
-/// Options that a file and points have in common; the type comes first.
-bool take_options(Call& c, ProfileInput& p, int nints, const int* ints, int nreals, const double* reals) {
-  if ((nints > 0 && !ints) || (nreals > 0 && !reals)) {
+bool take_options(const Call& c, ProfileOptions& o, int nints, const int* ints, int nreals, const double* reals) {
+  if (nints > 0 && !ints) {
     say(c, "an array is NULL");
     return false;
   }
-  const auto i = [&](int k, int standard) { return nints > k ? ints[k] : standard; };
-  if (nreals > 0 && !all_finite(c, std::min(nreals, 7), reals)) return false;
-  p.mirror_y = i(2, 0);
-  p.mirror_z = i(3, 0);
-  p.error_handling = i(4, 1);
-  p.smoothing_kind = i(5, 0);
-  p.scale = nreals > 0 ? reals[0] : 0;
-  if (p.scale <= 0) p.scale = c.units().length;
-  p.smoothing = nreals > 1 ? reals[1] : 0;
-  p.given = true;
+  nreals = std::clamp(nreals, 0, int(o.reals.size()));
+  if (!all_finite(c, nreals, reals)) return false;
+  std::copy_n(ints, std::clamp(nints, 0, int(o.ints.size())), o.ints.begin());
+  std::copy_n(reals, nreals, o.reals.begin());
+  if (nreals > 6) o.reals[6] *= c.units().length;
+  if (o.reals[0] <= 0) o.reals[0] = c.units().length;
   return true;
 }
 
 void keep(Call& c, ProfileInput p) {
   ProfileInput& place = p.wheel ? c.in().wheel : c.in().rail;
+  p.given = true;
   p.number = place.number + 1;
   place = std::move(p);
 }
 
 }  // namespace
 
+void keep_profile_file(Call& c, std::string path, bool wheel, ProfileOptions options) {
+  ProfileInput p;
+  p.wheel = wheel;
+  p.path = std::move(path);
+  p.options = options;
+  keep(c, std::move(p));
+}
+
 void set_profile_file(Call& c, const char* fname, int length, int nints, const int* ints, int nreals,
                       const double* reals) {
   const std::string name = text_of(fname, length);
   if (name.empty()) return say(c, "the name of the file is missing");
-  ProfileInput p;
-  const int type = nints > 0 && ints ? ints[0] : -1;
-  p.wheel =
-      type == 1 || (type == -1 && (ends_with(name, ".prw") || ends_with(name, ".whl") || ends_with(name, ".slcw")));
-  p.path = in_folder(session().wrkdir, name);
-  if (take_options(c, p, nints, ints, nreals, reals)) keep(c, std::move(p));
+  ProfileOptions options;
+  options.ints[0] = -1;
+  if (!take_options(c, options, nints, ints, nreals, reals)) return;
+  const bool by_name = ends_with(name, ".prw") || ends_with(name, ".whl") || ends_with(name, ".slcw");
+  keep_profile_file(c, in_folder(session().wrkdir, name), options.ints[0] == 1 || (options.ints[0] == -1 && by_name),
+                    options);
 }
 
 void set_profile_values(Call& c, int npoint, const double* values, int nints, const int* ints, int nreals,
@@ -60,10 +64,11 @@ void set_profile_values(Call& c, int npoint, const double* values, int nints, co
   if (npoint < 2 || npoint > 10000000) return say(c, "the profile has %d points; allowed: 2 to 10000000", npoint);
   if (!all_finite(c, 2 * npoint, values)) return;
   ProfileInput p;
-  const int type = nints > 0 && ints ? ints[0] : 1;
-  p.wheel = type == 1;
+  p.options.ints[0] = 1;
+  if (!take_options(c, p.options, nints, ints, nreals, reals)) return;
+  p.wheel = p.options.ints[0] == 1;
   p.points.assign(values, values + 2 * size_t(npoint));
-  if (take_options(c, p, nints, ints, nreals, reals)) keep(c, std::move(p));
+  keep(c, std::move(p));
 }
 
 void set_track(Call& c, int kind, int n, const double* q) {

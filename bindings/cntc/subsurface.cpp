@@ -156,11 +156,10 @@ int calculate_blocks(Problem& p, int icp, std::string& why) {
   return 0;
 }
 
-int calculate_subsurface(Call& c) {
+void calculate_subsurface(Call& c, ErrorCode error) {
   std::string why;
-  const int code = calculate_blocks(c.p, c.icp, why);
+  error.value = calculate_blocks(c.p, c.icp, why);
   if (!why.empty()) say(c, "%s", why.c_str());
-  return code;
 }
 
 namespace {

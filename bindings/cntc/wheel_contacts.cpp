@@ -268,22 +268,14 @@ void flip_rows(const Grid& g, std::vector<double>& v, double factor) {
   for (double& x : v) x *= factor;
 }
 
-}  // namespace
-
-void mirror_elements(ContactResult& r) {
+/// Turns a mirror image back.
+void mirror(ContactResult& r) {
   for (auto* v : {&r.h, &r.mu, &r.pn, &r.px, &r.un, &r.ux, &r.sx, &r.wx, &r.temp1, &r.temp2}) flip_rows(r.grid, *v, 1);
   for (auto* v : {&r.py, &r.uy, &r.sy, &r.wy}) flip_rows(r.grid, *v, -1);
   std::vector<double> states(r.division.begin(), r.division.end());
   flip_rows(r.grid, states, 1);
   r.division.assign(states.begin(), states.end());
   r.grid.yc = -r.grid.y(r.grid.my - 1);
-}
-
-namespace {
-
-/// Turns a mirror image back.
-void mirror(ContactResult& r) {
-  mirror_elements(r);
   for (double* v : {&r.ty, &r.mz, &r.ceta, &r.cphi, &r.mx}) *v = -*v;
   for (size_t i = 0; i < 4; ++i)
     for (size_t j = 0; j < 4; ++j)
@@ -292,24 +284,38 @@ void mirror(ContactResult& r) {
 
 }  // namespace
 
-void WheelSolver::read_results(Problem& p) {
-  p.patches.assign(patches.size(), ContactResult{});
-  for (size_t k = 0; k < patches.size(); ++k) {
-    WheelPatch& patch = patches[k];
-    ContactResult& r = p.patches[k];
-    patch.wanted.sensitivities = p.in.digits.sens >= 2;
-    patch.solver->read(patch.wanted, r);
-    double least = 0;
-    for (const double h : r.h) least = std::min(least, h);
-    for (double& h : r.h) h -= least;
-    r.pen = -least;
-    if (!patch.placement.by_velocity) {
-      r.cksi = patch.wanted.cksi;
-      r.ceta = patch.wanted.ceta;
-      r.cphi = patch.wanted.cphi;
-    }
-    if (sign < 0) mirror(r);
+/// Gives a patch its contact on the caller's grid.
+void WheelSolver::ready_patch(const Inputs& in, WheelPatch& patch) {
+  if (!patch.solver) {
+    patch.solver = std::make_shared<ContactSolver>();
+    patch.solver->set_bodies(context_.get(), wheel_profile.body(),
+                             (roller_ > 0 ? roller_profile_ : rail_profile).body());
   }
+  lay_grid(in, patch);
+  stand_patch(patch);
+  ContactCase& w = patch.wanted;
+  w.tang = in.digits.tang;
+  w.pvtime = in.digits.pvtime;
+  w.iestim = in.digits.iestim;
+  w.chi = onward_ < 0 ? pi : 0;
+  w.dq = (in.digits.tang == 3 ? 1 : in.dq) * w.grid.dx;
+  w.dt = in.dt;
+  set_friction(in, patch);
+}
+
+void WheelSolver::read_patch(const Inputs& in, WheelPatch& patch, ContactResult& r) const {
+  patch.wanted.sensitivities = in.digits.sens >= 2;
+  patch.solver->read(patch.wanted, r);
+  double least = 0;
+  for (const double h : r.h) least = std::min(least, h);
+  for (double& h : r.h) h -= least;
+  r.pen = -least;
+  if (!patch.placement.by_velocity) {
+    r.cksi = patch.wanted.cksi;
+    r.ceta = patch.wanted.ceta;
+    r.cphi = patch.wanted.cphi;
+  }
+  if (sign < 0) mirror(r);
 }
 
 int WheelSolver::solve(Problem& p, std::string& why) {
@@ -326,25 +332,9 @@ int WheelSolver::solve(Problem& p, std::string& why) {
   check(rollcon_wheelrail_set_real(search_.get(), "accuracy", .01));
   check(rollcon_wheelrail_set_int(search_.get(), "conformal", 0));
   search(p);
-  join_patches(in.plane, found_patches());
+  join_patches(in.plane);
   int code = 0;
-  for (WheelPatch& patch : patches) {
-    if (!patch.solver) {
-      patch.solver = std::make_shared<ContactSolver>();
-      patch.solver->set_bodies(context_.get(), wheel_profile.body(),
-                               (roller_ > 0 ? roller_profile_ : rail_profile).body());
-    }
-    lay_grid(in, patch);
-    stand_patch(patch);
-    ContactCase& w = patch.wanted;
-    w.tang = in.digits.tang;
-    w.pvtime = in.digits.pvtime;
-    w.iestim = in.digits.iestim;
-    w.chi = onward_ < 0 ? pi : 0;
-    w.dq = (in.digits.tang == 3 ? 1 : in.dq) * w.grid.dx;
-    w.dt = in.dt;
-    set_friction(in, patch);
-  }
+  for (WheelPatch& patch : patches) ready_patch(in, patch);
   if (!patches.empty()) {
     if (in.digits.force == 1) {
       find_pitch_rate(p, code, why);
@@ -359,7 +349,8 @@ int WheelSolver::solve(Problem& p, std::string& why) {
     throw Failure(CNTC_err_ftot, "no height carries the vertical force");
   }
   place_wheel(z + sink_);
-  read_results(p);
+  p.patches.assign(patches.size(), ContactResult{});
+  for (size_t k = 0; k < patches.size(); ++k) read_patch(in, patches[k], p.patches[k]);
   solved = true;
   return code;
 }

@@ -190,7 +190,13 @@ void WheelSolver::place_rail() {
 }
 
 /// Finds the ends of a contact from its nodes, along the axes of the patch.
-void WheelSolver::read_extents(rollcon_contact* contact, const double* origin, const double* axes, WheelPatch& patch) {
+void WheelSolver::read_extents(WheelPatch& patch) const {
+  double origin[3], axes[9];
+  rollcon_contact* contact = nullptr;
+  check(rollcon_wheelrail_get_patch_axes(search_.get(), patch.number, origin, axes));
+  origin[0] -= set_.position[0];  // axes of the track go along with the wheelset
+  check(rollcon_wheelrail_get_contact(search_.get(), patch.number, &contact));
+  const ContactHandle holder(contact);
   int64_t nodes = 0;
   check(rollcon_contact_get_size(contact, &nodes, nullptr));
   std::vector<double> points(3 * size_t(nodes));
@@ -213,31 +219,28 @@ void WheelSolver::read_extents(rollcon_contact* contact, const double* origin, c
   }
 }
 
+double WheelSolver::patch_stat(int32_t k, const char* name) const {
+  double v = 0;
+  check(rollcon_wheelrail_get_patch_stat(search_.get(), k, name, &v));
+  return v;
+}
+
+/// Returns all patches that the search has found and that carry a load, in its order.
 std::vector<WheelPatch> WheelSolver::found_patches() const {
-  rollcon_wheelrail* search = search_.get();
   int64_t n = 0;
-  check(rollcon_wheelrail_get_patch_count(search, &n));
+  check(rollcon_wheelrail_get_patch_count(search_.get(), &n));
   std::vector<WheelPatch> found;
   for (int32_t k = 0; k < n; ++k) {
-    const auto stat = [&](const char* name) {
-      double v = 0;
-      check(rollcon_wheelrail_get_patch_stat(search, k, name, &v));
-      return v;
-    };
-    if (stat("share") < .5 || !(stat("normal_force") != 0)) continue;
+    if (!(patch_stat(k, "share") * patch_stat(k, "normal_force") != 0)) continue;
     WheelPatch patch;
-    patch.reference = {stat("x") - set_.position[0], stat("y"), stat("z")};
-    patch.delta = stat("angle");
-    patch.overlap = stat("overlap");
+    patch.reference = {patch_stat(k, "x") - set_.position[0], patch_stat(k, "y"), patch_stat(k, "z")};
+    patch.delta = patch_stat(k, "angle");
+    patch.overlap = patch_stat(k, "overlap");
+    patch.number = k;
     double origin[3], axes[9];
-    check(rollcon_wheelrail_get_patch_axes(search, k, origin, axes));
-    origin[0] -= set_.position[0];  // axes of the track go along with the wheelset
-    rollcon_contact* contact = nullptr;
-    check(rollcon_wheelrail_get_contact(search, k, &contact));
-    const ContactHandle holder(contact);
+    check(rollcon_wheelrail_get_patch_axes(search_.get(), k, origin, axes));
     if (roller_ > 0) patch.tilt = std::asin(axes[6]);
-    read_extents(contact, origin, axes, patch);
-    if (patch.x_low < patch.x_high) found.push_back(patch);
+    found.push_back(patch);
   }
   return found;
 }
@@ -279,7 +282,13 @@ double distance(const WheelPatch& a, const WheelPatch& b) {
 
 /// Makes one patch of those that are nearer than D_SEP and not turned by more than A_SEP against each other. Contacts
 /// of the last solve are used again.
-void WheelSolver::join_patches(const PlaneGrid& grid, std::vector<WheelPatch> found) {
+void WheelSolver::join_patches(const PlaneGrid& grid) {
+  std::vector<WheelPatch> found;
+  for (WheelPatch& patch : found_patches()) {
+    if (patch_stat(patch.number, "share") < .5) continue;
+    read_extents(patch);
+    if (patch.x_low < patch.x_high) found.push_back(patch);
+  }
   std::sort(found.begin(), found.end(),
             [](const WheelPatch& a, const WheelPatch& b) { return a.reference[1] < b.reference[1]; });
   for (size_t k = 0; k + 1 < found.size();) {

@@ -54,12 +54,13 @@ class WheelSolver {
   void mirror_inputs(const Inputs& in);
   int search(const Problem& p);
   int solve_on_frames(Problem& p, std::string& why);
-  static void read_extents(rollcon_contact* contact, const double* origin, const double* axes, WheelPatch& patch);
+  void read_extents(WheelPatch& patch) const;
+  double patch_stat(int32_t k, const char* name) const;
   int solve_search();
   void place_wheel(double height);
   void place_rail();
   std::vector<WheelPatch> found_patches() const;
-  void join_patches(const PlaneGrid& grid, std::vector<WheelPatch> found);
+  void join_patches(const PlaneGrid& grid);
   void lay_grid(const Inputs& in, WheelPatch& patch) const;
   void stand_patch(WheelPatch& patch) const;
   void set_creepages(WheelPatch& patch) const;
@@ -70,7 +71,8 @@ class WheelSolver {
   Vec3 find_height(Problem& p, int& code, std::string& why);
   void find_pitch_rate(Problem& p, int& code, std::string& why);
   void find_deflection(Problem& p, int& code, std::string& why);
-  void read_results(Problem& p);
+  void ready_patch(const Inputs& in, WheelPatch& patch);
+  void read_patch(const Inputs& in, WheelPatch& patch, ContactResult& r) const;
 
   ContextHandle context_;
   WheelHandle search_;
@@ -90,9 +92,6 @@ class WheelSolver {
   double slope_ = 0;                     // change of the force to the power 2/3 with the height
   double sink_ = 0;                      // depth below the height of the search
 };
-
-/// Mirrors the elements of a left wheel back.
-void mirror_elements(ContactResult& r);
 
 /// Finds the pitch rate at which a force that grows with it is 0; throws Failure if there is none.
 double find_rate(const std::function<double(double)>& off, double start, double accuracy);

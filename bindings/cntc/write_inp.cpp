@@ -21,26 +21,23 @@ std::string tail(const Digits& d) {
 
 std::string solver_text(const Inputs& in) {
   const SolverSettings& s = in.solver;
-  const auto& r = s.reals;
-  std::string text;
   const int g = in.digits.gausei;
-  if (g == 1) return text;
-  text +=
-      line({double(s.maxgs), double(s.maxin), double(s.maxnr), double(s.maxout), r[0]}, "MAXGS MAXIN MAXNR MAXOUT EPS");
-  if (g == 2 || g == 3) text += line({r[1], r[2], r[3], r[4]}, "solver");
-  if (g == 4) text += line({r[1], r[2]}, "solver");
-  if (g == 5) text += line({r[1], r[2], r[3], r[4], r[5], r[6], r[7], 0}, "solver");
-  return text;
+  if (g == 1) return {};
+  std::string text = line({double(s.maxgs), double(s.maxin), double(s.maxnr), double(s.maxout), s.reals[0]},
+                          "MAXGS MAXIN MAXNR MAXOUT EPS");
+  const SolverLine& own = solver_lines[g];
+  for (int k = 0, real = 1; k < own.numbers; ++k)
+    text += k == own.whole ? print(" %d", s.extra) : print(" %.15g", s.reals[size_t(real++)]);
+  return own.numbers > 0 ? text + "   % solver\n" : text;
 }
 
 std::string friction_text(const Inputs& in) {
   const Friction& f = in.friction;
   std::string text;
-  static const int counts[] = {2, 0, 5, 5, 5, 0, 4};
   if (f.variation) text += print(" %zu   %% NVF\n", f.rows.size());
   for (const FrictionRow& row : f.rows) {
     if (f.variation) text += print(" %.15g", row.place);
-    for (int k = 0; k < counts[f.law]; ++k) text += print(" %.15g", row.p[size_t(k)]);
+    for (int k = 0; k < friction_parameters[f.law]; ++k) text += print(" %.15g", row.p[size_t(k)]);
     text += "   % friction\n";
   }
   if (f.law >= 2) text += line({f.memdst, f.mem_s0}, "MEMDST MEM_S0");
@@ -51,10 +48,8 @@ std::string material_text(const Inputs& in) {
   const Material& m = in.material;
   std::string text = line({m.nu[0], m.nu[1], m.g[0], m.g[1]}, "POISS GG");
   if (in.digits.bound == 1) text += line({0}, "FLXZ");
-  const auto& q = m.more;
-  if (in.digits.mater == 1 || in.digits.mater == 2 || in.digits.mater == 4)
-    text += line({q[0], q[1], q[2], q[3]}, "material");
-  if (in.digits.mater == 3 || in.digits.mater == 5) text += line({q[0], q[1], q[2]}, "material");
+  for (int k = 4; k < material_parameters[in.digits.mater]; ++k) text += print(" %.15g", m.more[size_t(k - 4)]);
+  if (material_parameters[in.digits.mater] > 4) text += "   % material\n";
   if (in.digits.damping == 2) text += line({m.cdampn, m.cdampt, m.dfnmax, m.dftmax}, "damping");
   if (in.digits.heat == 3) {
     for (const Heat& h : in.heat) text += line({h.background, h.capacity, h.conductivity, h.density}, "heat");
@@ -64,7 +59,11 @@ std::string material_text(const Inputs& in) {
 }
 
 std::string profile_text(const ProfileInput& p) {
-  return print(" '%s' %d %.15g %.15g %d 0\n", p.path.c_str(), p.mirror_y, p.scale, p.smoothing, p.mirror_z);
+  const auto& i = p.options.ints;
+  const auto& r = p.options.reals;
+  return print(" '%s' %d %.15g %.15g %d 2\n", p.path.c_str(), i[2], r[0], r[1], i[3]) +
+         line({double(i[5]), r[3], r[4], r[5], r[6]}, "ISMOOTH ZIGTHRS KINKHIGH KINKLOW KINKWID") +
+         line({double(i[4]), r[2]}, "ERRHND MAXOMIT");
 }
 
 std::string wheel_case(const Problem& p) {

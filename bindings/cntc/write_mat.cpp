@@ -6,27 +6,35 @@
 #include "log.hpp"
 #include "registry.hpp"
 #include "text.hpp"
-#include "vectors.hpp"
-#include "wheel_solver.hpp"
 
 namespace cntc {
 namespace {
 
-void cells(std::FILE* file, std::initializer_list<double> values) {
-  for (const double v : values) std::fprintf(file, "%14.6e", v);
-}
+/// Writes rows of as many numbers each, as programs that load the file want them; what is left of a row is 0.
+class Rows {
+ public:
+  Rows(std::FILE* file, size_t columns) : file_(file), columns_(columns) {}
+  void cells(std::initializer_list<double> values) {
+    for (const double v : values) std::fprintf(file_, "%14.6e", v);
+    used_ += values.size();
+  }
+  /// Writes two whole numbers in the places of one.
+  void pair(size_t first, int second) {
+    std::fprintf(file_, "%7zu%4d   ", first, second);
+    used_ += 2;
+  }
+  /// Ends a row, whose last number may be given.
+  void end(double last = 0) {
+    while (used_ + 1 < columns_) cells({0});
+    if (used_ < columns_) cells({last});
+    std::fputc('\n', file_);
+    used_ = 0;
+  }
 
-/// Writes two whole numbers in the places of one.
-void whole_pair(std::FILE* file, size_t first, int second) {
-  std::fprintf(file, "%7zu%4d   ", first, second);
-}
-
-/// A row of numbers; the table has 11 columns, unused ones are 0.
-void row(std::FILE* file, std::initializer_list<double> values, size_t columns = 11) {
-  cells(file, values);
-  for (size_t n = values.size(); n < columns; ++n) cells(file, {0});
-  std::fputc('\n', file);
-}
+ private:
+  std::FILE* file_;
+  size_t columns_, used_ = 0;
+};
 
 std::string file_name(const Problem& p, int patch, const char* ending) {
   const Session s = session();
@@ -52,63 +60,57 @@ void heading(std::FILE* file, const char* names) {
   std::fprintf(file, "%s\n", text.c_str());
 }
 
-void write_elements(std::FILE* file, const Problem& p, const ContactResult& r) {
-  const bool heat = !r.temp1.empty();
-  heading(file, heat ? "I IGS H MU PN PX PY UN UX UY SREL TEMP1 TEMP2" : "I IGS H MU PN PX PY UN UX UY SREL");
-  for (size_t k = 0; k < r.pn.size(); ++k) {
-    if (p.in.digits.matfil == 1 && r.division[k] == 0) continue;
-    whole_pair(file, k + 1, r.division[k]);
-    for (const double v :
-         {r.h[k], r.mu[k], r.pn[k], r.px[k], r.py[k], r.un[k], r.ux[k], r.uy[k], std::hypot(r.sx[k], r.sy[k])})
-      std::fprintf(file, "%14.6e", v);
-    if (heat) cells(file, {r.temp1[k], r.temp2[k]});
-    std::fputc('\n', file);
-  }
-}
-
-void write_mat(const Problem& p, int patch) {
+void write_mat(Problem& p, int patch) {
   const ContactResult& r = p.patches[size_t(patch - 1)];
   const Inputs& in = p.in;
   std::FILE* file = std::fopen(file_name(p, patch, ".mat").c_str(), "w");
   if (!file) return log_line("mat-file", p.ire, p.icp, "%s cannot be written", file_name(p, patch, ".mat").c_str());
-  const auto& meta = in.metadata;
-  const WheelSolver* w = p.module == 1 ? p.wheel.get() : nullptr;
-  const double s = w ? w->sign : 1;
-  const auto roll = [](const Mat3& m) { return std::atan2(m[2][1], m[1][1]); };
-  heading(file, "TIM S_WS TH_WS Y_R Z_R ROLL_R RNOM_ROL");
-  row(file, {meta[0], w ? in.wheelset.position[0] : meta[5], w ? in.wheelset.position[5] : 0,
-             w ? s * w->rail.origin[1] : meta[2], w ? w->rail.origin[2] : 0, w ? s * roll(w->rail.rotation) : 0,
-             w && in.digits.roller() ? in.track.nomrad : 0, 0, 0, 0, 2410});
-  heading(file, "X_W Y_W Z_W ROLL_W YAW_W RNOM_WHL");
-  row(file, {w ? w->wheel.origin[0] + w->x : meta[3], w ? s * w->wheel.origin[1] : meta[4], w ? w->wheel.origin[2] : 0,
-             w ? s * roll(w->wheel.rotation) : 0, w ? s * std::asin(-w->wheel.rotation[0][1]) : 0,
-             w ? in.wheelset.nomrad : 0});
-  heading(file, "X_CP Y_CP Z_CP DELT_CP X_CP_W Y_CP_W Z_CP_W NPATCH SPINXO SPINYO");
-  Vec3 rail{}, wheel{};
-  double delta = 0;
-  if (w) {
-    const WheelPatch& at = w->patches[size_t(patch - 1)];
-    rail = transposed(w->rail.rotation) * (at.reference + Vec3{w->x, 0, 0} - w->rail.origin);
-    wheel = transposed(w->wheel.rotation) * (at.reference - w->wheel.origin);
-    delta = s * (at.delta - roll(w->rail.rotation));
-  }
-  cells(file, {rail[0], s * rail[1], rail[2], delta, wheel[0], s * wheel[1], wheel[2]});
-  whole_pair(file, p.patches.size(), patch);
-  row(file, {r.spinxo, r.spinyo}, 3);
-  heading(file, "MX XL YL DX DY CHI DQ C1 YNOM_WHL");
-  whole_pair(file, size_t(r.grid.mx), r.grid.my);
-  cells(file, {r.grid.xc - r.grid.dx / 2, r.grid.yc - r.grid.dy / 2, r.grid.dx, r.grid.dy, r.chi, r.dq});
-  whole_pair(file, size_t(in.digits.config), w ? in.digits.discns : 0);
-  row(file, {w ? in.wheelset.fbdist / 2 - in.wheelset.fbpos : 0, 0, 0}, 3);
   const auto& m = in.material;
+  const bool w = p.module == 1, heat = in.digits.heat != 0;
+  const bool yields = in.digits.mater == 4 && m.more[2] > 1e-10 && m.more[2] < 1e10;
+  Rows rows(file, 11 + (yields ? 3 : 0) + (heat ? 2 : 0));
+  const auto& meta = in.metadata;
+  const auto& q = in.wheelset.position;
+  const auto l = location(p, patch, 1);
+  heading(file, "TIM S_WS TH_WS Y_R Z_R ROLL_R RNOM_ROL");
+  rows.cells({meta[0], w ? q[0] : meta[5], w ? q[5] : 0, w ? l[25] : meta[2], l[26], l[27],
+              in.digits.roller() ? in.track.nomrad : 0});
+  rows.end(2410);
+  heading(file, "X_W Y_W Z_W ROLL_W YAW_W RNOM_WHL");
+  rows.cells({w ? l[20] : meta[3], w ? l[21] : meta[4], l[22], l[23], l[24], w ? in.wheelset.nomrad : 0});
+  rows.end();
+  heading(file, "X_CP Y_CP Z_CP DELT_CP X_CP_W Y_CP_W Z_CP_W NPATCH SPINXO SPINYO");
+  rows.cells({l[4], l[5], l[6], l[8], l[9], l[10], l[11]});
+  rows.pair(p.patches.size(), patch);
+  rows.cells({r.spinxo, r.spinyo});
+  rows.end();
+  heading(file, "MX XL YL DX DY CHI DQ C1 YNOM_WHL");
+  rows.pair(size_t(r.grid.mx), r.grid.my);
+  rows.cells({r.grid.xc - r.grid.dx / 2, r.grid.yc - r.grid.dy / 2, r.grid.dx, r.grid.dy, r.chi, r.dq});
+  rows.pair(size_t(in.digits.config), w ? in.digits.discns : 0);
+  rows.cells({w ? in.wheelset.fbdist / 2 - in.wheelset.fbpos : 0});
+  rows.end();
   heading(file, "TM GG1 GG2 POISS1 POISS2");
-  whole_pair(file, size_t(in.digits.tang), in.digits.mater);
-  row(file, {m.g[0], m.g[1], m.nu[0], m.nu[1], m.more[0], m.more[1], m.more[2], m.more[3]}, 10);
+  rows.pair(size_t(in.digits.tang), in.digits.mater);
+  rows.cells({m.g[0], m.g[1], m.nu[0], m.nu[1], m.more[0], m.more[1], m.more[2], m.more[3]});
+  rows.end();
   heading(file, "LH VELOC FRICTION");
-  whole_pair(file, size_t(in.digits.frclaw), in.digits.heat);
-  const auto& f = in.friction.rows[0].p;
-  row(file, {r.veloc, f[0], f[1], f[2], f[3], f[4], in.friction.memdst, in.friction.mem_s0}, 10);
-  write_elements(file, p, r);
+  rows.pair(size_t(in.digits.frclaw), in.digits.heat);
+  rows.cells({r.veloc});
+  for (int k = 0; k < friction_parameters[in.friction.law]; ++k) rows.cells({in.friction.rows[0].p[size_t(k)]});
+  if (in.friction.law >= 2) rows.cells({in.friction.memdst, in.friction.mem_s0});
+  rows.end();
+  heading(file, (std::string("I IGS H MU PN PX PY UN UX UY SREL") + (yields ? " TAUCRT UPLSX UPLSY" : "") +
+                 (heat ? " TEMP1 TEMP2" : ""))
+                    .c_str());
+  for (size_t k = 0; k < r.pn.size(); ++k) {
+    if (in.digits.matfil == 1 && r.division[k] == 0) continue;
+    rows.pair(k + 1, r.division[k]);
+    rows.cells({r.h[k], r.mu[k], r.pn[k], r.px[k], r.py[k], r.un[k], r.ux[k], r.uy[k], std::hypot(r.sx[k], r.sy[k])});
+    if (yields) rows.cells({m.more[2], 0, 0});  // the flow is not known by elements
+    if (heat && !r.temp1.empty()) rows.cells({r.temp1[k], r.temp2[k]});
+    rows.end();
+  }
   std::fclose(file);
 }
 
@@ -123,9 +125,10 @@ void write_results(Problem& p) {
 }
 
 void write_subsurface(Problem& p, int patch) {
-  if (p.in.digits.sbsfil < 1) return;
   const auto found = p.blocks.find(p.module == 1 ? patch : p.icp);
-  if (found == p.blocks.end() || patch > 26) return;
+  if (found == p.blocks.end()) return;
+  if (p.in.digits.sbsout >= 1) log_write(subsurface_text(found->second));
+  if (p.in.digits.sbsfil < 1 || patch > 26) return;
   std::FILE* file = std::fopen(file_name(p, patch, ".subs").c_str(), "w");
   if (!file) return log_line("subs-file", p.ire, p.icp, "%s cannot be written", file_name(p, patch, ".subs").c_str());
   const bool tensor = p.in.digits.sbsfil >= 2;

@@ -211,7 +211,7 @@ TEST(wheel, frames_of_rollcon) {
     EXPECT_TRUE(near("Fs", frames.ty, grid.ty, .01 * limit));
     EXPECT_TRUE(near("largest pressure", frames.pmax, grid.pmax, .01 * grid.pmax));
     for (const size_t k : {0u, 1u, 2u}) EXPECT_NEAR(e.global_forces(-1)[k], sums[k], 30);
-    EXPECT_TRUE(near("area", frames.area, grid.area, .06 * grid.area));
+    EXPECT_TRUE(near("area", frames.area, grid.area, .03 * grid.area));
     // Tractions on the caller's grid carry the forces.
     const size_t n = size_t(frames.mx) * size_t(frames.my);
     const int length = int(n), one = 1;
@@ -317,12 +317,19 @@ TEST(wheel, profile_values) {
   double top = 1e9;
   for (size_t k = 0; k < n; ++k) top = std::min(top, track[n + k]);
   EXPECT_TRUE(near("top of the rail", top, 0, .01));
-  EXPECT_TRUE(near("gauge point", gauge[0], 717.5, .05));
-  EXPECT_NEAR(gauge[2], e.location(1)[25], 1e-9);
+  // The gauge point is in the rail's axes turned by the cant, which the shift moves to the track.
+  EXPECT_TRUE(near("gauge point", gauge[0] + gauge[2], 717.5, 1e-6));
+  EXPECT_TRUE(near("its height", gauge[5] + gauge[3], 14, 1e-9));
+  EXPECT_TRUE(near("rail's origin, y", gauge[2], e.location(1)[25], .01));
+  EXPECT_TRUE(near("rail's origin, z", gauge[3], e.location(1)[26], .01));
   EXPECT_LT(yz[0], yz[n - 1]);
-  const auto arc = values(4, {1, 1}, 3);
-  EXPECT_EQ(arc[0], 0);
-  EXPECT_NEAR(arc[1], 1, .02);
+  // Arc lengths are a millimetre apart and count from y = 0.
+  const auto arc = values(4, {1, 1}, 3), wheel = values(1, {1, 1}, 2 * n);
+  EXPECT_NEAR(arc[2] - arc[0], 2, 1e-12);
+  EXPECT_LT(arc[0], wheel[0] + .01);
+  EXPECT_EQ(values(0, {0, 3}, 1)[0], 1201);
+  EXPECT_EQ(values(3, {1, 0}, 6)[0], CNTC_err_profil);
+  EXPECT_EQ(values(6, {0, 1}, 1)[0], -777);  // this rail does not vary
 }
 
 TEST(wheel, steps_of_rolling_come_to_the_steady_state) {
@@ -495,6 +502,34 @@ TEST(wheel, on_a_variable_rail) {
   EXPECT_NEAR(e.position()[2], z, 1e-5);
   EXPECT_TRUE(near("Fx", e.found(1).tx, plain.tx, .5));
   EXPECT_TRUE(near("Fs", e.found(1).ty, plain.ty, .5));
+  // Lines of the surface: a section, a line along it, a slice at a y.
+  const auto values = [&](int task, std::vector<double> reals, size_t n) {
+    std::vector<double> v(n, -777);
+    const int type[2] = {0, 1}, two = 2, count = int(reals.size()), length = int(n);
+    cntc_getprofilevalues(e.ire(), &task, &two, type, &count, reals.data(), &length, v.data());
+    return v;
+  };
+  const double slope = .02;
+  take_profile(e, write_slices("ramp.slcs", "60e1", {-100, 0, 100}, {100 * slope, 0, -100 * slope}));
+  const auto points = cntc_test::profile_points("60e1");
+  EXPECT_EQ(values(7, {10, 120}, 1)[0], 21);
+  EXPECT_EQ(values(6, {1, 50, 1, 61}, 1)[0], 61);
+  const auto along = values(7, {10, 120}, 63), slice = values(8, {25, 0, -50, 50}, 15),
+             section = values(6, {.5, 50, 1, 5.5}, 30);
+  for (size_t k = 0; k < 21; ++k) {
+    EXPECT_NEAR(along[k], -100 + 10. * double(k), 1e-9);
+    EXPECT_NEAR(along[21 + k], along[21], 1e-9);
+    EXPECT_NEAR(along[42 + k] - along[42], -slope * 10 * double(k), 1e-6);
+  }
+  for (size_t k = 0; k < 5; ++k) EXPECT_NEAR(slice[10 + k], slope * (50 - 25. * double(k)), 1e-3);
+  EXPECT_EQ(section[0], 50);
+  EXPECT_NEAR(section[10], points[0], 1e-6);
+  EXPECT_NEAR(section[20], points[1] - 50 * slope, 1e-6);
+  EXPECT_EQ(values(8, {25, 999, -50, 50}, 15)[10], 999);  // there is no such y
+  // Sections of tasks 0 to 5 are those at a place.
+  const int n = int(values(0, {1, 100}, 1)[0]);
+  const auto there = values(1, {1, 100}, 2 * size_t(n)), here = values(1, {1, 0}, 2 * size_t(n));
+  EXPECT_NEAR(there[size_t(3 * n / 2)] - here[size_t(3 * n / 2)], -100 * slope, 1e-6);
   // A crest 8 mm ahead of the wheelset lifts it and draws its patch forward.
   const double high = .02;
   take_profile(e, write_slices("crest.slcs", "60e1", {-60, -20, 0, 20, 40, 60, 100},
