@@ -57,7 +57,7 @@ void InpCase::read_track(int z) {
   }
   if (z == 3) read_profile(false);
   if (z >= 2) give(set_track, 2, in_.reals(6, "DYRAIL, DZRAIL, DROLLR, VYRAIL, VZRAIL, VROLLR"));
-  if (z >= 1 && v_.digits.force == 3) give(set_track, 32, in_.reals(4, 1, "KYRAIL, FYRAIL, KZRAIL, FZRAIL"));
+  if (z >= 2 && v_.digits.force == 3) give(set_track, 32, in_.reals(4, 1, "KYRAIL, FYRAIL, KZRAIL, FZRAIL"));
 }
 
 void InpCase::read_wheelset(int e, bool motion) {
@@ -84,8 +84,7 @@ void InpCase::read_wheelset(int e, bool motion) {
     }
     give(set_wheelset_velocity, e, q);
   }
-  give(set_wheelset_flexibility, e >= 4 ? e : 1,
-       e >= 4 ? in_.reals(12, "the wheel's deflection and its rates") : std::vector<double>());
+  if (e >= 4) give(set_wheelset_flexibility, e, in_.reals(12, "the wheel's deflection and its rates"));
 }
 
 void InpCase::read_simpack() {
