@@ -25,6 +25,16 @@ struct Turn {
 
 }  // namespace
 
+Vec3 ContactSolver::row_offset() const {
+  if (!one_row()) return {};
+  const Vec3 f = force();
+  const Turn turn{std::cos(chi_), std::sin(chi_), 1};
+  const bool along_x = grid_.my == 1;
+  const double part = 2 * (1 - std::log(2.)) / (along_x ? grid_.dy : grid_.dx) / 3.141592653589793;
+  return {part * turn.x(f[0], f[1]) * (along_x ? compliance_ : shear_compliance_),
+          part * turn.y(f[0], f[1]) * (along_x ? shear_compliance_ : compliance_), part * -f[2] * compliance_};
+}
+
 void ContactSolver::read_elements(const ContactCase& wanted, ContactResult& r) const {
   const size_t n = size_t(grid_.size());
   const Turn force{std::cos(chi_), std::sin(chi_), 1};
@@ -36,6 +46,7 @@ void ContactSolver::read_elements(const ContactCase& wanted, ContactResult& r) c
              gap = field(ROLLCON_FIELD_GAP, 1);
   for (auto* v : {&r.h, &r.mu, &r.px, &r.py, &r.pn, &r.ux, &r.uy, &r.un, &r.sx, &r.sy, &r.wx, &r.wy}) v->assign(n, 0);
   r.division.assign(n, 0);
+  const Vec3 more = row_offset();
   std::vector<int32_t> states(gap.size());
   check(rollcon_contact_get_node_states(contact_.get(), int64_t(states.size()), states.data()));
   r.rim = 0;
@@ -50,9 +61,9 @@ void ContactSolver::read_elements(const ContactCase& wanted, ContactResult& r) c
     r.wx[k] = -slip.x(rigid[a2], rigid[a2 + 1]);
     r.wy[k] = -slip.y(rigid[a2], rigid[a2 + 1]);
     const double d1 = u1[a3] - u2[a3], d2 = u1[a3 + 1] - u2[a3 + 1];
-    r.ux[k] = force.x(d1, d2);
-    r.uy[k] = force.y(d1, d2);
-    r.un[k] = u2[a3 + 2] - u1[a3 + 2];
+    r.ux[k] = force.x(d1, d2) + more[0];
+    r.uy[k] = force.y(d1, d2) + more[1];
+    r.un[k] = u2[a3 + 2] - u1[a3 + 2] + more[2];
     r.mu[k] = friction[at];
     r.h[k] = wanted.placement ? gap[at] - r.un[k] : wanted.gap[k];
     // Without friction all that touches counts as sticking.
@@ -81,7 +92,7 @@ void ContactSolver::read(const ContactCase& wanted, ContactResult& r) const {
   r.mz = -m[2];
   r.mx = turn.x(m[0], m[1]);
   r.my = turn.y(m[0], m[1]);
-  r.pen = approach + approach_offset(wanted);
+  r.pen = approach + row_offset()[2];
   r.cphi = -creep[2];
   r.cksi = turn.x(creep[0], creep[1]) - r.cphi * wanted.spinyo;
   r.ceta = turn.y(creep[0], creep[1]) + r.cphi * wanted.spinxo;
@@ -100,10 +111,10 @@ void ContactSolver::read(const ContactCase& wanted, ContactResult& r) const {
     if (pushed(wanted)) {
       const bool steady = wanted.tang == 3;
       const double step = wanted.tang == 1 ? 1 : wanted.dq;
-      r.cksi = -(ux - (steady ? u(1, &Turn::x) : 0)) / step;
+      r.cksi = stuck_ ? wanted.cksi : -(ux - (steady ? u(1, &Turn::x) : 0)) / step;
       r.ceta = wanted.force == 2 ? -(uy - (steady ? u(1, &Turn::y) : 0)) / step : wanted.ceta;
       r.cphi = wanted.cphi;
-      r.division[0] = std::hypot(wanted.fx, wanted.force == 2 ? wanted.fy : 0) < 1 ? 1 : 2;
+      r.division[0] = stuck_ || std::hypot(wanted.fx, wanted.force == 2 ? wanted.fy : 0) < 1 ? 1 : 2;
       r.sx[0] = r.sy[0] = r.wx[0] = r.wy[0] = 0;
     }
     r.ux[0] = ux;

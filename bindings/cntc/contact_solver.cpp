@@ -29,21 +29,24 @@ void ContactSolver::set_material(const Inputs& in) {
   context_.reset(context);
   check(rollcon_context_set_threads(context, threads));
   BodyHandle* const bodies[] = {&first_, &second_};
+  felt_ = in.material;
   for (size_t k = 0; k < 2; ++k) {
     rollcon_body* body = nullptr;
     check(rollcon_body_create(context, ROLLCON_BODY_HALFSPACE, &body));
     bodies[k]->reset(body);
-    const double nu = in.material.nu[1 - k], g = in.material.g[1 - k];
-    check(rollcon_body_set_elastic(body, 0, 2 * g * (1 + nu), nu));
-    // CONTACT's G is that of fast strains, FG what creep adds to its inverse, TC the time of creep.
-    const double creep = in.material.more[1 - k], ratio = creep / (1 + creep),
+    // CONTACT's G is that of fast strains, FG what creep adds to its inverse, TC the time of creep: at once if 0.
+    const double creep = relaxes ? in.material.more[1 - k] : 0, ratio = creep / (1 + creep),
                  time = in.material.more[3 - k] / (1 + creep);
-    if (relaxes && creep != 0) check(rollcon_body_set_viscoelastic(body, 0, 1, &ratio, &time));
+    if (relaxes && !(time > 0)) felt_.g[1 - k] /= 1 + creep;
+    const double nu = felt_.nu[1 - k], g = felt_.g[1 - k];
+    check(rollcon_body_set_elastic(body, 0, 2 * g * (1 + nu), nu));
+    if (time > 0 && creep != 0) check(rollcon_body_set_viscoelastic(body, 0, 1, &ratio, &time));
   }
   material_ = in.material;
   relaxes_ = relaxes;
   threads_ = threads;
-  compliance_ = contact_compliance(material_);
+  compliance_ = contact_compliance(felt_);
+  shear_compliance_ = .5 / felt_.g[0] + .5 / felt_.g[1];
   set_bodies(context, first_.get(), second_.get());
 }
 
@@ -109,7 +112,8 @@ void ContactSolver::set_surfaces(const Inputs& in, const FrictionRow& row, int t
   if (layer && !(more[0] > 0)) throw Failure(CNTC_err_other, "the layer's shear modulus must be above 0");
   check(rollcon_contact_set_friction(contact, name, int32_t(p.size()), p.data()));
   check(rollcon_contact_set_friction_memory(contact, memory ? in.friction.memdst : 0, memory ? in.friction.mem_s0 : 0));
-  check(rollcon_contact_set_layer(contact, layer ? more[1] / more[0] : 0, yields ? more[2] : 0, yields ? more[3] : 0));
+  layer_ = layer ? more[1] / more[0] : 0;
+  check(rollcon_contact_set_layer(contact, layer_, yields ? more[2] : 0, yields ? more[3] : 0));
   heat_ = in.digits.heat != 0;
   if (!heat_) return;
   if (tang != 3) throw Failure(CNTC_err_other, "temperatures (H = 3) are for steady rolling alone: use T = 3");
@@ -238,12 +242,6 @@ void ContactSolver::set_motion(const ContactCase& wanted) {
   check(rollcon_contact_set_creep_field(contact, n > 0 ? nodes : 0, n > 0 ? slip.data() : nullptr));
 }
 
-double ContactSolver::approach_offset(const ContactCase& wanted) const {
-  if (!one_row()) return 0;
-  const double width = wanted.grid.my == 1 ? wanted.grid.dy : wanted.grid.dx;
-  return 2 * (1 - std::log(2.)) * -force()[2] / width * compliance_ / 3.141592653589793;
-}
-
 int ContactSolver::solve_once(const ContactCase& wanted, std::string& why) {
   rollcon_contact* contact = contact_.get();
   const int kind = wanted.tang == 1 ? ROLLCON_SHIFT_STEP : wanted.tang == 2 ? ROLLCON_ROLLING_STEP : ROLLCON_STEADY;
@@ -276,14 +274,22 @@ int ContactSolver::solve(const ContactCase& wanted, std::string& why) {
   } else if (steps && wanted.pvtime == 3 && stepped_) {
     rollcon_contact_repeat_step(contact);
   }
+  const bool goes_on = wanted.tang == 1 && wanted.pvtime == 0 && stepped_;
+  const Vec3 before = goes_on ? force() : Vec3{};
+  stuck_ = false;
   if (pushed(wanted)) return solve_point(wanted, why);
   int code = solve_once(wanted, why);
+  if (code != 0 && wanted.force == 1 && wanted.tang == 3) code = search_creepage(wanted, why);
+  if (lattice_ == Lattice::point && code == 0 && sticks(wanted, before)) {
+    stuck_ = stepped_ = true;
+    return solve_point(wanted, why);
+  }
   if (one_row() && !wanted.normal_by_force) {
     // The approach of a row differs from that of constant tractions in proportion to the force.
     for (int n = 0; n < 12; ++n) {
       double approach = 0;
       check(rollcon_contact_get_motion(contact, &approach, nullptr));
-      const double next = wanted.pen - approach_offset(wanted);
+      const double next = wanted.pen - row_offset()[2];
       if (std::abs(next - approach) < 1e-9 * std::abs(wanted.pen)) break;
       check(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, next));
       if (steps) rollcon_contact_repeat_step(contact);
@@ -294,15 +300,75 @@ int ContactSolver::solve(const ContactCase& wanted, std::string& why) {
   return code;
 }
 
+/// Searches the creepage of a given FX from the last one found. FX falls as the creepage grows, almost in a jump where
+/// friction is small and all slides, in directions that the coupling of dissimilar materials gives.
+int ContactSolver::search_creepage(const ContactCase& wanted, std::string& why) {
+  const double most = fstat_ * wanted.fn, along = std::cos(wanted.chi) > 0 ? 1 : -1;
+  double creep[3] = {}, approach = 0;
+  check(rollcon_contact_get_motion(contact_.get(), &approach, creep));
+  ContactCase given = wanted;
+  given.force = 0;
+  int code = 0;
+  const auto above = [&](double ksi) {
+    given.cksi = ksi;
+    set_motion(given);
+    why.clear();
+    code = solve_once(given, why);
+    return -along * force()[0] / most - wanted.fx;
+  };
+  double x = -along * creep[0] - wanted.cphi * wanted.spinyo, f = above(x);
+  double step = std::max(1e-3 * std::abs(x), 1e-9) * (f > 0 ? 1 : -1), x1 = x, f1 = f;
+  for (int n = 0; n < 40 && f1 * f > 0; ++n, step *= 2) f1 = above(x1 = x + step);
+  for (int n = 0; n < 60 && f1 * f < 0 && std::abs(f1) > 1e-6; ++n) {
+    const double next = n % 3 == 2 ? (x + x1) / 2 : x1 - f1 * (x1 - x) / (f1 - f), found = above(next);
+    if (found * f1 < 0) {
+      x = x1;
+      f = f1;
+    }
+    x1 = next;
+    f1 = found;
+  }
+  if (code == 0 && std::abs(f1) > 1e-6) code = CNTC_err_tang;
+  return code;
+}
+
+/// Finds the force that a single element takes where its centre sticks, as parts of the largest; tells whether it is
+/// within the bound. Steady rolling is followed along x alone.
+bool ContactSolver::sticks(const ContactCase& wanted, const Vec3& before) {
+  const bool steady = wanted.tang == 3;
+  if ((wanted.tang != 1 && !steady) || wanted.pvtime == 3 || std::abs(std::sin(wanted.chi)) > 1e-9) return false;
+  // Integrals of 1 / r and of x^2 / r^3 over the element: of what the centre has above the place a step ahead.
+  double all = 0, along = 0;
+  for (double ahead : {0., steady ? wanted.dq : 1e9 * grid_.dx})
+    for (double side : {1., -1.}) {
+      const double h = ahead + side * grid_.dx / 2, k = grid_.dy / 2, sign = (ahead > 0 ? -2 : 2) * side;
+      const double x = sign * k * std::asinh(h / k);
+      along += x;
+      all += x + (h != 0 ? sign * h * std::asinh(k / std::abs(h)) : 0);
+    }
+  double by_x = layer_, by_y = layer_;
+  for (size_t k = 0; k < 2; ++k) {
+    const double nu = felt_.nu[k], part = 1 / (2 * 3.141592653589793 * felt_.g[k]);
+    by_x += part * ((1 - nu) * all + nu * along);
+    by_y += part * (all - nu * along);
+  }
+  const double step = wanted.tang == 1 ? 1 : wanted.dq, area = grid_.dx * grid_.dy, most = fstat_ * -force()[2];
+  push_[0] = -(wanted.cksi - wanted.cphi * (grid_.yc - wanted.spinyo)) * step / by_x * area - before[0];
+  push_[1] = -(wanted.ceta + wanted.cphi * (grid_.xc - wanted.spinxo)) * step / by_y * area - before[1];
+  for (double& f : push_) f /= std::max(most, 1e-300);
+  return std::hypot(push_[0], push_[1]) < 1;
+}
+
 /// Gives a single element constant tractions: its corners slide in one direction, under a friction that is the force.
 int ContactSolver::solve_point(const ContactCase& wanted, std::string& why) {
   rollcon_contact* contact = contact_.get();
-  const double fy = wanted.force == 2 ? wanted.fy : 0, size = std::min(1., std::hypot(wanted.fx, fy));
+  const double fx = stuck_ ? push_[0] : wanted.fx, fy = stuck_ ? push_[1] : wanted.force == 2 ? wanted.fy : 0;
+  const double size = std::min(1., std::hypot(fx, fy));
   const double far = 1e6 * (grid_.dx + grid_.dy) / std::max(size, 1e-300), mu = size * fstat_;
   const double c = std::cos(wanted.chi), s = std::sin(wanted.chi);
   check(rollcon_contact_set_friction(contact, "coulomb", 1, &mu));
   check(rollcon_contact_set_step(contact, ROLLCON_SHIFT_STEP, 1));
-  check(rollcon_contact_set_creep(contact, far * (c * wanted.fx + s * fy), far * (c * fy - s * wanted.fx), 0));
+  check(rollcon_contact_set_creep(contact, far * (c * fx + s * fy), far * (c * fy - s * fx), 0));
   return run_solver(why);
 }
 

@@ -60,11 +60,14 @@ class ContactSolver {
   int solve_once(const ContactCase& wanted, std::string& why);
   int run_solver(std::string& why);
   int solve_point(const ContactCase& wanted, std::string& why);
-  /// Tells whether the grid is a single element under given forces.
+  int search_creepage(const ContactCase& wanted, std::string& why);
+  bool sticks(const ContactCase& wanted, const Vec3& before);
+  /// Tells whether the grid is a single element under given forces, or under those of one that sticks.
   bool pushed(const ContactCase& wanted) const {
-    return lattice_ == Lattice::point && wanted.tang > 0 && wanted.force >= 1;
+    return lattice_ == Lattice::point && wanted.tang > 0 && (wanted.force >= 1 || stuck_);
   }
-  double approach_offset(const ContactCase& wanted) const;
+  /// Returns what displacements of a row of constant tractions have above those of the frame: x, y, normal.
+  Vec3 row_offset() const;
   size_t node(int i, int j) const;
   bool one_row() const { return lattice_ == Lattice::ringed && (grid_.mx == 1 || grid_.my == 1); }
   std::vector<double> field(int which, int values) const;
@@ -77,7 +80,10 @@ class ContactSolver {
   Material material_;
   bool relaxes_ = false;  // bodies are viscoelastic
   int threads_ = 1;
-  double compliance_ = 1;
+  double compliance_ = 1, shear_compliance_ = 1, layer_ = 0;
+  Material felt_;  ///< the material with creep that is there at once
+  bool stuck_ = false;
+  double push_[2] = {};  ///< forces on a single element that sticks, in parts of the largest
   Lattice lattice_ = Lattice::plain;
   Grid grid_;
   double chi_ = 0;

@@ -126,6 +126,28 @@ TEST(gap, single_element_and_its_inside) {
   EXPECT_TRUE(near("von Mises at z .4", s[7], .665, 1e-3));
 }
 
+// CONTACT's example plastic_3bl begins with this element: its centre takes the shift.
+TEST(gap, single_element_that_is_shifted) {
+  Element e(1, 3, 1);
+  e.flags({{CNTC_ic_tang, 1}, {CNTC_ic_pvtime, 2}});
+  e.set(cntc_setmaterialparameters, 0, {.28, .28, 82000, 82000});
+  e.set(cntc_setfrictionmethod, 0, {.7, .7});
+  e.set(cntc_sethertzcontact, -3, {1, 1, .5, .5, 1});
+  e.normal_force(900);
+  e.creepages(-.001, 0, 0);
+  EXPECT_EQ(e.calculate(), 0);
+  EXPECT_TRUE(near("FX", e.found().tx, 84.97, .005));
+  EXPECT_TRUE(near("approach", e.found().pen, 8.868e-3, 5e-7));
+  e.flags({{CNTC_ic_pvtime, 0}});
+  e.creepages(-.002, .001, 0);
+  EXPECT_EQ(e.calculate(), 0);
+  EXPECT_TRUE(near("FX after a second shift", e.found().tx, 3 * 84.97, .015));
+  EXPECT_TRUE(near("FY after a second shift", e.found().ty, -84.97, .005));
+  e.creepages(-.01, 0, 0);
+  EXPECT_EQ(e.calculate(), 0);
+  EXPECT_TRUE(near("FX that slides", e.found().tx, .7 * 900, 1));
+}
+
 TEST(gap, cattaneo_shift_then_rolling) {
   Element e(1, 3, 1);
   e.flags({{CNTC_ic_tang, 1}, {CNTC_ic_force, 1}});
@@ -189,6 +211,48 @@ TEST(gap, carter_on_one_row) {
   e.penetration(pen);
   EXPECT_EQ(e.calculate(), 0);
   EXPECT_TRUE(near("Fn by the approach", e.found().fn, 178896.248, 1));
+  const int un = CNTC_fld_un, n = 60;
+  double field[60];
+  cntc_getfielddata(e.ire(), e.icp(), &un, &n, field);
+  EXPECT_NEAR(field[29], pen - .001 * .02 * .02, 1e-9);
+  // Creep that is there at once (TC = 0) is a smaller modulus.
+  e.set(cntc_setmaterialparameters, 0, {.28, .28, 41000, 41000});
+  EXPECT_EQ(e.calculate(), 0);
+  const Found soft = e.found();
+  e.flags({{CNTC_ic_mater, 1}});
+  e.set(cntc_setmaterialparameters, 1, {.28, .28, 82000, 82000, 1, 1, 0, 0});
+  EXPECT_EQ(e.calculate(), 0);
+  EXPECT_NEAR(e.found().fn, soft.fn, 1e-9 * soft.fn);
+  EXPECT_NEAR(e.found().tx, soft.tx, 1e-9 * soft.fn);
+}
+
+// The second case of CONTACT's example bentall: all of the row slides, away from a single element that sticks.
+TEST(gap, little_friction_between_dissimilar_materials) {
+  Element e(1, 3, 1);
+  e.rolling(pi, .001);
+  e.flags({{CNTC_ic_force, 1}});
+  e.set(cntc_setmaterialparameters, 0, {.31, .28, 23000, 82000});
+  e.set(cntc_setfrictionmethod, 0, {1e-4, 1e-4});
+  e.set(cntc_setpotcontact, 1, {216, 1, -.108, -500, .001, 1000});
+  e.set(cntc_setundeformeddistc, 1, {.02, 0, 0, 0, 0, 0});
+  e.normal_force(16201.9);
+  e.forces(0, 0);
+  EXPECT_EQ(e.calculate(), 0);
+  EXPECT_TRUE(near("creepage", e.found().ksi, 5.26e-4, 1e-6));
+  EXPECT_TRUE(near("FX over its bound", e.found().tx / 1.62019, 0, 1e-5));
+}
+
+// The first case of CONTACT's example spence35: one element touches, where dissimilar materials give no slip.
+TEST(gap, one_element_of_many) {
+  Element e(1, 3, 1);
+  e.flags({{CNTC_ic_tang, 1}, {CNTC_ic_pvtime, 2}});
+  e.set(cntc_setmaterialparameters, 0, {0, 0, .5, 1e5});
+  e.set(cntc_setfrictionmethod, 0, {.2986, .2986});
+  e.set(cntc_setpotcontact, 1, {45, 45, -4.4999, -4.4999, .2, .2});
+  e.set(cntc_setundeformeddistc, 1, {.004116, 0, .004116, 0, 0, 0});
+  e.normal_force(1.1e-5);
+  EXPECT_GE(e.calculate(), 0);
+  EXPECT_TRUE(near("FX", e.found().tx / 1.1e-5, 0, 1e-9));
 }
 
 TEST(gap, simpack_units_and_directions) {

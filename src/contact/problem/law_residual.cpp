@@ -1,5 +1,7 @@
 #include "contact/problem/law_residual.hpp"
 
+#include <algorithm>
+
 namespace rollcon {
 
 double LawResidual::worst(Part part) const {
@@ -22,7 +24,9 @@ LawScales scales_of(const LawSums& s) {
   LawScales scales;
   scales.pressure = s.pressure > 0 ? s.pressure : s.worst_n;
   scales.traction = s.worst_t;
-  if (s.traction > 0) scales.traction = s.bound > 0 ? std::min(s.traction, s.bound) : s.traction;
+  // Tractions far below their bound are what rounding leaves of none.
+  constexpr double nothing = 1e-8;
+  if (s.traction > 0) scales.traction = s.bound > 0 ? std::clamp(s.traction, nothing * s.bound, s.bound) : s.traction;
   if (!(scales.pressure > 0)) scales.pressure = 1;
   if (!(scales.traction > 0)) scales.traction = 1;
   return scales;
