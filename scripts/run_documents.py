@@ -82,7 +82,7 @@ def run(page, home, folder):
     """Returns what fails on a page, or "" where nothing does; None where it needs what is not installed."""
     if page.name == "calculix.md" and not shutil.which("ccx"):
         return None
-    folder.mkdir()
+    folder.mkdir(exist_ok=True)
     for title, path in PROGRAM.findall(page.read_text(encoding="utf-8")):
         shutil.copy(page.parent / path, folder / title)
     for _, title, text, _ in BLOCK.findall(page.read_text(encoding="utf-8")):
