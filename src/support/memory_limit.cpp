@@ -168,8 +168,13 @@ void refuse_more_memory(double need, const char* remedy, const char* subject, ..
   va_start(args, subject);
   const std::string who = formatted(subject, args);
   va_end(args);
-  char bytes[32] = "more than that";
-  if (need > 0) std::snprintf(bytes, sizeof bytes, "%.3g GB", 1e-9 * need);
+  const bool known = need > 0 && need < infinite;
+  char bytes[32];
+  std::snprintf(bytes, sizeof bytes,
+                known                         ? "%.3g GB"
+                : who.ends_with(" more than") ? "that"
+                                              : "more than that",
+                1e-9 * need);
   fail(Status::err_memory, "%s; %s %s: %s", out_of_memory_text(), who.c_str(), bytes, remedy);
 }
 

@@ -31,7 +31,8 @@ struct OverlapPatch {
   double low = 0, high = 0;    ///< ends of the overlap along the lateral axis from the reference
   double back = 0, front = 0;  ///< ends along x
   /// Weight with which this patch counts: patches apart and the same patches as one have weights that add up to 1. It
-  /// counts from the level `apart` to apart + share, where levels run from 0, all that may merge is one, to 1.
+  /// counts at levels from `apart` to apart + share. At level 0 all overlaps that may merge are one patch; towards
+  /// level 1 they are single.
   double share = 1;
   double apart = 0;            ///< first of its levels
   bool cut = false;            ///< the overlap ends where a profile does, or where it is too steep to be seen

@@ -95,7 +95,7 @@ void PatchContact::solve_contact(const Fineness& fineness) {
     put_frame(contact_->scene, fineness.lattice, now_.place, false);
     contact_->solver->forget_all_but_tractions();
     now_.status = contact_->solver->solve();
-    if (now_.status != Status::rim_contact || now_.patch.cut) break;
+    if (now_.status != Status::rim_contact || now_.patch.cut || now_.give_way == 0) break;
   }
 }
 

@@ -124,6 +124,7 @@ void WheelRail::differentiate_by_solves(const Inputs& in, std::size_t entry, dou
   for (std::size_t s = 0; s < 2; ++s) {
     in_ = in;
     entry_of(in_, entry) += s == 0 ? -step : step;
+    seek_strips();
     solve_at(in_.position.z);
     at[s] = totals(in_.position, in_.position.z, in_.deviation);
   }

@@ -230,6 +230,7 @@ Status WheelRail::find_height_of_sections() {
     }
     for (int k = 0; k < most && step.solved; ++k) {
       const double sunk = take(step, flexibility);
+      if (!in_.by_force) seek_strips();
       half_spaces = in_.by_force ? find_height_of_half_spaces() : solve_at(sunk);
       if (pressed() != flexibility.slot) break;
       step = step_of_depths(flexibility);

@@ -100,7 +100,8 @@ class Results(Scene):
 
     def test_settings(self):
         contact = self.contact()
-        for name, value in (("tolerance", 1e-9), ("pressure_length", 2), ("max_iterations", 50), ("convection", "godunov")):
+        settings = (("tolerance", 1e-9), ("pressure_length", 2), ("max_iterations", 50), ("convection", "godunov"))
+        for name, value in settings:
             contact.set(name, value)
             self.assertEqual(contact.get(name), value)
         for option in rc.option_table("body"):

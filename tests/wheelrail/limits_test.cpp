@@ -108,8 +108,8 @@ TEST_F(limits, ends_of_profiles_are_told) {
   expect_told({"patch 0", "ends where a profile does"});
 }
 
-// The flange's root in a turned wheelset: two overlaps count as one patch by 0.69 and as two by the rest. The load that
-// one of the two gives way under jumped by a third where the middles of patches come near each other.
+// The flange's root in a turned wheelset: two overlaps count as one patch by 0.69 and as two by the rest. How far they
+// give way under each other does not change suddenly where the middles of patches come near each other.
 TEST_F(limits, patches_about_to_merge_do_not_jump) {
   const auto w = make();
   w->set_track(1435, 14, 0.025);

@@ -23,7 +23,7 @@ class StripFinder {
   /// Says whether the last contact has corners and rows were not found near them: peaks of pressure there are missed.
   bool missed_corners() const { return missed_corners_; }
   const StripProbe& probe() const { return probe_; }
-  /// Says whether the last contact begins in so many parts that one attempt is all it gets: those of rough profiles.
+  /// Says whether the last contact begins in so many parts, as on rough profiles, that it gets one attempt alone.
   bool scattered() const { return parts_seen_ > most_parts; }
 
  private:
