@@ -135,6 +135,9 @@ void ContactSolver::read(const ContactCase& wanted, ContactResult& r) const {
         r.temp2.push_back(temperature[2 * node(i, j)]);
       }
   }
+  double iterations = 0;
+  check(rollcon_contact_get_stat(contact, "iterations", &iterations));
+  r.iterations = int(iterations);
   r.sensitivities = {};
   if (wanted.sensitivities) read_sensitivities(r);
 }

@@ -54,7 +54,7 @@ void ContactSolver::set_bodies(rollcon_context* context, rollcon_body* first, ro
   rollcon_contact* contact = nullptr;
   check(rollcon_contact_create(context, first, second, &contact));
   contact_.reset(contact);
-  framed_ = stepped_ = false;
+  framed_ = solved_ = stepped_ = false;
   gap_.clear();
 }
 
@@ -106,7 +106,7 @@ void ContactSolver::set_surfaces(const Inputs& in, const FrictionRow& row, int t
   several_ = law >= 2;
   const bool layer = in.digits.mater == 4;
   const auto& more = in.material.more;
-  const bool yields = layer && more[2] > 0 && more[2] < 1e10;
+  const bool yields = in.yields();
   if ((memory || yields) && (tang == 1 || tang == 2))
     throw Failure(CNTC_err_frclaw, "memory of friction and layers that yield are for steady rolling alone: use T = 3");
   if (layer && !(more[0] > 0)) throw Failure(CNTC_err_other, "the layer's shear modulus must be above 0");
@@ -156,7 +156,7 @@ void ContactSolver::lay_frame(const ContactCase& wanted) {
   grid_ = g;
   chi_ = wanted.chi;
   framed_ = true;
-  stepped_ = false;
+  solved_ = stepped_ = false;
   gap_.clear();
 }
 
@@ -274,14 +274,16 @@ int ContactSolver::solve(const ContactCase& wanted, std::string& why) {
   } else if (steps && wanted.pvtime == 3 && stepped_) {
     rollcon_contact_repeat_step(contact);
   }
-  const bool goes_on = wanted.tang == 1 && wanted.pvtime == 0 && stepped_;
+  const bool goes_on = wanted.tang == 1 && wanted.pvtime == 0 && solved_;
   const Vec3 before = goes_on ? force() : Vec3{};
   stuck_ = false;
-  if (pushed(wanted)) return solve_point(wanted, why);
-  int code = solve_once(wanted, why);
-  if (code != 0 && wanted.force == 1 && wanted.tang == 3) code = search_creepage(wanted, why);
-  if (lattice_ == Lattice::point && code == 0 && sticks(wanted, before)) {
-    stuck_ = stepped_ = true;
+  const bool given = pushed(wanted);
+  int code = given ? solve_point(wanted, why) : solve_once(wanted, why);
+  if (!given && code != 0 && wanted.force == 1 && wanted.tang == 3) code = search_creepage(wanted, why);
+  solved_ = true;
+  stepped_ = steps;
+  if (!given && lattice_ == Lattice::point && code == 0 && sticks(wanted, before)) {
+    stuck_ = true;
     return solve_point(wanted, why);
   }
   if (one_row() && !wanted.normal_by_force) {
@@ -296,7 +298,6 @@ int ContactSolver::solve(const ContactCase& wanted, std::string& why) {
       code = solve_once(wanted, why);
     }
   }
-  stepped_ = steps;
   return code;
 }
 
@@ -328,7 +329,10 @@ int ContactSolver::search_creepage(const ContactCase& wanted, std::string& why) 
     x1 = next;
     f1 = found;
   }
-  if (code == 0 && std::abs(f1) > 1e-6) code = CNTC_err_tang;
+  if (code == 0 && !(std::abs(f1) <= 1e-6)) {
+    code = CNTC_err_tang;
+    why = "no creepage was found that gives FX";
+  }
   return code;
 }
 
@@ -336,8 +340,10 @@ int ContactSolver::search_creepage(const ContactCase& wanted, std::string& why) 
 /// within the bound. Steady rolling is followed along x alone.
 bool ContactSolver::sticks(const ContactCase& wanted, const Vec3& before) {
   const bool steady = wanted.tang == 3;
-  if ((wanted.tang != 1 && !steady) || wanted.pvtime == 3 || std::abs(std::sin(wanted.chi)) > 1e-9) return false;
-  // Integrals of 1 / r and of x^2 / r^3 over the element: of what the centre has above the place a step ahead.
+  if ((wanted.tang != 1 && !steady) || wanted.pvtime == 3) return false;
+  const double c = std::cos(wanted.chi), s = std::sin(wanted.chi);
+  if (steady && std::abs(s) > 1e-9) return false;
+  // Integrals of 1 / r and x^2 / r^3 over the element at its centre, less those at the place a step ahead.
   double all = 0, along = 0;
   for (double ahead : {0., steady ? wanted.dq : 1e9 * grid_.dx})
     for (double side : {1., -1.}) {
@@ -353,8 +359,11 @@ bool ContactSolver::sticks(const ContactCase& wanted, const Vec3& before) {
     by_y += part * (all - nu * along);
   }
   const double step = wanted.tang == 1 ? 1 : wanted.dq, area = grid_.dx * grid_.dy, most = fstat_ * -force()[2];
-  push_[0] = -(wanted.cksi - wanted.cphi * (grid_.yc - wanted.spinyo)) * step / by_x * area - before[0];
-  push_[1] = -(wanted.ceta + wanted.cphi * (grid_.xc - wanted.spinxo)) * step / by_y * area - before[1];
+  const double wx = wanted.wx.empty() ? 0 : wanted.wx[0], wy = wanted.wy.empty() ? 0 : wanted.wy[0];
+  push_[0] = -(wanted.cksi - wanted.cphi * (grid_.yc - wanted.spinyo) + wx) * step / by_x * area -
+             (c * before[0] - s * before[1]);
+  push_[1] = -(wanted.ceta + wanted.cphi * (grid_.xc - wanted.spinxo) + wy) * step / by_y * area -
+             (s * before[0] + c * before[1]);
   for (double& f : push_) f /= std::max(most, 1e-300);
   return std::hypot(push_[0], push_[1]) < 1;
 }

@@ -62,11 +62,11 @@ class ContactSolver {
   int solve_point(const ContactCase& wanted, std::string& why);
   int search_creepage(const ContactCase& wanted, std::string& why);
   bool sticks(const ContactCase& wanted, const Vec3& before);
-  /// Tells whether the grid is a single element under given forces, or under those of one that sticks.
+  /// Tells whether the grid is a single element that sticks or is under given forces.
   bool pushed(const ContactCase& wanted) const {
     return lattice_ == Lattice::point && wanted.tang > 0 && (wanted.force >= 1 || stuck_);
   }
-  /// Returns what displacements of a row of constant tractions have above those of the frame: x, y, normal.
+  /// Returns by how much a row of constant tractions is displaced beyond the frame: x, y, normal.
   Vec3 row_offset() const;
   size_t node(int i, int j) const;
   bool one_row() const { return lattice_ == Lattice::ringed && (grid_.mx == 1 || grid_.my == 1); }
@@ -81,13 +81,13 @@ class ContactSolver {
   bool relaxes_ = false;  // bodies are viscoelastic
   int threads_ = 1;
   double compliance_ = 1, shear_compliance_ = 1, layer_ = 0;
-  Material felt_;  ///< the material with creep that is there at once
+  Material felt_;  ///< the material with its immediate creep (TC = 0)
   bool stuck_ = false;
   double push_[2] = {};  ///< forces on a single element that sticks, in parts of the largest
   Lattice lattice_ = Lattice::plain;
   Grid grid_;
   double chi_ = 0;
-  bool framed_ = false, stepped_ = false, heat_ = false, several_ = false;
+  bool framed_ = false, solved_ = false, stepped_ = false, heat_ = false, several_ = false;
   std::vector<double> gap_;
   double fstat_ = 0;
 };

@@ -15,7 +15,7 @@ constexpr double least_step = 1e-4;  // mm
 constexpr double most_points = 1e6;
 constexpr double no_point = 999;  // coordinates where a profile has none
 
-/// What is asked for: parameters of the call, or their standards.
+/// Holds the parameters of the call, or their standards.
 struct Sampling {
   int how = 0;  // 0: of the profile itself; 1: uniform; more: parts of each interval
   double step = 1, place = 0, first = 0, last = 0;
@@ -27,7 +27,8 @@ struct Sampling {
   double at(int k, double range) const { return how == 1 ? k * step : range * k / (points(range) - 1); }
 };
 
-/// The rail in its own axes turned by the cant: the point at the gauge's height that is nearest to the track's middle.
+/// Holds the gauge point, the one at the gauge's height nearest to the track's middle, in the rail's axes turned by the
+/// cant.
 struct Gauge {
   double y = 1e300, z = 0, top = 1e300, y_below = 0;
 };
@@ -55,7 +56,8 @@ Gauge find_gauge(const Section& section, double cant, double height) {
   return g;
 }
 
-/// Lines of a surface that varies: sections at a place (6), lines along it (7), and slices at a y (8).
+/// Returns x, y and z of a line of a surface that varies: a section at a place (6), a line along it (7), a slice at a y
+/// (8).
 std::vector<double> surface_line(Sections& sections, int task, const Sampling& s) {
   std::vector<double> x, y, z;
   const int n = s.points(s.last - s.first);
@@ -121,13 +123,16 @@ void get_profile_values(Call& c, int task, int nints, const int* ints, int nreal
     const auto range = slice_range(input.path);
     s.first = nreals > 2 ? reals[2] : task == 6 ? 1 : range[0];
     s.last = nreals > 3 ? reals[3] : task == 6 ? sections.lines() : range[1];
+    const int points = s.points(s.last - s.first);
     if (n == 1) {
-      v = {double(s.points(s.last - s.first))};
+      v = {double(points)};
+    } else if (n < 3 * points) {
+      return say(c, "the array has %d values; needed: %d", n, 3 * points);
     } else {
       v = surface_line(sections, task, s);
     }
   } else {
-    if ((task == 2 && !w)) return say(c, "task 2 needs a solved wheel");
+    if (task == 2 && !w) return say(c, "task 2 needs a solved wheel");
     const bool here = task == 2 && !wheel;
     const Section section = profile.varies()
                                 ? Sections(made, profile, wheel).at(s.place + (here ? c.in().wheelset.position[0] : 0))
@@ -138,6 +143,7 @@ void get_profile_values(Call& c, int task, int nints, const int* ints, int nreal
     if (task == 3 && wheel) {
       v = {CNTC_err_profil};
     } else if (task == 3) {
+      if (!(t.gaught > 0)) return say(c, "task 3 needs a rail placed by its gauge (GAUGHT above 0)");
       const Gauge g = find_gauge(section, t.cant, t.gaught);
       v = {g.y, g.z, side * (t.gaugwd / 2 - g.y) + t.deviation[0], t.deviation[1] - g.top, g.y_below, t.gaught + g.top};
       for (double& q : v) q /= length;
@@ -145,7 +151,7 @@ void get_profile_values(Call& c, int task, int nints, const int* ints, int nreal
       v = {double(points)};
     }
     for (int column = 0; column < (task == 1 || task == 2 ? 2 : task >= 4 ? 1 : 0); ++column)
-      for (int k = 0; k < points; ++k) {
+      for (int k = 0; k < points && int(v.size()) < n; ++k) {
         const double at = s.at(k, section.length());
         const SectionPoint p = section.at(at);
         Vec3 place = p.place;

@@ -57,7 +57,7 @@ void get_parameters(Call& c, int task, int n, double* values) {
   if (task == 1) {
     const double v[6] = {(r->solved ? r->veloc : in.veloc) / length,
                          in.chi,
-                         (r->solved ? r->dq : in.dq) / length,
+                         r->solved ? r->dq / length : in.dq / (c.p.module == 3 ? length : 1),
                          in.spinxo / length,
                          in.spinyo / length,
                          layer ? more[2] / stress : 0};

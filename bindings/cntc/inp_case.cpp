@@ -2,7 +2,6 @@
 #include "inp_case.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "log.hpp"
 #include "text.hpp"

@@ -1,6 +1,5 @@
 // Reads cases of module 3.
 #include <algorithm>
-#include <cmath>
 
 #include "checks.hpp"
 #include "inp_case.hpp"

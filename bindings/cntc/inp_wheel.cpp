@@ -1,7 +1,4 @@
 // Reads cases of module 1.
-#include <algorithm>
-#include <cmath>
-
 #include "inp_case.hpp"
 
 namespace cntc {

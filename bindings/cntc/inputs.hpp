@@ -30,7 +30,7 @@ struct SolverLine {
   int numbers, whole;
 };
 inline constexpr SolverLine solver_lines[] = {{0, 0}, {0, 0}, {4, 2}, {4, 2}, {2, 0}, {8, 2}, {0, 0}};
-/// Counts parameters of materials (digit M), and those of laws of friction (digit L) without memory.
+/// Numbers of parameters of materials (digit M) and of laws of friction (digit L), memory apart.
 inline constexpr int material_parameters[] = {4, 8, 8, 7, 8, 7, 4, 4};
 inline constexpr int friction_parameters[] = {2, 0, 5, 5, 5, 3, 4};
 
@@ -157,6 +157,9 @@ struct Inputs : Motion {
   Track track;
   Wheelset wheelset;
   std::array<double, 9> metadata{};
+
+  /// Tells whether there is a layer that yields.
+  bool yields() const { return digits.mater == 4 && material.more[2] > 1e-10 && material.more[2] < 1e10; }
 };
 
 }  // namespace cntc

@@ -19,8 +19,9 @@ struct ContactResult : Motion {
   std::vector<double> h, mu, px, py, pn, ux, uy, un, sx, sy, temp1, temp2;
   std::vector<int> division;
   std::array<double, 16> sensitivities{};
-  double pmax = 0;  // largest pressure, where it is not that of the elements
-  int rim = 0;      // elements in contact next to the border
+  double pmax = 0;     // largest pressure, where it is not that of the elements
+  int iterations = 0;  // Newton steps of the solve
+  int rim = 0;         // elements in contact next to the border
 
   long count(int state) const {
     long n = 0;

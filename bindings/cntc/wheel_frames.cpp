@@ -1,9 +1,7 @@
 // Wheels on frames that rollcon makes (flag CNTC_if_frames): totals at once, fields of elements when they are asked
 // for.
-#include <algorithm>
-#include <cmath>
-
 #include "calculate.hpp"
+#include "log.hpp"
 #include "vectors.hpp"
 #include "wheel_solver.hpp"
 
@@ -20,6 +18,7 @@ int WheelSolver::solve_on_frames(Problem& p, std::string& why) {
   check(rollcon_wheelrail_set_real(search, "accuracy", .01));
   check(rollcon_wheelrail_set_int(search, "conformal", in.digits.discns == 4));
   const int status = this->search(p);
+  framed_ = in;
   if (status > ROLLCON_OK) why = rollcon_last_caveat();
   patches = found_patches();
   for (WheelPatch& patch : patches) {
@@ -32,6 +31,7 @@ int WheelSolver::solve_on_frames(Problem& p, std::string& why) {
     r.solved = r.deferred = true;
     r.veloc = patch.wanted.veloc;
     r.fstat = in.digits.tang == 0 ? 0 : rest_friction(in.friction.rows[0], 0);
+    r.dq = in.plane.dx;
     r.pen = patch.overlap;
     r.cksi = -stat("longitudinal_creepage");
     r.ceta = -stat("lateral_creepage");
@@ -54,17 +54,18 @@ int WheelSolver::solve_on_frames(Problem& p, std::string& why) {
 void WheelSolver::fill_elements(Problem& p, size_t patch_number) {
   WheelPatch& patch = patches[patch_number];
   ContactResult& r = p.patches[patch_number];
-  r.deferred = false;
   read_extents(patch);
-  ready_patch(p.in, patch);
+  ready_patch(framed_, patch);
   ContactCase& w = patch.wanted;
   w.placement = &patch.placement;
   patch.placement.by_velocity = w.moved = w.normal_by_force = true;
   w.fn = r.fn;
   std::string why;
-  solve_patch(p.in, patch, why);
+  solve_patch(framed_, patch, why);
+  if (!why.empty())
+    log_line("elements", p.ire, int(patch_number) + 1, "the patch on the caller's grid: %s", why.c_str());
   ContactResult elements;
-  read_patch(p.in, patch, elements);
+  read_patch(framed_, patch, elements);
   // What the frames have found stays.
   r.chi = elements.chi;
   r.dq = elements.dq;

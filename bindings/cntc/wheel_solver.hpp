@@ -91,6 +91,7 @@ class WheelSolver {
   double radius_ = 0;                    // radius of the wheel at its profile's z = 0
   double slope_ = 0;                     // change of the force to the power 2/3 with the height
   double sink_ = 0;                      // depth below the height of the search
+  Inputs framed_;                        // of the last solve on rollcon's frames
 };
 
 /// Finds the pitch rate at which a force that grows with it is 0; throws Failure if there is none.

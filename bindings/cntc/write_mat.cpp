@@ -10,7 +10,7 @@
 namespace cntc {
 namespace {
 
-/// Writes rows of as many numbers each, as programs that load the file want them; what is left of a row is 0.
+/// Writes rows of equal length, as programs that load the file need them; unused columns are 0.
 class Rows {
  public:
   Rows(std::FILE* file, size_t columns) : file_(file), columns_(columns) {}
@@ -67,7 +67,7 @@ void write_mat(Problem& p, int patch) {
   if (!file) return log_line("mat-file", p.ire, p.icp, "%s cannot be written", file_name(p, patch, ".mat").c_str());
   const auto& m = in.material;
   const bool w = p.module == 1, heat = in.digits.heat != 0;
-  const bool yields = in.digits.mater == 4 && m.more[2] > 1e-10 && m.more[2] < 1e10;
+  const bool yields = in.yields();
   Rows rows(file, 11 + (yields ? 3 : 0) + (heat ? 2 : 0));
   const auto& meta = in.metadata;
   const auto& q = in.wheelset.position;

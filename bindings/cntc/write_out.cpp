@@ -62,7 +62,7 @@ std::string contact_text(const Problem& p, const ContactResult& r) {
       "\n CONTACT STATISTICS\n N: NUMBER OF ELEMENTS IN REGION,  I: NUMBER OF ITERATIONS,\n"
       " POT: POTENTIAL CONTACT AREA,  CON: CONTACT,  ADH: ADHESION\n";
   text += print("    NPOT   NCON   NADH  NSLIP  INORM  ITANG\n %6ld %6ld %6ld %6ld %6d %6d\n", r.grid.size(),
-                r.count(1) + r.count(2) + r.count(3), r.count(1), r.count(2), 1, 1);
+                r.count(1) + r.count(2) + r.count(3), r.count(1), r.count(2), r.iterations, r.iterations);
   if (in.digits.output < 5) return text;
   text += "\n      X           Y           H           PN          PX          PY          SX          SY\n";
   for (size_t k = 0; k < r.pn.size(); ++k) {

@@ -137,7 +137,7 @@ TEST(calls, in_any_order) {
   call_at_random(1, 10000);
 }
 TEST(calls_nightly, in_any_order) {
-  // --gtest_shuffle --gtest_random_seed=N begins elsewhere.
+  // Other seeds are tried with --gtest_shuffle --gtest_random_seed=N.
   const unsigned first = 2 + 100 * unsigned(testing::UnitTest::GetInstance()->random_seed());
   for (unsigned seed = first; seed < first + 38; ++seed) call_at_random(seed, 20000);
 }

@@ -146,6 +146,26 @@ TEST(gap, single_element_that_is_shifted) {
   e.creepages(-.01, 0, 0);
   EXPECT_EQ(e.calculate(), 0);
   EXPECT_TRUE(near("FX that slides", e.found().tx, .7 * 900, 1));
+  // Shifts go on from given forces, of a shift or of steady rolling, and do not depend on CHI; extra slip adds to them.
+  const int one = 1;
+  const double extra[2] = {-4e-4, 3e-4};
+  cntc_setextrarigidslip(e.ire(), e.icp(), &one, extra, extra + 1);
+  for (const double chi : {0., 1., 3.141592653589793})
+    for (const int first : {1, 3}) {
+      e.rolling(chi, 1);
+      e.flags({{CNTC_ic_tang, first}, {CNTC_ic_pvtime, 2}, {CNTC_ic_force, 2}, {CNTC_ic_exrhs, 0}});
+      e.forces(.2, .1);
+      EXPECT_EQ(e.calculate(), 0);
+      const Found given = e.found();
+      EXPECT_TRUE(near("given FX", given.tx, .2 * 630, .01));
+      e.flags({{CNTC_ic_tang, 1}, {CNTC_ic_pvtime, 0}, {CNTC_ic_force, 0}, {CNTC_ic_exrhs, 1}});
+      e.creepages(-.001, 0, 0);
+      EXPECT_EQ(e.calculate(), 0);
+      EXPECT_TRUE(near("FX after a shift", e.found().tx - given.tx, 1.4 * 84.97, .01));
+      EXPECT_TRUE(near("FY after a shift", e.found().ty - given.ty, -.3 * 84.97, .01));
+      EXPECT_EQ(e.calculate(), 0);
+      EXPECT_TRUE(near("FX after two", e.found().tx - given.tx, 2.8 * 84.97, .02));
+    }
 }
 
 TEST(gap, cattaneo_shift_then_rolling) {

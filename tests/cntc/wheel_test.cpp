@@ -204,7 +204,7 @@ TEST(wheel, frames_of_rollcon) {
     const auto sums = e.global_forces(-1);
     e.flags({{CNTC_if_frames, 1}});
     EXPECT_EQ(e.calculate(), 0);
-    const Found frames = e.found(1);
+    Found frames = e.found(1);
     const double limit = .3 * grid.fn;
     EXPECT_TRUE(near("Fn", frames.fn, grid.fn, .001 * grid.fn));
     EXPECT_TRUE(near("Fx", frames.tx, grid.tx, .01 * limit));
@@ -212,6 +212,30 @@ TEST(wheel, frames_of_rollcon) {
     EXPECT_TRUE(near("largest pressure", frames.pmax, grid.pmax, .01 * grid.pmax));
     for (const size_t k : {0u, 1u, 2u}) EXPECT_NEAR(e.global_forces(-1)[k], sums[k], 30);
     EXPECT_TRUE(near("area", frames.area, grid.area, .03 * grid.area));
+    // Elements belong to the forces found: what is set in between counts from the next solve on.
+    e.set(cntc_setfrictionmethod, 0, {.1, .1});
+    EXPECT_EQ(e.calculate(), 0);
+    const int icp = 1, parameters = 1, three = 3;
+    double steps[3] = {}, dx = 0, dy = 0;
+    cntc_getparameters(e.ire(), &icp, &parameters, &three, steps);
+    EXPECT_EQ(steps[2], .2);
+    const double low = e.found(1).ty;
+    EXPECT_EQ(e.calculate(), 0);
+    e.set(cntc_setfrictionmethod, 0, {.3, .3});
+    e.set(cntc_setpotcontact, -1, {.4, .4, 1.57, 8, 4});
+    cntc_getgriddiscretization(e.ire(), &icp, &dx, &dy);
+    EXPECT_EQ(dx, .2);
+    const Found late = e.found(1);
+    const int size = late.mx * late.my;
+    std::vector<double> traction[3];
+    for (auto& v : traction) v.resize(size_t(size));
+    cntc_gettractions(e.ire(), &icp, &size, traction[0].data(), traction[1].data(), traction[2].data());
+    double sum = 0;
+    for (const double v : traction[2]) sum += .04 * v;
+    EXPECT_TRUE(near("Fs of the elements, friction .1", sum, low, .02 * .1 * grid.fn));
+    e.set(cntc_setpotcontact, -1, {.2, .2, 1.57, 8, 4});
+    EXPECT_EQ(e.calculate(), 0);
+    frames = e.found(1);
     // Tractions on the caller's grid carry the forces.
     const size_t n = size_t(frames.mx) * size_t(frames.my);
     const int length = int(n), one = 1;
@@ -330,6 +354,8 @@ TEST(wheel, profile_values) {
   EXPECT_EQ(values(0, {0, 3}, 1)[0], 1201);
   EXPECT_EQ(values(3, {1, 0}, 6)[0], CNTC_err_profil);
   EXPECT_EQ(values(6, {0, 1}, 1)[0], -777);  // this rail does not vary
+  e.set(cntc_settrackdimensions, 1, {0, 750, 0, std::atan(1. / 40), 0});
+  EXPECT_EQ(values(3, {0, 1}, 6)[0], -777);  // it has no gauge now
 }
 
 TEST(wheel, steps_of_rolling_come_to_the_steady_state) {
@@ -526,6 +552,7 @@ TEST(wheel, on_a_variable_rail) {
   EXPECT_NEAR(section[10], points[0], 1e-6);
   EXPECT_NEAR(section[20], points[1] - 50 * slope, 1e-6);
   EXPECT_EQ(values(8, {25, 999, -50, 50}, 15)[10], 999);  // there is no such y
+  EXPECT_EQ(values(8, {25, 0, -50, 50}, 14)[0], -777);    // the array is too short
   // Sections of tasks 0 to 5 are those at a place.
   const int n = int(values(0, {1, 100}, 1)[0]);
   const auto there = values(1, {1, 100}, 2 * size_t(n)), here = values(1, {1, 0}, 2 * size_t(n));
