@@ -79,7 +79,10 @@ TEST(inp, creep_curve) {
   EXPECT_NE(out.find("ELAST.EN.   FRIC.POWER"), std::string::npos);
   EXPECT_EQ(numbers_below(out, "ELAST.EN.   FRIC", 0, 1).size(), 6u);
   EXPECT_EQ(numbers_below(out, "ELAST.EN.   FRIC", 0, 3).size(), 6u);
-  EXPECT_EQ(numbers_below(out, "CONTACT STATISTICS", 0, 4).size(), 6u);
+  const auto statistics = numbers_below(out, "CONTACT STATISTICS", 0, 4);
+  ASSERT_EQ(statistics.size(), 6u);
+  EXPECT_GT(statistics[4], 1);  // a cold solve takes several Newton steps
+  EXPECT_EQ(statistics[5], statistics[4]);
   for (int k = 0; k < 2; ++k) {
     const auto relative = numbers_below(out, "FN/G", k, 1);
     ASSERT_GE(relative.size(), 5u) << out;
