@@ -26,7 +26,7 @@ namespace {
 constexpr int leaf = 200;         ///< most unknowns of a cluster that is not divided
 constexpr double admissible = 4;  ///< largest size of a cluster over its distance from another at which ranks are low
 /// Fraction of the accuracy to which blocks are assembled. ACA+ stops by the size of its last cross, which tells too
-/// little of the rest: errors of its blocks, and not those of the factorisation, decided how wrong solutions were.
+/// little of the rest: errors of its blocks, not those of the factorisation, decide how wrong solutions are.
 constexpr double assembled_finer = 0.1;
 constexpr std::int64_t whole = 1'000'000;  ///< entries up to which blocks are computed in full
 

@@ -47,7 +47,7 @@ Status PatchContact::solve(const OverlapPatch& patch, const WheelMotion& motion,
   now_.motion = motion;
   lay_axes();
   take_creepages();
-  now_.by_table = now_.hertzian = now_.whole = false;
+  now_.by_table = now_.hertzian = now_.whole = unfit_ = false;
   now_.give_way = give_way;
   bool known = false;
   if (friction.trust > 0 && friction.hertzian) {
@@ -88,6 +88,7 @@ void PatchContact::solve_contact(const Fineness& fineness) {
   shown_ = false;
   const bool may_fit = fineness.strips.along > 0 && !fineness.lattice.conformal && !now_.patch.parted;
   now_.on_strips = may_fit && solve_on_strips(fineness);
+  unfit_ = may_fit && !now_.on_strips;
   if (now_.on_strips) return;
   // What is left of an overlap that is deepest near an end reaches beyond the smaller lattice.
   for (const bool whole : {false, true}) {

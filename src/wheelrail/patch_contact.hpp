@@ -160,8 +160,8 @@ class PatchContact {
   void forget_cancel() { contact_->forget_cancel(); }
   /// Returns E* of the bodies.
   double modulus() const;
-  /// Says whether the last solve was on no strips.
-  bool without_strips() const { return !now_.on_strips; }
+  /// Says whether the last solve sought strips and did not find them.
+  bool unfit() const { return unfit_; }
 
  private:
   /// Holds all of the patch but the contact.
@@ -224,6 +224,7 @@ class PatchContact {
   StepFrames frames_;                                   ///< makes grids of steps in time
   std::shared_ptr<const WheelPast> begun_;              ///< start of the step that was tried last
   GridFrame past_frame_;                                ///< grid of that start
+  bool unfit_ = false;                                  ///< what unfit() says
   mutable bool shown_ = false;                          ///< the contact has the solution on strips at its nodes
   std::unique_ptr<std::array<StripGivens, 2>> nearby_;  ///< storage of rate()
   std::int64_t solves_ = 0;                             ///< solves so far, resets included

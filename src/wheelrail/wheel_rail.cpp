@@ -162,9 +162,8 @@ void WheelRail::solve_patch(Slot& slot, const OverlapPatch& patch, const WheelMo
     fineness.patient = !slot.unfit;
     slot.contact.solve(patch, motion, friction, fineness, slot.give_way,
                        {in_.step, in_.dt, in_.options.accuracy, start_});
-    const bool without = fineness.strips.along > 0 && slot.contact.without_strips();
-    hasty_ = hasty_ || (without && slot.unfit);
-    slot.unfit = slot.unfit || without;
+    hasty_ = hasty_ || (slot.contact.unfit() && slot.unfit);
+    slot.unfit = slot.unfit || slot.contact.unfit();
   } catch (const Error& e) {
     if (!in_.options.conformal || e.status() != Status::err_mesh) throw;
     fail(Status::err_mesh,

@@ -126,3 +126,50 @@ TEST_F(limits, patches_about_to_merge_do_not_jump) {
     before = force;
   }
 }
+
+// A neighbour of a neck, and the strips beside one, were found on one side alone of these places.
+TEST_F(limits, forces_at_necks_do_not_jump) {
+  const struct {
+    double accuracy, y, yaw, roll, vy, pitch, vyaw, vroll, vz;
+  } places[] = {{0.01, 5.25373579527, -0.0013328591137, -0.000420699840, 107.13308921, -2.7515e-4, 0.0933639749,
+                 -0.00683624585, -0.31987284808},
+                {0.02, 5.35396041667, -0.0044614831569, 0.0002388935256, -24.00035512, -4.3223e-3, 0.0370136139,
+                 -0.01782320111, 6.5296534641}};
+  for (auto* body : {&wheel, &rail}) (*body)->set_elastic(0, 2.1e5, 0.28);
+  for (const auto& p : places) {
+    std::array<double, 6> found[2];
+    for (const int side : {0, 1}) {
+      const auto w = make();
+      w->set_track(1435, 14, 0.025);
+      w->set_real("accuracy", p.accuracy);
+      w->prescribe_vertical(2, 1e5);
+      const double position[6] = {0, p.y + (side == 0 ? -1e-6 : 1e-6), 0, p.roll, p.yaw, 0},
+                   velocity[6] = {2e4, p.vy, p.vz, p.vroll, p.vyaw, -2e4 / 460 * (1 + p.pitch)};
+      w->set_position(position);
+      w->set_velocity(velocity);
+      ASSERT_EQ(w->solve(), Status::ok);
+      w->resultant(false, found[side].data(), found[side].data() + 3);
+    }
+    for (std::size_t k = 0; k < 6; ++k)
+      expect_error("change within 2e-6 mm over the friction limit",
+                   (found[1][k] - found[0][k]) / 3e4 / (k < 3 ? 1 : 460), 1e-4);
+  }
+}
+
+// One height more than the secant method needs is one solve too many, whatever patches are solved on.
+TEST_F(limits, heights_of_small_moves_take_three_solves) {
+  for (const bool conformal : {false, true}) {
+    const auto w = make();
+    w->set_real("accuracy", 0.02);
+    w->set_int("conformal", conformal ? 1 : 0);
+    w->prescribe_vertical(2, 1e5);
+    place(*w, 0.5);
+    ASSERT_EQ(w->solve(), Status::ok);
+    for (const double y : {0.51, 0.52}) {
+      place(*w, y);
+      const double before = w->stat("solves");
+      ASSERT_EQ(w->solve(), Status::ok);
+      EXPECT_LE(w->stat("solves") - before, 3) << (conformal ? "conformal" : "strips");
+    }
+  }
+}

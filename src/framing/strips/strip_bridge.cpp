@@ -187,18 +187,15 @@ bool StripContact::bridge(const StripScene& scene, const Rectangle& box, StripCo
     return finder_.find(other, box, counts, state, near, patient).status == StripStatus::solved;
   };
   const auto find = [&](std::size_t i, bool near) { return find_at(heights[i], solution.neighbour[i], near); };
-  const auto go_on = [&](StripState& state, double from, double to, int steps) {
-    return change_bump(other, gap, state, from, to, steps);
-  };
   const auto reach = [&](std::size_t i, std::size_t from, int steps) {
     solution.neighbour[i] = solution.neighbour[from];
-    return go_on(solution.neighbour[i], heights[from], heights[i], steps);
+    return change_bump(other, gap, solution.neighbour[i], heights[from], heights[i], steps);
   };
   // Necks that are filled up or dug out more are found more easily.
   const auto find_beyond = [&](std::size_t i) {
     for (const double more : heights[i] < 0 ? std::array{2.0, 4.0} : std::array{1.4, 2.0})
       if (find_at(more * heights[i], solution.neighbour[i], false) &&
-          go_on(solution.neighbour[i], more * heights[i], heights[i], 10))
+          change_bump(other, gap, solution.neighbour[i], more * heights[i], heights[i], 10))
         return true;
     return false;
   };

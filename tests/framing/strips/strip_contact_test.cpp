@@ -201,6 +201,27 @@ TEST(strips, take_loads_in_place_of_motions) {
   }
 }
 
+// Rounding leaves residuals of all equations at once above 1e-9.
+TEST(strips_long, of_unlike_bodies_end_on_many_nodes) {
+  StripCase test(FamilyGap::ellipse, 0, unlike_bodies());
+  test.gap.a = 7.029361599e-3;
+  test.gap.b = 6.675473626e-4;
+  test.scene.value = 52359.87756;
+  test.scene.motion = {6.027977529e-4, -3.728755881e-4, 0};
+  StripContact contact;
+  StripSolution solution;
+  std::array<double, 6> found[2];
+  for (const int fine : {0, 1}) {
+    const StripCounts counts = fine == 0 ? StripCounts{20, 30} : StripCounts{24, 36};
+    const StripReport report = contact.solve(test.now(), wide, counts, solution, false, false);
+    ASSERT_EQ(report.status, StripStatus::solved);
+    std::printf("%d x %d: %d rounds\n", counts.along, counts.across, report.friction_rounds);
+    EXPECT_LT(report.friction_rounds, 15);
+    found[fine] = components(StripContact::totals(solution), test.scene.mu);
+  }
+  expect_error("20 x 30 beside 24 x 36", largest_difference(found[0], found[1]), 1e-3);
+}
+
 TEST(strips, refuse_forces_beyond_friction) {
   for (const double share : {0.98, 1.02}) {
     StripCase test(FamilyGap::ellipse, 0);

@@ -120,6 +120,12 @@ inline StripBodies on_rigid(double shear = 5e4, double nu = 0.3) {
   const double unit = 1 / (2 * std::numbers::pi * shear);
   return {(1 - nu) * unit, nu * unit, (1 - 2 * nu) * unit / 2};
 }
+/// Body 1 of steel on body 2 of aluminium.
+inline StripBodies unlike_bodies() {
+  constexpr double unit = 1 / (2 * std::numbers::pi), shear[] = {8.2e4, 2.6e4}, nu[] = {0.28, 0.35};
+  return {unit * ((1 - nu[0]) / shear[0] + (1 - nu[1]) / shear[1]), unit * (nu[0] / shear[0] + nu[1] / shear[1]),
+          unit / 2 * ((1 - 2 * nu[0]) / shear[0] - (1 - 2 * nu[1]) / shear[1])};
+}
 
 struct StripCase {
   FamilyGap gap;
