@@ -25,7 +25,7 @@ LawScales scales_of(const LawSums& s) {
   scales.pressure = s.pressure > 0 ? s.pressure : s.worst_n;
   scales.traction = s.worst_t;
   // Tractions far below their bound are what rounding leaves of none.
-  constexpr double nothing = 1e-8;
+  constexpr double nothing = 1e-9;
   if (s.traction > 0) scales.traction = s.bound > 0 ? std::clamp(s.traction, nothing * s.bound, s.bound) : s.traction;
   if (!(scales.pressure > 0)) scales.pressure = 1;
   if (!(scales.traction > 0)) scales.traction = 1;
