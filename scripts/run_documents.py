@@ -14,6 +14,7 @@ saves it; --pictures puts the new ones there.
 """
 
 import concurrent.futures
+import contextlib
 import os
 import pathlib
 import re
@@ -21,6 +22,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import threading
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 BLOCK = re.compile(r"^```(\w+)(?: title=\"([^\"]+)\")?\n(.*?)^```$|^<!-- ((?:end of )?tabs) -->$", re.M | re.S)
@@ -28,6 +30,7 @@ PROGRAM = re.compile(r"^\[([\w.]+)\]\((\S*examples/\S+)\)$", re.M)
 NUMBER = re.compile(r"[-+]?\d+\.?\d*(?:[eE][-+]?\d+)?")
 MARK = "=== block"
 OCTAVE = bool(shutil.which("octave-cli") and shutil.which("mkoctfile"))
+COMPILING = threading.Lock()
 SETTINGS = "source ~/rollcon/share/rollcon/environment.sh\n"
 # The commands for programs without a title, which they read from their standard input.
 ALONE = {"python": "python3 -", "matlab": "octave-cli -q", "fortran": "gfortran -fsyntax-only -x f95 -",
@@ -91,7 +94,10 @@ def run(page, home, folder):
             with open(folder / title, "a", encoding="utf-8") as file:
                 file.write(text)
     blocks = commands(page)
-    done = shell("".join(f"echo '{MARK}'\n{typed}" for typed, _ in blocks), home, folder)
+    # Pages that compile the package for Octave write it to the same place.
+    alone = COMPILING if any("rollcon_build" in typed for typed, _ in blocks) else contextlib.nullcontext()
+    with alone:
+        done = shell("".join(f"echo '{MARK}'\n{typed}" for typed, _ in blocks), home, folder)
     printed = done.stdout.split(MARK + "\n")[1:]
     for (typed, wanted), said in zip(blocks, printed):
         wrong = wanted is not None and same(said, wanted)
