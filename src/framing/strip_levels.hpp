@@ -25,8 +25,8 @@ class StripLevels final : public MovingFrame {
   bool rates(Parameter parameter, Rates& found) override;
 
  private:
-  static constexpr std::size_t levels = 7;
-  /// Holds the mixed results of levels, the last of these levels and its error.
+  static constexpr std::size_t levels = 6;
+  /// Holds the results of levels, extrapolated and mixed, the last of these levels and its error.
   struct Mixture {
     Rates sure;
     std::size_t level = 0;
@@ -43,6 +43,7 @@ class StripLevels final : public MovingFrame {
   std::unique_ptr<Solver> coarse_;
   const Scene* scene_ = nullptr;  ///< scene of the last mixture
   std::size_t last_ = 0;          ///< last level of that mixture
+  bool mixed_ = false;            ///< that mixture has more than one level, or limits
   bool missed_corners_ = false;
 };
 

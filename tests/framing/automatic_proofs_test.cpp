@@ -37,7 +37,7 @@ Hertz ellipse(double a, double b, double e_star) {
 
 /// The bounds are by motion, longitudinal and lateral creepage, spin; measured were at most 1.1, 1.2 and 1.0 % of the
 /// force, 0.6 and 1.6 % of the moment. The table has three digits.
-constexpr double kalker_force[] = {0.018, 0.018, 0.016}, kalker_moment[] = {4e-9, 0.009, 0.026};
+constexpr double kalker_force[] = {0.018, 0.018, 0.016}, kalker_moment[] = {1e-8, 0.009, 0.026};
 /// The moment of lateral creepage on long ellipses, a/b = 10, converges last: 3.2 % were found.
 constexpr double moment_of_long_ellipse = 0.05;
 
@@ -48,10 +48,11 @@ void expect_kalker(double ratio, double nu) {
   const linear::Coefficients table = linear::table(ratio, nu);
   const linear::Motions motions(table, hertz, body, share);
   RollingPair pair(body, body);
-  hertzian(pair, hertz, linear::mu).option("frame_accuracy", 0.008);  // spin on slender ellipses is off by 0.5 %
+  hertzian(pair, hertz, linear::mu);
   for (std::size_t k = 0; k < 3; ++k) {
     const linear::Motion& motion = motions.all[k];
-    pair.creep(motion.creep[0], motion.creep[1], motion.creep[2]);
+    // Estimates are 0.7 % under spin on slender ellipses.
+    pair.creep(motion.creep[0], motion.creep[1], motion.creep[2]).option("frame_accuracy", k == 2 ? 0.008 : 0.003);
     EXPECT_EQ(pair.solve(), ROLLCON_OK);
     const auto errors = scenes::rolling_errors(motions.found(pair.solution()), motions.exact(motion, table));
     char name[80];
@@ -205,13 +206,13 @@ TEST(automatic_proofs, poles_of_sliding_in_slender_ellipses_are_told) {
 
 // The curve of a contact with b = 2 a goes from stick to slip, forward and from the forces back to the creepages.
 TEST(automatic_proofs, creep_curve) {
-  constexpr double mu = 0.33;
+  constexpr double mu = 0.33, accuracy = 0.002;
   const Hertz hertz =
       closed_forms::hertz_from_load(.0008, .0002814173138, closed_forms::effective_modulus(steel, steel), 106700);
   const double bound = mu * hertz.load;
   RollingPair pair(steel, steel), back(steel, steel);
-  hertzian(pair, hertz, mu).option("frame_accuracy", 0.002);
-  hertzian(back, hertz, mu).option("frame_accuracy", 0.002);
+  hertzian(pair, hertz, mu).option("frame_accuracy", accuracy);
+  hertzian(back, hertz, mu).option("frame_accuracy", accuracy);
   double last = 0;
   for (const auto& [xi, ratio] : closed_forms::creep_curve()) {
     pair.creep(-xi, 0, 0);
@@ -220,8 +221,8 @@ TEST(automatic_proofs, creep_curve) {
     char name[120];
     std::snprintf(name, sizeof name, "xi = %.1e: F/(mu P) = %.5f, CONTACT %.5f", xi, found.force[0], ratio);
     const auto errors = scenes::rolling_errors(found, {{ratio, 0}, 0});
-    // CONTACT's own error is 1.5 % in the linear range.
-    expect_error(name, errors.force, 0.015);
+    // CONTACT's own error is 1.5 % in the linear range, by linear theory and by the finest strips.
+    expect_error(name, errors.force, 0.015 + accuracy);
     expect_error(name + std::string(": moment"), errors.moment, 1e-10);
     EXPECT_GT(found.force[0], last);
     EXPECT_LE(found.force[0], 1 + 1e-12);
@@ -247,7 +248,7 @@ std::array<double, 2> difference(const RollingAnswer& one, const RollingAnswer& 
 // CONTACT's grids tend to these limits, known to 0.08 and 0.04 % of the force.
 TEST(automatic_proofs_long, cases_a_and_b) {
   for (const std::string which : {"a", "b"})
-    for (const auto& [accuracy, bound] : {std::pair{0.005, 2.5e-3}, {0.0005, 2e-3}}) {
+    for (const auto& [accuracy, bound] : {std::pair{0.005, 3.5e-3}, {0.003, 2e-3}, {0.0005, 1e-3}}) {
       RollingPair pair(steel, steel);
       hertzian(pair, steady_rolling::hertz, steady_rolling::mu).option("frame_accuracy", accuracy);
       pair.creep(steady_rolling::creepage, 0, which == "b" ? steady_rolling::spin : 0);
@@ -371,7 +372,7 @@ TEST(automatic_proofs_nightly, creepages_and_spin_beside_fine_lattices) {
 // The approach is Hertz's. Errors of single ratios pass through 0, so that the largest one has to fall.
 TEST(automatic_proofs_long, frictionless_errors_fall) {
   double first = 0, last = 0;
-  for (const auto& [accuracy, bound] : {std::pair{0.06, 1.5e-3}, {0.01, 6e-4}, {0.002, 8e-5}}) {
+  for (const auto& [accuracy, bound] : {std::pair{0.06, 6e-4}, {0.01, 2e-4}, {0.001, 5e-5}}) {
     last = 0;
     for (const double ratio : {0.2, 1.0, 5.0}) {
       const Hertz hertz =
@@ -387,7 +388,7 @@ TEST(automatic_proofs_long, frictionless_errors_fall) {
     }
     if (first == 0) first = last;
   }
-  expect_error("  the largest error at 0.002 over that at 0.06", last / first, 0.1);
+  expect_error("  the largest error at 0.001 over that at 0.06", last / first, 0.1);
 }
 
 TEST(automatic_proofs_long, errors_fall_with_the_accuracy_asked_for) {
@@ -404,7 +405,7 @@ TEST(automatic_proofs_long, errors_fall_with_the_accuracy_asked_for) {
   };
   double last = 0, last_asked = 0;
   for (const auto& [accuracy, force_bound, moment_bound] :
-       {Asked{0.06, 0.011, 0.0095}, {0.01, 0.0055, 0.0026}, {0.002, 4e-4, 2.6e-4}}) {
+       {Asked{0.06, 0.005, 0.003}, {0.01, 0.0025, 0.0013}, {0.002, 4e-4, 2.6e-4}}) {
     double force = 0, moment = 0;
     for (std::size_t i = 0; i < exact.size(); ++i) {
       const auto [f, m] = difference(on(rollings[i], accuracy), exact[i]);
