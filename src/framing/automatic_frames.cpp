@@ -585,15 +585,29 @@ class AutomaticFrames final : public FrameMaker {
     // Differences halve, or shrink a little more, when intervals are halved.
     constexpr double order_of_unlike = 1.2;
     if (shape_.unlike) return {order_of_unlike, 1, usual_error(level_)};
+    // The slip that pressures of unlike bodies cause is off by more on the coarser frame than order 2 says, and two
+    // frames may agree by chance.
+    FrameFamily of{.order = 2};
+    if (const PairOfBodies pair = on.pair(); very_unlike(pair) && !pair.meshed() && !on.solution().frictionless) {
+      constexpr double order = 2.6, off = 22;  // error over beta, times intervals to that power
+      const double intervals = static_cast<double>(2 * levels[level_].across);
+      of.order = order;
+      of.counted = 1.7;  // makes the estimate that of order 2
+      of.least_tangential = off * std::abs(dundurs_beta(pair)) / std::pow(intervals, order);
+    }
     // Contacts fill a stretched ellipse on the side that friction moves them to, on small frames as far as nodes tell
     // on both.
     if (elliptic()) {
       const Level& l = levels[level_];
       const bool filled =
           find_statistic(on, "nodes_contact") == static_cast<double>((2 * l.along - 1) * (2 * l.across - 1));
-      return {2, 1 / (filled ? shape_.stretch * shape_.stretch : shape_.stretch), 0};
+      of.cover = 1 / (filled ? shape_.stretch * shape_.stretch : shape_.stretch);
+      return of;
     }
-    if (!shape_.lattice) return {2, 1 / (FrameShape::usual_stretch * FrameShape::usual_stretch), 0};
+    if (!shape_.lattice) {
+      of.cover = 1 / (FrameShape::usual_stretch * FrameShape::usual_stretch);
+      return of;
+    }
     // These fit contacts of wheels and rails, 12 to 96 intervals across: the outline's place among the nodes is chance.
     constexpr double order = 1.5, off = 0.08;  // error over intervals
     return {order, 1, off / static_cast<double>(2 * levels[level_].across)};

@@ -159,6 +159,31 @@ TEST(automatic_proofs_long, rigid_partners_under_high_friction) {
   }
 }
 
+// Two frames of very unlike bodies may agree by chance: results called a success are as near to a lattice's as was
+// asked, and their estimates hold.
+TEST(automatic_proofs_long, very_unlike_bodies_under_little_friction) {
+  struct Case {
+    double A, B, nu1, nu2, shear2, mu, along, across, spin, a, b;  // Hertz's semi-axes come last
+  };
+  for (const Case& c : {Case{4.54e-3, 5.51e-3, 0.484, 0.008, 16000, 0.203, -9.07e-5, 5.63e-6, -4.86e-4, 1.457, 1.281},
+                        {6.34e-3, 3.94e-3, 0.484, 0.0207, 32900, 0.171, -4.88e-5, -2.76e-4, -5.77e-4, 0.941, 1.292},
+                        {5.35e-3, 4.67e-3, 0.0613, 0.436, 442000, 0.138, 6.41e-6, -4.59e-4, 3.15e-4, 0.747, 0.817}}) {
+    const Elastic one{.shear = 82000, .poisson = c.nu1}, two{.shear = c.shear2, .poisson = c.nu2};
+    RollingPair own(one, two), fine(one, two);
+    constexpr double load = 1000, asked = 0.005, of_lattice = 0.001;
+    for (RollingPair* pair : {&own, &fine})
+      pair->gap_quadratic(c.A, c.B).load(load).friction(c.mu).creep(c.along, c.across, c.spin);
+    own.option("frame_accuracy", asked);
+    ASSERT_EQ(own.solve(), ROLLCON_OK);
+    fine.rectangle(ElementType::quad4, 145, 145, 1.12 * c.a, 1.12 * c.b);
+    ASSERT_EQ(fine.solve(), ROLLCON_OK);
+    const auto f = own.solution().force, g = fine.solution().force;
+    const double error = std::hypot(f[0] - g[0], f[1] - g[1]) / (c.mu * load);
+    expect_error("force beside a lattice of 145 x 145", error, asked);
+    expect_error("  beside what was told", error, own.stat("error_estimate") + of_lattice);
+  }
+}
+
 // ------------------------------------------------------------------------------------ pole of sliding
 
 /// Returns the force and the spin moment where all slides under a spin whose pole lies at (x, y).

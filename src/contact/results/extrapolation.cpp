@@ -133,7 +133,8 @@ Extrapolation extrapolate(const Solution& fine, const Solution& coarse, const Fr
 
   // The radius of a disc as large as the contact turns moments into forces and spins into creepages.
   const double length = std::sqrt(f.area / std::numbers::pi);
-  const auto off = [&](double a, double b) { return std::abs(a - b) * left_over; };
+  const double counted = family.counted * left_over;
+  const auto off = [&](double a, double b) { return std::abs(a - b) * counted; };
   const auto load_off = [&](int m, double a, double b) {
     return fine.given.by_force[static_cast<std::size_t>(m)] ? 0 : off(a, b);
   };
@@ -149,7 +150,7 @@ Extrapolation extrapolate(const Solution& fine, const Solution& coarse, const Fr
   if (!fine.frictionless) {
     estimate.tangential = relative(std::max(force_off, moment_off), f.carried);
     if (fine.given.tangential_load()) {
-      const auto motion_off = [&](Motion m) { return left_over * (f.motion[m] - c.motion[m]); };
+      const auto motion_off = [&](Motion m) { return counted * (f.motion[m] - c.motion[m]); };
       const Three motions_off{motion_off(xi1), motion_off(xi2), length * motion_off(spin)};
       const double motion = std::hypot(f.motion[xi1], f.motion[xi2], length * f.motion[spin]);
       // Errors of vanishing forces vanish only up to rounding: lesser forces count as this fraction of friction.
@@ -164,7 +165,8 @@ Extrapolation extrapolate(const Solution& fine, const Solution& coarse, const Fr
     }
   }
   estimate.normal = std::max(estimate.normal, family.least_error);
-  if (!fine.frictionless) estimate.tangential = std::max(estimate.tangential, family.least_error);
+  if (!fine.frictionless)
+    estimate.tangential = std::max({estimate.tangential, family.least_error, family.least_tangential});
   estimate.tractions = relative(off(f.friction, c.friction) + off(f.carried, c.carried), f.friction + f.carried);
   return {e, estimate};
 }

@@ -10,9 +10,11 @@ namespace rollcon {
 
 /// Holds what is known of frames of one family.
 struct FrameFamily {
-  double order = 2;        ///< order of errors in the size of the intervals
-  double cover = 1;        ///< fraction that the contact covers of frames that were made too large
-  double least_error = 0;  ///< least error to assume, as two frames may agree by chance
+  double order = 2;             ///< order of errors in the size of the intervals
+  double cover = 1;             ///< fraction that the contact covers of frames that were made too large
+  double least_error = 0;       ///< least error to assume, as two frames may agree by chance
+  double least_tangential = 0;  ///< least error to assume of tangential results
+  double counted = 1;           ///< estimate over the step from the finer frame to what is extrapolated
 };
 
 /// Holds what the two frames tend to, and the difference of the finer frame's results from that. Both solutions
