@@ -8,7 +8,6 @@
 #include "bodies.hpp"
 #include "contact_solver.hpp"
 #include "files.hpp"
-#include "hertz.hpp"
 #include "wheel_solver.hpp"
 
 namespace cntc {
@@ -100,6 +99,9 @@ void fill_gap(Problem& p, Grid& grid, std::vector<double>& gap) {
   if (hertz && grid.size() == 1) gap[0] = 0;
 }
 
+namespace {
+
+/// Adds damping of the contact (M2 = 2) to the forces: F + c dF/dt, with the rate within bounds.
 void add_damping(Problem& p, ContactResult& r) {
   const Material& m = p.in.material;
   const double fn = r.fn, fx = r.tx, fy = r.ty;
@@ -115,6 +117,8 @@ void add_damping(Problem& p, ContactResult& r) {
   p.fy_before = fy;
   p.has_before = true;
 }
+
+}  // namespace
 
 int solve_gap(Problem& p, std::string& why) {
   const Inputs& in = p.in;

@@ -6,6 +6,15 @@
 
 namespace cntc {
 
+/// Returns 1/E* of two half-spaces, from Poisson's ratios and shear moduli.
+double contact_compliance(const Material& m);
+
+/// Finds the missing semi-axes or curvatures by Hertz's formulas, from load or approach; throws Failure.
+HertzContact hertz_contact(const Inputs& in);
+
+/// Returns CONTACT's grid: it reaches scale times the semi-axes to both sides.
+Grid hertz_grid(const HertzInput& input, const HertzContact& contact);
+
 /// Finds the grid and the undeformed distance of module 3 from what the caller gave, by Hertz's problem where needed.
 /// Throws Failure.
 void fill_gap(Problem& p, Grid& grid, std::vector<double>& gap);
@@ -16,8 +25,5 @@ int solve_wheel(Problem& p, std::string& why);
 
 /// Refuses what rollcon does not have; throws Failure with the error code of cntc_calculate.
 void refuse_absent(const Problem& p);
-
-/// Adds damping of the contact (M2 = 2) to the forces: F + c dF/dt, with the rate within bounds.
-void add_damping(Problem& p, ContactResult& r);
 
 }  // namespace cntc

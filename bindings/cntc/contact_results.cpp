@@ -49,13 +49,14 @@ void ContactSolver::read_elements(const ContactCase& wanted, ContactResult& r) c
   const Vec3 more = row_offset();
   std::vector<int32_t> states(gap.size());
   check(rollcon_contact_get_node_states(contact_.get(), int64_t(states.size()), states.data()));
-  r.rim = 0;
+  r.pmax = r.rim = 0;
   for (size_t k = 0; k < n; ++k) {
     const int i = int(k % size_t(grid_.mx)), j = int(k / size_t(grid_.mx));
     const size_t at = node(i, j), a2 = 2 * at, a3 = 3 * at;
     r.px[k] = force.x(traction[a3], traction[a3 + 1]);
     r.py[k] = force.y(traction[a3], traction[a3 + 1]);
     r.pn[k] = std::max(0., -traction[a3 + 2]);
+    r.pmax = std::max(r.pmax, r.pn[k]);
     r.sx[k] = slip.x(velocity[a2], velocity[a2 + 1]);
     r.sy[k] = slip.y(velocity[a2], velocity[a2 + 1]);
     r.wx[k] = -slip.x(rigid[a2], rigid[a2 + 1]);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hertz.hpp"
+#include "calculate.hpp"
 #include "log.hpp"
 #include "vectors.hpp"
 
@@ -17,23 +17,45 @@ int check(rollcon_status status) {
   throw Failure(code, rollcon_last_error());
 }
 
+bool find_root(const std::function<double(double)>& off, double start, double step, double far, double accuracy) {
+  double low = start, f_low = off(low), high = low, f_high = f_low;
+  if (f_low > 0) step = -step;
+  for (; f_low * f_high > 0 && std::abs(f_high) > accuracy; step *= 2) {
+    if (std::abs(high - start) > far) return false;
+    low = high;
+    f_low = f_high;
+    high += step;
+    f_high = off(high);
+  }
+  for (int n = 0; n < 60 && std::abs(f_high) > accuracy && std::abs(high - low) > 1e-14 * std::abs(high); ++n) {
+    const double next = n % 4 == 3 ? (low + high) / 2 : high - f_high * (high - low) / (f_high - f_low);
+    const double f_next = off(next);
+    if (f_next * f_high < 0) {
+      low = high;
+      f_low = f_high;
+    } else {
+      f_low /= 2;  // the end that stays counts less, so that it gives way
+    }
+    high = next;
+    f_high = f_next;
+  }
+  return true;
+}
+
 void ContactSolver::set_material(const Inputs& in) {
   const int threads = in.digits.openmp < 0 ? 0 : std::max(1, in.digits.openmp);
   const bool relaxes = in.digits.mater == 1;
   if (contact_ && threads == threads_ && in.material.nu == material_.nu && in.material.g == material_.g &&
       relaxes == relaxes_ && (!relaxes || in.material.more == material_.more))
     return;
-  rollcon_context* context = nullptr;
-  check(rollcon_context_create(ROLLCON_ABI, &context));
   contact_.reset();
-  context_.reset(context);
-  check(rollcon_context_set_threads(context, threads));
+  create(context_, rollcon_context_create, ROLLCON_ABI);
+  check(rollcon_context_set_threads(context_.get(), threads));
   BodyHandle* const bodies[] = {&first_, &second_};
   felt_ = in.material;
   for (size_t k = 0; k < 2; ++k) {
-    rollcon_body* body = nullptr;
-    check(rollcon_body_create(context, ROLLCON_BODY_HALFSPACE, &body));
-    bodies[k]->reset(body);
+    create(*bodies[k], rollcon_body_create, context_.get(), ROLLCON_BODY_HALFSPACE);
+    rollcon_body* body = bodies[k]->get();
     // CONTACT's G is that of fast strains, FG what creep adds to its inverse, TC the time of creep: at once if 0.
     const double creep = relaxes ? in.material.more[1 - k] : 0, ratio = creep / (1 + creep),
                  time = in.material.more[3 - k] / (1 + creep);
@@ -47,13 +69,11 @@ void ContactSolver::set_material(const Inputs& in) {
   threads_ = threads;
   compliance_ = contact_compliance(felt_);
   shear_compliance_ = .5 / felt_.g[0] + .5 / felt_.g[1];
-  set_bodies(context, first_.get(), second_.get());
+  set_bodies(context_.get(), first_.get(), second_.get());
 }
 
 void ContactSolver::set_bodies(rollcon_context* context, rollcon_body* first, rollcon_body* second) {
-  rollcon_contact* contact = nullptr;
-  check(rollcon_contact_create(context, first, second, &contact));
-  contact_.reset(contact);
+  create(contact_, rollcon_contact_create, context, first, second);
   framed_ = solved_ = stepped_ = false;
   gap_.clear();
 }
@@ -310,26 +330,17 @@ int ContactSolver::search_creepage(const ContactCase& wanted, std::string& why) 
   ContactCase given = wanted;
   given.force = 0;
   int code = 0;
+  double off = 0;
   const auto above = [&](double ksi) {
     given.cksi = ksi;
     set_motion(given);
     why.clear();
     code = solve_once(given, why);
-    return -along * force()[0] / most - wanted.fx;
+    return off = -along * force()[0] / most - wanted.fx;
   };
-  double x = -along * creep[0] - wanted.cphi * wanted.spinyo, f = above(x);
-  double step = std::max(1e-3 * std::abs(x), 1e-9) * (f > 0 ? 1 : -1), x1 = x, f1 = f;
-  for (int n = 0; n < 40 && f1 * f > 0; ++n, step *= 2) f1 = above(x1 = x + step);
-  for (int n = 0; n < 60 && f1 * f < 0 && std::abs(f1) > 1e-6; ++n) {
-    const double next = n % 3 == 2 ? (x + x1) / 2 : x1 - f1 * (x1 - x) / (f1 - f), found = above(next);
-    if (found * f1 < 0) {
-      x = x1;
-      f = f1;
-    }
-    x1 = next;
-    f1 = found;
-  }
-  if (code == 0 && !(std::abs(f1) <= 1e-6)) {
+  const double start = -along * creep[0] - wanted.cphi * wanted.spinyo, accuracy = 1e-6;
+  find_root(above, start, -std::max(1e-3 * std::abs(start), 1e-9), 1e3, accuracy);
+  if (code == 0 && !(std::abs(off) <= accuracy)) {
     code = CNTC_err_tang;
     why = "no creepage was found that gives FX";
   }

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,11 @@ struct Placement {
   bool by_velocity = false, conformal = false;
   Vec3 wheel_velocity{}, wheel_rate{}, wheel_point{}, rail_velocity{}, rail_rate{}, rail_point{};
 };
+
+/// Finds where a function that grows with its argument is 0, or with a step below 0 one that falls, from a start by
+/// steps that double, then by the rule of false position; the last call is at the place found. Returns false where the
+/// function keeps its sign as far as `far` from the start.
+bool find_root(const std::function<double(double)>& off, double start, double step, double far, double accuracy);
 
 /// Returns the coefficient of static friction at one place.
 double rest_friction(const FrictionRow& row, int law);

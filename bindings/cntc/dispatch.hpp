@@ -1,5 +1,7 @@
 #pragma once
+#include <cmath>
 #include <exception>
+#include <tuple>
 #include <type_traits>
 
 #include "log.hpp"
@@ -67,26 +69,39 @@ decltype(auto) pass(A* pointer) {
   }
 }
 
+template <class T, class A>
+bool finite(A* argument) {
+  if constexpr (std::is_same_v<T, double>) return std::isfinite(*argument);
+  return true;
+}
+
 template <class... T, class... A>
 void apply_body(Call& c, void (*body)(Call&, T...), A*... arguments) {
   if (((!std::is_pointer_v<T> && !arguments) || ...)) return say(c, "an argument is NULL");
+  if (!(finite<T>(arguments) && ...)) return say(c, "a number is not finite");
   body(c, pass<T>(arguments)...);
 }
 
-template <class... T, class... A>
-int* error_of(void (*)(Call&, T...), A*... arguments) {
-  int* error = nullptr;
-  [[maybe_unused]] const auto take = [&]<class One>(auto* argument) {
-    if constexpr (std::is_same_v<One, ErrorCode>) error = argument;
-  };
-  (take.template operator()<T>(arguments), ...);
-  return error;
+/// A body that takes a result is called with that of the patch, if there is one.
+template <class R, class... T, class... A>
+void apply_body(Call& c, void (*body)(Call&, const R&, T...), A*... arguments) requires std::is_base_of_v<Totals, R> {
+  if (((!std::is_pointer_v<T> && !arguments) || ...)) return say(c, "an argument is NULL");
+  if (const ContactResult* r = std::is_same_v<R, Totals> ? c.result() : c.elements())
+    body(c, *r, pass<T>(arguments)...);
 }
+
+/// Tells whether a body answers with an error code, which its function has as its last argument.
+template <class Body>
+constexpr bool answers = false;
+template <class... T>
+constexpr bool answers<void (*)(T...)> = (std::is_same_v<T, ErrorCode> || ...);
 
 /// Admits a call, or refuses it with a line in the log.
 template <Category category, class Body, class... A>
-void enter(const char* name, Body body, const int* ire, const int* icp, int* error, A*... arguments) {
+void enter(const char* name, Body body, const int* ire, const int* icp, A*... arguments) {
   if (!ire || !icp) return log_line(name, 0, 0, "an argument is NULL");
+  int* error = nullptr;
+  if constexpr (answers<Body>) error = std::get<sizeof...(A) - 1>(std::tuple(arguments...));
   int code = admit(category, *ire, *icp, category != Category::wheel);
   if (!code) {
     const std::shared_ptr<Problem> problem = problem_of(*ire, *icp);
@@ -113,13 +128,13 @@ void enter(const char* name, Body body, const int* ire, const int* icp, int* err
 template <Category category, class Body, class... A>
 void run(const char* name, Body body, const int* ire, const int* icp,
          A*... arguments) requires(category != Category::none && category != Category::wheel) {
-  enter<category>(name, body, ire, icp, error_of(body, arguments...), arguments...);
+  enter<category>(name, body, ire, icp, arguments...);
 }
 
 template <Category category, class Body, class... A>
 void run(const char* name, Body body, const int* ire, A*... arguments) requires(category == Category::wheel) {
   static const int whole = -1;
-  enter<category>(name, body, ire, &whole, error_of(body, arguments...), arguments...);
+  enter<category>(name, body, ire, &whole, arguments...);
 }
 
 template <Category category, class Body, class... A>

@@ -6,6 +6,9 @@
 
 namespace cntc {
 
+/// Runs an input file, or only checks it; returns the number of cases that failed, or -1 if the file is wrong.
+int run_inp(const std::string& path, bool check_only);
+
 /// Writes the inputs as a case of an input file, if the flag wrtinp asks for it.
 void write_inp(Problem& p);
 /// Writes the case to the out-file and to mat-files, as far as the digits O and A ask for them.

@@ -1,11 +1,17 @@
-#include "flags.hpp"
-
 #include <algorithm>
 
 #include "bodies.hpp"
 
 namespace cntc {
 namespace {
+
+/// Describes a flag of cntc_setflags: where it is kept, its range, and whether it can be set and read.
+struct Flag {
+  int code;
+  int Digits::*digit;
+  int low, high;
+  bool settable, readable;
+};
 
 constexpr int any = 2000000000;
 const Flag table[] = {
@@ -42,20 +48,22 @@ const Flag table[] = {
     {CNTC_if_frames, &Digits::frames, 0, 1, true, true},
 };
 
-}  // namespace
-
+/// Finds a flag by its code; returns a null pointer if there is none.
 const Flag* flag_of(int code) {
   for (const Flag& flag : table)
     if (flag.code == code) return &flag;
   return nullptr;
 }
 
+/// Returns the value that a flag takes: the wanted one cut to the range, or the one that CONTACT takes instead.
 int flag_value(const Flag& flag, int wanted) {
   if (flag.code == CNTC_ic_matfil && (wanted < 0 || wanted > 2)) return 0;
   if (flag.code == CNTC_ic_sbsout && wanted == 3) return 2;
   if (flag.code == CNTC_if_ncase) return std::clamp(wanted - 1, -1, flag.high);
   return std::clamp(wanted, flag.low, flag.high);
 }
+
+}  // namespace
 
 void set_flags(Call& c, int n, const int* params, const int* values) {
   if (n > 0 && (!params || !values)) return say(c, "an argument is NULL");

@@ -13,7 +13,6 @@ namespace {
 constexpr int intervals = 400;       // for sampling as the profile does
 constexpr double least_step = 1e-4;  // mm
 constexpr double most_points = 1e6;
-constexpr double no_point = 999;  // coordinates where a profile has none
 
 /// Holds the parameters of the call, or their standards.
 struct Sampling {
@@ -100,13 +99,11 @@ void get_profile_values(Call& c, int task, int nints, const int* ints, int nreal
     if (task >= 6) return say(c, "the step is %g; allowed: at least %g", s.step, least_step);
     s.how = 0;
   }
-  rollcon_context* made = nullptr;
   Profile profile;
   ContextHandle context;
   try {
-    check(rollcon_context_create(ROLLCON_ABI, &made));
-    context.reset(made);
-    profile.make(made, input, c.in().material);
+    create(context, rollcon_context_create, ROLLCON_ABI);
+    profile.make(context.get(), input, c.in().material);
   } catch (const Failure& failure) {
     const double v[2] = {double(failure.code), input.given ? double(failure.code) : 1};
     if (task == -1) return put(n, values, v, 2, false);
@@ -119,7 +116,7 @@ void get_profile_values(Call& c, int task, int nints, const int* ints, int nreal
     v = {0, 0};
   } else if (task >= 6) {
     if (!profile.varies()) return say(c, "task %d needs a profile that varies (slcs, slcw)", task);
-    Sections sections(made, profile, wheel);
+    Sections sections(context.get(), profile, wheel);
     const auto range = slice_range(input.path);
     s.first = nreals > 2 ? reals[2] : task == 6 ? 1 : range[0];
     s.last = nreals > 3 ? reals[3] : task == 6 ? sections.lines() : range[1];
@@ -134,9 +131,10 @@ void get_profile_values(Call& c, int task, int nints, const int* ints, int nreal
   } else {
     if (task == 2 && !w) return say(c, "task 2 needs a solved wheel");
     const bool here = task == 2 && !wheel;
-    const Section section = profile.varies()
-                                ? Sections(made, profile, wheel).at(s.place + (here ? c.in().wheelset.position[0] : 0))
-                                : Section(profile);
+    const Section section =
+        profile.varies()
+            ? Sections(context.get(), profile, wheel).at(s.place + (here ? c.in().wheelset.position[0] : 0))
+            : Section(profile);
     const int points = s.points(section.length());
     const Track& t = c.in().track;
     const double length = c.units().length;

@@ -25,11 +25,36 @@ Grid grid_of(Call& c, const ContactResult& r) {
   return g;
 }
 
-/// Fills an array with a field times a factor; slots beyond stay as they are.
-void put_field(Call& c, int n, double* to, const std::vector<double>& from, double factor) {
-  if (!to) return;
-  if (from.empty()) return say(c, "this field was not computed");
-  for (size_t k = 0; k < std::min(size_t(std::max(n, 0)), from.size()); ++k) to[k] = factor * from[k];
+using R = ContactResult;
+/// Describes a field: where it is kept, powers of the length and the stress of the caller's units that it is divided
+/// by, and whether it is one of a body, with a sign.
+struct Field {
+  int code;
+  std::vector<double> R::*values;
+  int lengths, stresses;
+  bool signs;
+};
+const Field fields[] = {
+    {CNTC_fld_h, &R::h, 1, 0, false},   {CNTC_fld_mu, &R::mu, 0, 0, false},       {CNTC_fld_px, &R::px, 0, 1, true},
+    {CNTC_fld_py, &R::py, 0, 1, true},  {CNTC_fld_pn, &R::pn, 0, 1, false},       {CNTC_fld_ux, &R::ux, 1, 0, false},
+    {CNTC_fld_uy, &R::uy, 1, 0, false}, {CNTC_fld_un, &R::un, 1, 0, false},       {CNTC_fld_sx, &R::sx, 0, 0, true},
+    {CNTC_fld_sy, &R::sy, 0, 0, true},  {CNTC_fld_temp1, &R::temp1, 0, 0, false}, {CNTC_fld_wx, &R::wx, 0, 0, true},
+    {CNTC_fld_wy, &R::wy, 0, 0, true},  {CNTC_fld_temp2, &R::temp2, 0, 0, false}};
+
+/// Fills an array with a field; slots beyond stay as they are. Returns false if there is no such field.
+bool put_field(Call& c, const R& r, int code, int n, double* to) {
+  const auto f = std::find_if(std::begin(fields), std::end(fields), [&](const Field& f) { return f.code == code; });
+  if (f == std::end(fields)) return false;
+  const auto& from = r.*f->values;
+  const Units& u = c.units();
+  const double factor = (f->signs ? u.sign : 1) / (f->lengths ? u.length : 1) / (f->stresses ? u.stress() : 1);
+  if (to && from.empty()) say(c, "this field was not computed");
+  for (size_t k = 0; to && k < std::min(size_t(std::max(n, 0)), from.size()); ++k) to[k] = factor * from[k];
+  return true;
+}
+
+double largest(const std::vector<double>& v) {
+  return v.empty() ? 0 : *std::max_element(v.begin(), v.end());
 }
 
 }  // namespace
@@ -46,18 +71,17 @@ void get_grid_steps(Call& c, double& dx, double& dy) {
   }
 }
 
-void get_parameters(Call& c, int task, int n, double* values) {
-  const ContactResult* r = c.result();
-  if (!r || (n > 0 && !values)) return;
+void get_parameters(Call& c, const Totals& r, int task, int n, double* values) {
+  if (n > 0 && !values) return;
   const Inputs& in = c.in();
   const double length = c.units().length, stress = c.units().stress(), area = c.units().area();
   const Material& m = in.material;
   const auto& more = m.more;
   const bool layer = in.digits.mater == 4;
   if (task == 1) {
-    const double v[6] = {(r->solved ? r->veloc : in.veloc) / length,
+    const double v[6] = {(r.solved ? r.veloc : in.veloc) / length,
                          in.chi,
-                         r->solved ? r->dq / length : in.dq / (c.p.module == 3 ? length : 1),
+                         r.solved ? r.dq / length : in.dq / (c.p.module == 3 ? length : 1),
                          in.spinxo / length,
                          in.spinyo / length,
                          layer ? more[2] / stress : 0};
@@ -97,114 +121,73 @@ void get_parameters(Call& c, int task, int n, double* values) {
   put(n, values, v.data(), int(v.size()), true);
 }
 
-void get_reference_velocity(Call& c, double& veloc) {
-  if (const ContactResult* r = c.result())
-    veloc = (r->solved || c.p.module == 1 ? r->veloc : c.in().veloc) / c.units().length;
+void get_reference_velocity(Call& c, const Totals& r, double& veloc) {
+  veloc = (r.solved || c.p.module == 1 ? r.veloc : c.in().veloc) / c.units().length;
 }
 
-void get_element_numbers(Call& c, int& mx, int& my) {
-  if (const ContactResult* r = c.elements()) {
-    const Grid g = grid_of(c, *r);
-    mx = g.mx;
-    my = g.my;
-  }
+void get_element_numbers(Call& c, const ContactResult& r, int& mx, int& my) {
+  const Grid g = grid_of(c, r);
+  mx = g.mx;
+  my = g.my;
 }
 
-void get_potential_contact(Call& c, int n, double* values) {
-  const ContactResult* r = c.elements();
-  if (!r) return;
-  const Grid g = grid_of(c, *r);
+void get_potential_contact(Call& c, const ContactResult& r, int n, double* values) {
+  const Grid g = grid_of(c, r);
   const double length = c.units().length;
   const double v[6] = {double(g.mx), double(g.my), g.xc / length, g.yc / length, g.dx / length, g.dy / length};
   put(n, values, v, 6, true);
 }
 
-void get_penetration(Call& c, double& pen) {
-  if (const ContactResult* r = c.result()) pen = (r->solved ? r->pen : c.in().pen) / c.units().length;
+void get_penetration(Call& c, const Totals& r, double& pen) {
+  pen = (r.solved ? r.pen : c.in().pen) / c.units().length;
 }
 
-void get_creepages(Call& c, double& vx, double& vy, double& phi) {
-  const ContactResult* r = c.result();
-  if (!r) return;
+void get_creepages(Call& c, const Totals& r, double& vx, double& vy, double& phi) {
   const double length = c.units().length, sign = c.units().sign;
   const bool shift = c.in().digits.tang == 1;
-  vx = sign * (r->solved ? r->cksi : c.in().cksi) / (shift ? length : 1);
-  vy = sign * (r->solved ? r->ceta : c.in().ceta) / (shift ? length : 1);
-  phi = sign * (r->solved ? r->cphi : c.in().cphi) * (shift ? 1 : length);
+  vx = sign * (r.solved ? r.cksi : c.in().cksi) / (shift ? length : 1);
+  vy = sign * (r.solved ? r.ceta : c.in().ceta) / (shift ? length : 1);
+  phi = sign * (r.solved ? r.cphi : c.in().cphi) * (shift ? 1 : length);
 }
 
-void get_contact_forces(Call& c, double& fn, double& tx, double& ty, double& mz) {
-  const ContactResult* r = c.result();
-  if (!r) return;
+void get_contact_forces(Call& c, const Totals& r, double& fn, double& tx, double& ty, double& mz) {
   const double sign = c.units().sign;
-  fn = r->fn;
-  tx = sign * r->tx;
-  ty = sign * r->ty;
-  mz = sign * r->mz / c.units().length;
+  fn = r.fn;
+  tx = sign * r.tx;
+  ty = sign * r.ty;
+  mz = sign * r.mz / c.units().length;
 }
 
-void get_areas(Call& c, double& contact, double& stick, double& slip) {
-  const ContactResult* r = c.elements();
-  if (!r) return;
-  const double cell = r->grid.dx * r->grid.dy / c.units().area();
-  stick = cell * double(r->count(1));
-  slip = cell * double(r->count(2));
-  contact = stick + slip + cell * double(r->count(3));
+void get_areas(Call& c, const ContactResult& r, double& contact, double& stick, double& slip) {
+  const double cell = r.grid.dx * r.grid.dy / c.units().area();
+  stick = cell * double(r.count(1));
+  slip = cell * double(r.count(2));
+  contact = stick + slip + cell * double(r.count(3));
 }
 
-void get_element_division(Call& c, int n, int* division) {
-  const ContactResult* r = c.elements();
-  if (!r || !division) return;
-  for (size_t k = 0; k < std::min(size_t(std::max(n, 0)), r->division.size()); ++k) division[k] = r->division[k];
+void get_element_division(Call&, const ContactResult& r, int n, int* division) {
+  if (!division) return;
+  for (size_t k = 0; k < std::min(size_t(std::max(n, 0)), r.division.size()); ++k) division[k] = r.division[k];
 }
 
-namespace {
-
-double largest(const std::vector<double>& v) {
-  double most = 0;
-  for (const double x : v) most = std::max(most, x);
-  return most;
+void get_max_pressure(Call& c, const Totals& r, double& value) {
+  value = r.pmax / c.units().stress();
 }
 
-}  // namespace
-
-void get_max_pressure(Call& c, double& value) {
-  if (const ContactResult* r = c.result()) value = (r->pmax > 0 ? r->pmax : largest(r->pn)) / c.units().stress();
-}
-
-void get_max_traction(Call& c, double& value) {
-  const ContactResult* r = c.elements();
-  if (!r) return;
+void get_max_traction(Call& c, const ContactResult& r, double& value) {
   value = 0;
-  for (size_t k = 0; k < r->px.size(); ++k) value = std::max(value, std::hypot(r->px[k], r->py[k]));
+  for (size_t k = 0; k < r.px.size(); ++k) value = std::max(value, std::hypot(r.px[k], r.py[k]));
   value /= c.units().stress();
 }
 
-void get_max_temperature(Call& c, double& t1, double& t2) {
-  const ContactResult* r = c.elements();
-  if (!r) return;
-  t1 = largest(r->temp1);
-  t2 = largest(r->temp2);
+void get_max_temperature(Call&, const ContactResult& r, double& t1, double& t2) {
+  t1 = largest(r.temp1);
+  t2 = largest(r.temp2);
 }
 
-void get_field(Call& c, int field, int n, double* values) {
-  const ContactResult* r = c.elements();
-  if (!r) return;
+void get_field(Call& c, const ContactResult& r, int field, int n, double* values) {
   if (n > 0 && !values) return say(c, "an array is NULL");
-  const double length = 1 / c.units().length, stress = 1 / c.units().stress(), sign = c.units().sign;
-  struct Row {
-    int code;
-    const std::vector<double>& field;
-    double factor;
-  };
-  const Row rows[] = {
-      {CNTC_fld_h, r->h, length},          {CNTC_fld_mu, r->mu, 1},       {CNTC_fld_px, r->px, sign * stress},
-      {CNTC_fld_py, r->py, sign * stress}, {CNTC_fld_pn, r->pn, stress},  {CNTC_fld_ux, r->ux, length},
-      {CNTC_fld_uy, r->uy, length},        {CNTC_fld_un, r->un, length},  {CNTC_fld_sx, r->sx, sign},
-      {CNTC_fld_sy, r->sy, sign},          {CNTC_fld_temp1, r->temp1, 1}, {CNTC_fld_temp2, r->temp2, 1},
-      {CNTC_fld_wx, r->wx, sign},          {CNTC_fld_wy, r->wy, sign}};
-  for (const Row& row : rows)
-    if (row.code == field) return put_field(c, n, values, row.field, row.factor);
+  if (put_field(c, r, field, n, values)) return;
   if (field == CNTC_fld_taucrt || field == CNTC_fld_uplsx || field == CNTC_fld_uplsy)
     return say(c,
                "field %d (%s) is not available: the flow of layers is not known by elements; allowed: 1 to 5, 7 to 9, "
@@ -213,38 +196,29 @@ void get_field(Call& c, int field, int n, double* values) {
   say(c, "there is no field %d", field);
 }
 
-void get_tractions(Call& c, int n, double* pn, double* px, double* py) {
-  const ContactResult* r = c.elements();
-  if (!r) return;
-  const double stress = 1 / c.units().stress(), sign = c.units().sign;
-  put_field(c, n, pn, r->pn, stress);
-  put_field(c, n, px, r->px, sign * stress);
-  put_field(c, n, py, r->py, sign * stress);
+void get_tractions(Call& c, const ContactResult& r, int n, double* pn, double* px, double* py) {
+  put_field(c, r, CNTC_fld_pn, n, pn);
+  put_field(c, r, CNTC_fld_px, n, px);
+  put_field(c, r, CNTC_fld_py, n, py);
 }
 
-void get_slip(Call& c, int n, double* sx, double* sy) {
-  const ContactResult* r = c.elements();
-  if (!r) return;
-  put_field(c, n, sx, r->sx, c.units().sign);
-  put_field(c, n, sy, r->sy, c.units().sign);
+void get_slip(Call& c, const ContactResult& r, int n, double* sx, double* sy) {
+  put_field(c, r, CNTC_fld_sx, n, sx);
+  put_field(c, r, CNTC_fld_sy, n, sy);
 }
 
-void get_displacements(Call& c, int n, double* un, double* ux, double* uy) {
-  const ContactResult* r = c.elements();
-  if (!r) return;
-  const double length = 1 / c.units().length;
-  put_field(c, n, un, r->un, length);
-  put_field(c, n, ux, r->ux, length);
-  put_field(c, n, uy, r->uy, length);
+void get_displacements(Call& c, const ContactResult& r, int n, double* un, double* ux, double* uy) {
+  put_field(c, r, CNTC_fld_un, n, un);
+  put_field(c, r, CNTC_fld_ux, n, ux);
+  put_field(c, r, CNTC_fld_uy, n, uy);
 }
 
-void get_sensitivities(Call& c, int rows, int columns, double* values) {
-  const ContactResult* r = c.result();
-  if (!r || !values) return;
+void get_sensitivities(Call& c, const Totals& r, int rows, int columns, double* values) {
+  if (!values) return;
   const double length = c.units().length;
   for (int j = 0; j < std::min(columns, 4); ++j)
     for (int i = 0; i < std::min(rows, 4); ++i) {
-      double v = r->sensitivities[size_t(i + 4 * j)];
+      double v = r.sensitivities[size_t(i + 4 * j)];
       if (i == 3) v /= length;
       if (j == 0) v *= length;
       if (j == 3) v /= length;

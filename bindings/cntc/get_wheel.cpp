@@ -21,16 +21,9 @@ double yaw_of(const Mat3& m) {
 /// Arc length of the profile at the point nearest to (y, z), from where y = 0.
 double arc_length(const Profile& profile, double y, double z) {
   const Section section(profile);
-  double best = 1e300, nearest = 0;
-  const int n = 4000;
-  for (int k = 0; k <= n; ++k) {
-    const SectionPoint p = section.at(section.length() * k / n);
-    const double off = std::hypot(p.place[1] - y, p.place[2] - z);
-    if (off >= best) continue;
-    best = off;
-    nearest = section.length() * k / n + (y - p.place[1]) * std::cos(p.slope) + (z - p.place[2]) * std::sin(p.slope);
-  }
-  return nearest - section.middle();
+  const double s = section.least(4000, [&](const Vec3& at) { return std::hypot(at[1] - y, at[2] - z); });
+  const SectionPoint p = section.at(s);
+  return s + (y - p.place[1]) * std::cos(p.slope) + (z - p.place[2]) * std::sin(p.slope) - section.middle();
 }
 
 }  // namespace

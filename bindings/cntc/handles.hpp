@@ -27,4 +27,12 @@ struct Failure : std::runtime_error {
 /// Throws Failure with rollcon's last error if a call of rollcon failed.
 int check(rollcon_status status);
 
+/// Makes an object of rollcon by the function that creates it; throws Failure.
+template <class Handle, class Create, class... A>
+void create(Handle& handle, Create function, A... arguments) {
+  typename Handle::pointer made = nullptr;
+  check(function(arguments..., &made));
+  handle.reset(made);
+}
+
 }  // namespace cntc

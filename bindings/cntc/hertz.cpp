@@ -1,7 +1,6 @@
-#include "hertz.hpp"
-
 #include <cmath>
 
+#include "calculate.hpp"
 #include "handles.hpp"
 
 namespace cntc {

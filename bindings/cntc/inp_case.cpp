@@ -8,6 +8,21 @@
 
 namespace cntc {
 
+std::vector<int> InpCase::read_second_control(std::array<const char*, 5> allowed) {
+  int m2 = 1;
+  const auto l = in_.control({{"V", allowed[0]},
+                              {"L", "012346"},
+                              {"D", allowed[1]},
+                              {"C3", allowed[2]},
+                              {"M", "01234567"},
+                              {"Z", allowed[3]},
+                              {"E", allowed[4]}},
+                             &m2);
+  v_.digits.mater = l[4];
+  if (m2 != 1) v_.digits.damping = m2;
+  return l;
+}
+
 void InpCase::read_last_control() {
   const auto d = in_.control({{"X", "01"},
                               {"H", "013"},

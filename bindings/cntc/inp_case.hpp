@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <string>
 
 #include "bodies.hpp"
@@ -32,12 +33,16 @@ class InpCase {
     set(setter, method, int(q.size()), q.data());
   }
 
+  /// Reads the control word V-L-D-C3-M-Z-E; `allowed` has the values of V, D, C3, Z and E. Keeps M and M2.
+  std::vector<int> read_second_control(std::array<const char*, 5> allowed);
   void read_last_control();
   void check_case(int law, int grid) const;
   void read_solver();
   void read_friction(int variation, int law);
   void read_material(int coefficients);
   void read_profile(bool wheel);
+  /// Reads what the second control word of a wheel announces.
+  void read_wheel_data(const std::vector<int>& control, bool motion);
   void read_plane_grid();
   void read_track(int z);
   void read_wheelset(int e, bool motion);

@@ -16,13 +16,8 @@ void InpCase::read_gap() {
   d.tang = c[2];
   d.norm = c[3];
   d.force = c[4];
-  int m2 = 1;
-  const auto l = in_.control(
-      {{"V", "03"}, {"L", "012346"}, {"D", "012"}, {"C3", "012349"}, {"M", "01234567"}, {"Z", "012"}, {"E", "01239"}},
-      &m2);
+  const auto l = read_second_control({"03", "012", "012349", "012", "01239"});
   if (l[0] == 3) in_.fail("friction by rows of elements (V = 3) is not available in module 3");
-  d.mater = l[4];
-  if (m2 != 1) d.damping = m2;
   read_last_control();
   check_case(l[1], l[2]);
   const auto q = in_.reals(4, 2, "PEN or FN, CKSI or FX, CETA or FY, CPHI");

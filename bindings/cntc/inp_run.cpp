@@ -1,14 +1,12 @@
 // Runs input files, and takes a wheel's inputs from one.
-#include "inp_run.hpp"
-
 #include <cstdio>
 #include <map>
 #include <memory>
 #include <tuple>
 
 #include "bodies.hpp"
+#include "files.hpp"
 #include "inp_case.hpp"
-#include "subsurface.hpp"
 #include "text.hpp"
 
 namespace cntc {

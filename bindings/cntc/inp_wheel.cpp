@@ -2,15 +2,6 @@
 #include "inp_case.hpp"
 
 namespace cntc {
-namespace {
-
-/// The second control word, and what follows it.
-std::vector<int> second_control(InpReader& in, const char* z, const char* e, int* m2) {
-  return in.control(
-      {{"V", "012"}, {"L", "012346"}, {"D", "0123456789"}, {"C3", "01234"}, {"M", "01234567"}, {"Z", z}, {"E", e}}, m2);
-}
-
-}  // namespace
 
 void InpCase::read_wheel() {
   Digits& d = v_.digits;
@@ -23,20 +14,21 @@ void InpCase::read_wheel() {
   d.tang = c[3];
   d.norm = c[4];
   d.force = c[5];
-  int m2 = 1;
-  const auto l = second_control(in_, "0123", "012345", &m2);
+  const auto l = read_second_control({"012", "0123456789", "01234", "0123", "012345"});
   if (l[1] == 1 && l[0] != v_.friction.variation) in_.fail("V must not change while L is 1");
-  if (l[2] >= 2) d.discns = l[2];
-  d.mater = l[4];
-  if (m2 != 1) d.damping = m2;
   read_last_control();
   check_case(l[1], l[2]);
-  if (l[1] != 1) read_friction(l[0], l[1]);
-  read_material(l[3]);
-  if (l[2] >= 2) read_plane_grid();
-  read_track(l[5]);
-  read_wheelset(l[6], true);
+  read_wheel_data(l, true);
   read_subsurface(c[6]);
+}
+
+void InpCase::read_wheel_data(const std::vector<int>& control, bool motion) {
+  if (control[2] >= 2) v_.digits.discns = control[2];
+  if (control[1] != 1) read_friction(control[0], control[1]);
+  read_material(control[3]);
+  if (control[2] >= 2) read_plane_grid();
+  read_track(control[5]);
+  read_wheelset(control[6], motion);
 }
 
 void InpCase::read_plane_grid() {
@@ -96,21 +88,13 @@ void InpCase::read_simpack() {
                               {"S", "0123456789"}});
   d.bound = c[2];
   d.tang = c[3];
-  int m2 = 1;
-  const auto l = second_control(in_, "03", "03", &m2);
-  if (l[2] >= 2) d.discns = l[2];
-  d.mater = l[4];
-  if (m2 != 1) d.damping = m2;
+  const auto l = read_second_control({"012", "0123456789", "01234", "03", "03"});
   read_last_control();
   heat_ = 0;
   for (int Digits::*digit : {&Digits::config, &Digits::pvtime, &Digits::norm, &Digits::force, &Digits::heat,
                              &Digits::sens, &Digits::iestim, &Digits::xflow, &Digits::flow, &Digits::ret})
     d.*digit = kept.*digit;
-  if (l[1] != 1) read_friction(l[0], l[1]);
-  read_material(l[3]);
-  if (l[2] >= 2) read_plane_grid();
-  read_track(l[5]);
-  read_wheelset(l[6], false);
+  read_wheel_data(l, false);
 }
 
 }  // namespace cntc

@@ -3,9 +3,24 @@
 #include <string>
 #include <vector>
 
-#include "units.hpp"
+#include "rollcon_cntc.h"
 
 namespace cntc {
+
+/// Holds factors from the caller's units to mm, s and N, and the sign of forces (SIMPACK takes those on body 2).
+struct Units {
+  int code = CNTC_un_cntc;
+  double length = 1;
+  double sign = 1;
+
+  double area() const { return length * length; }
+  double stress() const { return 1 / area(); }
+};
+
+inline Units units_of(int code) {
+  const double length = code == CNTC_un_cntc ? 1 : 1000;
+  return {code, length, code == CNTC_un_spck ? -1.0 : 1.0};
+}
 
 /// Holds control digits and flags; flags.cpp has their codes and ranges.
 struct Digits {
@@ -50,6 +65,8 @@ struct Heat {
 struct FrictionRow {
   double place = 0;
   std::array<double, 5> p{};
+
+  bool operator==(const FrictionRow&) const = default;
 };
 
 struct Friction {
@@ -59,9 +76,6 @@ struct Friction {
 
   bool operator==(const Friction&) const = default;
 };
-inline bool operator==(const FrictionRow& a, const FrictionRow& b) {
-  return a.place == b.place && a.p == b.p;
-}
 
 /// Holds a grid of elements: the first centre, and the steps.
 struct Grid {

@@ -3,7 +3,6 @@
 #include <thread>
 
 #include "bodies.hpp"
-#include "flags.hpp"
 #include "text.hpp"
 
 namespace cntc {

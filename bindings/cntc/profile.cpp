@@ -20,9 +20,8 @@ double filter_length(const ProfileInput& input) {
 }  // namespace
 
 void Profile::read(rollcon_context* context, const ProfileInput& input, double unit, int mirror) {
-  rollcon_body* body = nullptr;
-  check(rollcon_body_create(context, ROLLCON_BODY_HALFSPACE, &body));
-  body_.reset(body);
+  create(body_, rollcon_body_create, context, ROLLCON_BODY_HALFSPACE);
+  rollcon_body* body = body_.get();
   const double filter = filter_length(input);
   if (varies_) {
     check(rollcon_body_read_slices(body, input.path.c_str(), 1, unit, mirror, filter));
@@ -87,30 +86,6 @@ void Profile::at(double s, double& y, double& z, double& slope) const {
   y = point[0];
   z = point[1];
   slope = std::atan2(tangent[1], tangent[0]);
-}
-
-double Profile::z_at(double wanted) const {
-  double y0 = 0, z0 = 0, y = 0, z = 0, slope = 0, best = 0;
-  bool found = false;
-  const int n = 400;
-  at(0, y0, z0, slope);
-  for (int k = 1; k <= n; ++k) {
-    at(length_ * k / n, y, z, slope);
-    if ((y0 - wanted) * (y - wanted) <= 0 && y != y0) {
-      double low = length_ * (k - 1) / n, high = length_ * k / n;
-      for (int i = 0; i < 60; ++i) {
-        double ym = 0, zm = 0;
-        at((low + high) / 2, ym, zm, slope);
-        ((ym - wanted) * (y - wanted) <= 0 ? low : high) = (low + high) / 2;
-        best = zm;
-      }
-      found = true;
-    }
-    y0 = y;
-    z0 = z;
-  }
-  if (!found) throw Failure(CNTC_err_profil, "the wheel's profile does not reach y = " + std::to_string(wanted));
-  return best;
 }
 
 }  // namespace cntc

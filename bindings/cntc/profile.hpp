@@ -19,8 +19,6 @@ class Profile {
   bool varies() const { return varies_; }
   double length() const { return length_; }
   void at(double s, double& y, double& z, double& slope) const;
-  /// Returns z at a y; for a wheel z of the lowest branch of its tread.
-  double z_at(double y) const;
 
  private:
   void read(rollcon_context* context, const ProfileInput& input, double unit, int mirror);

@@ -3,7 +3,7 @@
 #include <cstring>
 #include <exception>
 
-#include "inp_run.hpp"
+#include "files.hpp"
 #include "log.hpp"
 #include "registry.hpp"
 #include "text.hpp"

@@ -9,17 +9,20 @@ namespace cntc {
 using Vec3 = std::array<double, 3>;
 using Mat3 = std::array<Vec3, 3>;  // rows
 
-/// Holds the results of a contact, in mm, s and N, on body 1, in the axes of the contact; its motion is what was found.
-struct ContactResult : Motion {
+/// Holds results of a contact that need no elements, in mm, s and N, on body 1, in the axes of the contact; its motion
+/// is what was found.
+struct Totals : Motion {
   bool solved = false;
   bool deferred = false;  // elements are filled when a getter asks for them
-  Grid grid;
-  double fstat = 0, tx = 0, ty = 0, mz = 0, power = 0;
+  double fstat = 0, tx = 0, ty = 0, mz = 0, power = 0, pmax = 0;
   double mx = 0, my = 0;  // moments of the pressures about the axes x and y
+  std::array<double, 16> sensitivities{};
+};
+
+struct ContactResult : Totals {
+  Grid grid;
   std::vector<double> h, mu, px, py, pn, ux, uy, un, sx, sy, temp1, temp2;
   std::vector<int> division;
-  std::array<double, 16> sensitivities{};
-  double pmax = 0;     // largest pressure, where it is not that of the elements
   int iterations = 0;  // Newton steps of the solve
   int rim = 0;         // elements in contact next to the border
 

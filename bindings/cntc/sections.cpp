@@ -39,42 +39,37 @@ SectionPoint Section::at(double s) const {
 }
 
 double Section::middle() const {
-  double best = 0, least = 1e300;
-  for (int k = 0; k <= 5 * parts; ++k) {
-    const double s = length_ * k / (5 * parts);
-    const SectionPoint p = at(s);
-    if (std::abs(p.place[1]) >= least) continue;
-    least = std::abs(p.place[1]);
-    best = s - p.place[1] * std::cos(p.slope);
-  }
-  return best;
+  const double s = least(5 * parts, [](const Vec3& place) { return std::abs(place[1]); });
+  const SectionPoint p = at(s);
+  return s - p.place[1] * std::cos(p.slope);
 }
 
 double Section::z_at(double y, double none) const {
-  Vec3 before = at(0).place;
-  for (int k = 1; k <= parts; ++k) {
-    const Vec3 here = at(length_ * k / parts).place;
-    if ((before[1] - y) * (here[1] - y) <= 0 && here[1] != before[1])
-      return before[2] + (y - before[1]) / (here[1] - before[1]) * (here[2] - before[2]);
-    before = here;
+  for (int k = parts; k > 0; --k) {
+    double low = length_ * (k - 1) / parts, high = length_ * k / parts;
+    const double before = at(low).place[1] - y, after = at(high).place[1] - y;
+    if (before * after > 0 || before == after) continue;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = (low + high) / 2;
+      ((at(middle).place[1] - y) * after <= 0 ? low : high) = middle;
+    }
+    return at(low).place[2];
   }
   return none;
 }
 
 Sections::Sections(rollcon_context* context, const Profile& profile, bool wheel) : wheel_(wheel) {
   lines_ = 2 + std::floor(profile.length() / between_lines);
-  rollcon_body* body = nullptr;
-  check(rollcon_body_create(context, ROLLCON_BODY_HALFSPACE, &body));
-  partner_.reset(body);
+  create(partner_, rollcon_body_create, context, ROLLCON_BODY_HALFSPACE);
+  rollcon_body* body = partner_.get();
   const double unit = 1, zero[3] = {0, 0, 0}, x[3] = {1, 0, 0}, y[3] = {0, 1, 0}, z[3] = {0, 0, 1};
   check(rollcon_body_set_elastic(body, 0, 2e5, .3));
   check(rollcon_body_set_profile_shape(body, wheel ? "60e1" : "s1002", 1, &unit));
   rollcon_body *turning = wheel ? profile.body() : body, *rail = wheel ? body : profile.body();
   check(rollcon_body_extrude_profile(rail, zero, x, z));
   check(rollcon_body_revolve_profile(turning, zero, y, radius));
-  rollcon_wheelrail* pair = nullptr;
-  check(rollcon_wheelrail_create(context, turning, rail, ROLLCON_RIGHT, &pair));
-  pair_.reset(pair);
+  create(pair_, rollcon_wheelrail_create, context, turning, rail, ROLLCON_RIGHT);
+  rollcon_wheelrail* pair = pair_.get();
   check(rollcon_wheelrail_set_friction(pair, "coulomb", 1, &zero[0]));
   check(rollcon_wheelrail_place_rail(pair, 0, 0, 0));
   check(rollcon_wheelrail_set_wheelset(pair, flange_back, 0, radius));

@@ -8,6 +8,8 @@
 
 namespace cntc {
 
+constexpr double no_point = 999;  // coordinates where a profile has none
+
 struct SectionPoint {
   Vec3 place{};  // x is 0
   double slope = 0;
@@ -21,9 +23,19 @@ class Section {
 
   double length() const { return length_; }
   SectionPoint at(double s) const;
+  /// Returns the arc length of the point of n that is least by a measure.
+  template <class Measure>
+  double least(int n, Measure measure) const {
+    double best = 0, least = 1e300;
+    for (int k = 0; k <= n; ++k) {
+      const double s = length() * k / n, off = measure(at(s).place);
+      if (off < least) least = off, best = s;
+    }
+    return best;
+  }
   /// Returns the arc length of the point where y is 0, or of the one nearest to that.
   double middle() const;
-  /// Returns z at a y, or `none` where the section has no such point.
+  /// Returns z at a y, on the branch nearest to the end, or `none` where the section has no such point.
   double z_at(double y, double none) const;
 
  private:

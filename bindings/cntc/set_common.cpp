@@ -96,13 +96,12 @@ void set_temperature_data(Call& c, int method, int n, const double* params) {
 }
 
 void set_time_step(Call& c, double dt) {
-  if (!(dt > 0) || !std::isfinite(dt)) return say(c, "the time step is %g; allowed: above 0", dt);
+  if (!(dt > 0)) return say(c, "the time step is %g; allowed: above 0", dt);
   c.in().dt = dt;
 }
 
 void set_rolling_step(Call& c, double chi, double dq) {
-  if (!std::isfinite(chi) || !(dq > 0) || !std::isfinite(dq))
-    return say(c, "chi %g, dq %g; allowed: an angle, and a step above 0", chi, dq);
+  if (!(dq > 0)) return say(c, "the step DQ is %g; allowed: above 0", dq);
   if (c.p.module == 3) c.in().chi = chi;
   c.in().dq = c.p.module == 3 ? dq * c.units().length : dq;
 }
@@ -202,7 +201,6 @@ void set_potential_contact(Call& c, int ipotcn, int n, const double* params) {
 }
 
 void set_tangential_forces(Call& c, double fx, double fy) {
-  if (!std::isfinite(fx) || !std::isfinite(fy)) return say(c, "a force is not finite");
   const double size = std::hypot(fx, fy);
   if (c.p.module == 3 && size > 1) {
     fx /= size;

@@ -7,7 +7,6 @@
 namespace cntc {
 
 void set_reference_velocity(Call& c, double veloc) {
-  if (!std::isfinite(veloc)) return say(c, "the velocity is not finite");
   c.in().veloc = std::abs(veloc) * c.units().length;
 }
 
@@ -36,13 +35,11 @@ void set_hertz_contact(Call& c, int ipotcn, int n, const double* params) {
 }
 
 void set_penetration(Call& c, double pen) {
-  if (!std::isfinite(pen)) return say(c, "the approach is not finite");
   c.in().pen = pen * c.units().length;
   c.in().digits.norm = 0;
 }
 
 void set_normal_force(Call& c, double fn) {
-  if (!std::isfinite(fn)) return say(c, "the force is not finite");
   c.in().fn = fn;
   c.in().digits.norm = 1;
 }
@@ -81,7 +78,6 @@ void set_undeformed_distance(Call& c, int ibase, int n, const double* params) {
 }
 
 void set_creepages(Call& c, double vx, double vy, double phi) {
-  if (!std::isfinite(vx) || !std::isfinite(vy) || !std::isfinite(phi)) return say(c, "a creepage is not finite");
   const double length = c.units().length;
   const bool shift = c.in().digits.tang == 1;
   c.in().cksi = shift ? vx * length : vx;

@@ -1,6 +1,4 @@
 // Displacements and stresses inside the bodies.
-#include "subsurface.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -33,8 +31,7 @@ std::vector<double> centres(int kind, const std::vector<double>& q, int count, d
   return places;
 }
 
-}  // namespace
-
+/// Finds the coordinates of the points of a block, in ascending order.
 void lay_points(const BlockInput& input, const Grid& grid, std::vector<double>& x, std::vector<double>& y,
                 std::vector<double>& z) {
   const int kind = input.isubs == 9 ? 9 : (input.isubs - 1) % 4 + 1;
@@ -52,7 +49,8 @@ void lay_points(const BlockInput& input, const Grid& grid, std::vector<double>& 
   for (auto* v : {&x, &y, &z}) std::sort(v->begin(), v->end());
 }
 
-/// With mirror -1 the contact is the mirror image of the one that the block lies in.
+/// Fills a block with displacements and stresses. With mirror -1 the contact is the mirror image of the one that the
+/// block lies in.
 void fill_block(rollcon_contact* contact, const ContactResult& result, double mirror, SubsurfaceBlock& block) {
   std::vector<double> x, y, z;
   lay_points(block.input, result.grid, x, y, z);
@@ -100,6 +98,8 @@ void fill_block(rollcon_contact* contact, const ContactResult& result, double mi
   }
 }
 
+}  // namespace
+
 void add_block(Call& c, int iblk, int isubs, int npx, int npy, int npz, const double* x, const double* y,
                const double* z) {
   auto& blocks = c.p.blocks[c.icp];
@@ -133,6 +133,9 @@ void add_block(Call& c, int iblk, int isubs, int npx, int npy, int npz, const do
   blocks.push_back(std::move(block));
 }
 
+namespace {
+
+/// Calculates the blocks of a patch, or of all patches with icp -1; returns an error code.
 int calculate_blocks(Problem& p, int icp, std::string& why) {
   const int first = icp > 0 && p.module == 1 ? icp : 1, last = icp > 0 && p.module == 1 ? icp : int(p.patches.size());
   for (int k = first; k <= last; ++k) {
@@ -156,14 +159,6 @@ int calculate_blocks(Problem& p, int icp, std::string& why) {
   return 0;
 }
 
-void calculate_subsurface(Call& c, ErrorCode error) {
-  std::string why;
-  error.value = calculate_blocks(c.p, c.icp, why);
-  if (!why.empty()) say(c, "%s", why.c_str());
-}
-
-namespace {
-
 SubsurfaceBlock* block_of(Call& c, int iblk) {
   auto found = c.p.blocks.find(c.icp);
   if (found == c.p.blocks.end() && c.p.module == 1) found = c.p.blocks.find(-1);
@@ -172,6 +167,12 @@ SubsurfaceBlock* block_of(Call& c, int iblk) {
 }
 
 }  // namespace
+
+void calculate_subsurface(Call& c, ErrorCode error) {
+  std::string why;
+  error.value = calculate_blocks(c.p, c.icp, why);
+  if (!why.empty()) say(c, "%s", why.c_str());
+}
 
 void get_block_size(Call& c, int iblk, int& nx, int& ny, int& nz) {
   const SubsurfaceBlock* block = block_of(c, iblk);

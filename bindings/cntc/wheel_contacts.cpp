@@ -1,7 +1,6 @@
 // Solves the patches of a wheel on CONTACT's grids, and finds height and pitch rate.
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "calculate.hpp"
 #include "vectors.hpp"
@@ -11,7 +10,6 @@ namespace cntc {
 namespace {
 
 constexpr double pi = 3.141592653589793;
-const FrictionRow no_row{};
 
 /// Friction at a place: linear between rows, constant beyond.
 FrictionRow friction_at(const Friction& f, double place) {
@@ -20,7 +18,7 @@ FrictionRow friction_at(const Friction& f, double place) {
   for (size_t k = 1; k < rows.size(); ++k) {
     if (place > rows[k].place) continue;
     const double t = (place - rows[k - 1].place) / (rows[k].place - rows[k - 1].place);
-    FrictionRow row = no_row;
+    FrictionRow row;
     for (size_t i = 0; i < row.p.size(); ++i) row.p[i] = (1 - t) * rows[k - 1].p[i] + t * rows[k].p[i];
     return row;
   }
@@ -33,10 +31,10 @@ FrictionRow friction_at(const Friction& f, double place) {
 void WheelSolver::lay_grid(const Inputs& in, WheelPatch& patch) const {
   double dx = in.plane.dx, ds = in.plane.ds;
   const double beyond = patch.tight ? 0 : overlap_beyond, more = patch.tight ? 0 : 1;
-  const double x = beyond * (patch.x_high - patch.x_low), s = beyond * (patch.s_high - patch.s_low);
+  const double x = beyond * patch.x.length(), s = beyond * patch.s.length();
   for (;;) {
-    const double i0 = std::floor((patch.x_low - x) / dx) - more, i1 = std::ceil((patch.x_high + x) / dx) + more;
-    const double j0 = std::floor((patch.s_low - s) / ds) - more, j1 = std::ceil((patch.s_high + s) / ds) + more;
+    const double i0 = std::floor((patch.x.low - x) / dx) - more, i1 = std::ceil((patch.x.high + x) / dx) + more;
+    const double j0 = std::floor((patch.s.low - s) / ds) - more, j1 = std::ceil((patch.s.high + s) / ds) + more;
     if ((i1 - i0 + 1) * (j1 - j0 + 1) < in.digits.npomax) {
       // A sequence of steps keeps the grid as long as it covers the contact.
       const Grid& g = patch.wanted.grid;
@@ -177,32 +175,6 @@ Vec3 WheelSolver::find_height(Problem& p, int& code, std::string& why) {
   return {};
 }
 
-double find_rate(const std::function<double(double)>& off, double start, double accuracy) {
-  double low = start, f_low = off(low), high = low, f_high = f_low;
-  double step = (f_low > 0 ? -1e-4 : 1e-4) * std::abs(low);
-  while (f_low * f_high > 0 && std::abs(f_high) > accuracy) {
-    if (std::abs(high - start) > .5 * std::abs(start))
-      throw Failure(CNTC_err_ftot, "no pitch rate gives the longitudinal force FX: it is above the limit of friction");
-    low = high;
-    f_low = f_high;
-    high += step;
-    f_high = off(high);
-    step *= 2.5;
-  }
-  for (int n = 0; n < 60 && std::abs(f_high) > accuracy && std::abs(high - low) > 1e-14 * std::abs(high); ++n) {
-    const double next = high - f_high * (high - low) / (f_high - f_low), f_next = off(next);
-    if (f_next * f_high < 0) {
-      low = high;
-      f_low = f_high;
-    } else {
-      f_low /= 2;
-    }
-    high = next;
-    f_high = f_next;
-  }
-  return high;
-}
-
 /// Meets the longitudinal force on the rail along the wheelset's x by the pitch rate (F = 1), from the search's rate.
 void WheelSolver::find_pitch_rate(Problem& p, int& code, std::string& why) {
   const Vec3 x = wheelset.rotation * Vec3{1, 0, 0};
@@ -214,7 +186,9 @@ void WheelSolver::find_pitch_rate(Problem& p, int& code, std::string& why) {
     const Vec3 force = p.in.digits.norm == 1 ? find_height(p, code, why) : solve_patches(p, 0, code, why);
     return dot(force, x) - p.in.fx;
   };
-  find_rate(off, pitch_rate, limit * std::clamp(p.in.solver.reals[0], 1e-9, 1e-4));
+  const double start = std::abs(pitch_rate), accuracy = limit * std::clamp(p.in.solver.reals[0], 1e-9, 1e-4);
+  if (!find_root(off, pitch_rate, 1e-4 * start, .5 * start, accuracy))
+    throw Failure(CNTC_err_ftot, "no pitch rate gives the longitudinal force FX: it is above the limit of friction");
 }
 
 /// Finds the deflections at which the springs of the rail carry its forces (F = 3), by Newton's method from those of

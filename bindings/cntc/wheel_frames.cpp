@@ -69,11 +69,11 @@ void WheelSolver::fill_elements(Problem& p, size_t patch_number) {
   // What the frames have found stays.
   r.chi = elements.chi;
   r.dq = elements.dq;
+  r.fstat = elements.fstat;
+  r.deferred = false;
   r.wx.swap(elements.wx);
   r.wy.swap(elements.wy);
-  static_cast<Motion&>(elements) = r;
-  using R = ContactResult;
-  for (double R::*v : {&R::tx, &R::ty, &R::mz, &R::mx, &R::my, &R::power, &R::pmax}) elements.*v = r.*v;
+  static_cast<Totals&>(elements) = r;
   r = std::move(elements);
 }
 

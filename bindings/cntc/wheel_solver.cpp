@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "calculate.hpp"
+#include "sections.hpp"
 #include "vectors.hpp"
 
 namespace cntc {
@@ -25,22 +26,19 @@ void WheelSolver::prepare(const Problem& p) {
   const double roller = in.digits.roller() ? in.track.nomrad : 0;
   if (in.digits.roller() && !(roller > 0))
     throw Failure(CNTC_err_search, "the roller's radius NOMRAD is " + std::to_string(roller) + "; allowed: above 0");
-  if (search_ && rail_number_ == in.rail.number && wheel_number_ == in.wheel.number && threads == threads_ &&
-      material_.g == in.material.g && material_.nu == in.material.nu && nomrad_ == in.wheelset.nomrad &&
-      ytape_ == in.wheelset.ytape && roller_ == roller)
-    return;
+  const Made made{in.rail.number, in.wheel.number,    threads,           in.material.g,
+                  in.material.nu, in.wheelset.nomrad, in.wheelset.ytape, roller};
+  if (search_ && made == made_) return;
   search_.reset();
   dimensions_.clear();
   patches.clear();
-  rollcon_context* context = nullptr;
-  check(rollcon_context_create(ROLLCON_ABI, &context));
-  context_.reset(context);
+  create(context_, rollcon_context_create, ROLLCON_ABI);
+  rollcon_context* context = context_.get();
   check(rollcon_context_set_threads(context, threads));
   rail_profile.make(context, in.rail, in.material);
   wheel_profile.make(context, in.wheel, in.material);
-  rollcon_wheelrail* search = nullptr;
-  check(rollcon_wheelrail_create(context, wheel_profile.body(), rail_profile.body(), ROLLCON_RIGHT, &search));
-  search_.reset(search);
+  create(search_, rollcon_wheelrail_create, context, wheel_profile.body(), rail_profile.body(), ROLLCON_RIGHT);
+  rollcon_wheelrail* search = search_.get();
   const double zero[3] = {0, 0, 0}, x[3] = {1, 0, 0}, y[3] = {0, 1, 0}, z[3] = {0, 0, 1};
   check(rollcon_wheelrail_set_int(search, "roll_outside", 1));
   check(rollcon_wheelrail_set_int(search, "roll_about_origin", 1));
@@ -48,14 +46,12 @@ void WheelSolver::prepare(const Problem& p) {
   roller_ = roller;
   depth_ = 0;
   if (roller > 0) roller_profile_.make(context, in.rail, in.material, true);
-  radius_ = in.wheelset.nomrad - (in.wheelset.ytape < 999 ? wheel_profile.z_at(in.wheelset.ytape) : 0);
+  const double tape = in.wheelset.ytape, depth = tape < 999 ? Section(wheel_profile).z_at(tape, no_point) : 0;
+  if (depth == no_point)
+    throw Failure(CNTC_err_profil, "the wheel's profile does not reach y = " + std::to_string(tape));
+  radius_ = in.wheelset.nomrad - depth;
   check(rollcon_body_revolve_profile(wheel_profile.body(), zero, y, radius_));
-  nomrad_ = in.wheelset.nomrad;
-  ytape_ = in.wheelset.ytape;
-  rail_number_ = in.rail.number;
-  wheel_number_ = in.wheel.number;
-  threads_ = threads;
-  material_ = in.material;
+  made_ = made;
 }
 
 void WheelSolver::mirror_inputs(const Inputs& in) {
@@ -203,19 +199,15 @@ void WheelSolver::read_extents(WheelPatch& patch) const {
   std::vector<int32_t> states(static_cast<size_t>(nodes));
   check(rollcon_contact_get_field(contact, ROLLCON_FIELD_POINT, ROLLCON_GLOBAL, 3 * nodes, points.data(), nullptr));
   check(rollcon_contact_get_node_states(contact, nodes, states.data()));
-  patch.x_low = patch.s_low = 1e300;
-  patch.x_high = patch.s_high = -1e300;
+  patch.x = patch.s = {};
   for (size_t i = 0; i < size_t(nodes); ++i) {
     if (states[i] == ROLLCON_OPEN) continue;
     Vec3 at{};
     for (size_t d = 0; d < 3; ++d)
       at[d] = origin[d] + points[3 * i] * axes[d] + points[3 * i + 1] * axes[3 + d] + points[3 * i + 2] * axes[6 + d];
     const Vec3 from = at - patch.reference;
-    const double x = from[0], s = dot(from, patch.across());
-    patch.x_low = std::min(patch.x_low, x);
-    patch.x_high = std::max(patch.x_high, x);
-    patch.s_low = std::min(patch.s_low, s);
-    patch.s_high = std::max(patch.s_high, s);
+    patch.x.take(from[0]);
+    patch.s.take(dot(from, patch.across()));
   }
 }
 
@@ -249,32 +241,24 @@ namespace {
 
 /// Joins two patches: the reference is the mean, weighted with the depth of the overlaps.
 WheelPatch joined(const WheelPatch& a, const WheelPatch& b) {
-  const auto weight = [](const WheelPatch& p) {
-    return std::pow(std::max(p.overlap, 1e-12), 2.5) * (p.s_high - p.s_low);
-  };
+  const auto weight = [](const WheelPatch& p) { return std::pow(std::max(p.overlap, 1e-12), 2.5) * p.s.length(); };
   const double wa = weight(a) / (weight(a) + weight(b));
   WheelPatch c;
   c.reference = wa * a.reference + (1 - wa) * b.reference;
   c.delta = wa * a.delta + (1 - wa) * b.delta;
   c.overlap = std::max(a.overlap, b.overlap);
-  c.x_low = c.s_low = 1e300;
-  c.x_high = c.s_high = -1e300;
   for (const WheelPatch* p : {&a, &b}) {
-    c.x_low = std::min(c.x_low, p->x_low + p->reference[0] - c.reference[0]);
-    c.x_high = std::max(c.x_high, p->x_high + p->reference[0] - c.reference[0]);
-    for (const double s : {p->s_low, p->s_high}) {
-      const double at = dot(p->reference + s * p->across() - c.reference, c.across());
-      c.s_low = std::min(c.s_low, at);
-      c.s_high = std::max(c.s_high, at);
-    }
+    for (const double x : {p->x.low, p->x.high}) c.x.take(x + p->reference[0] - c.reference[0]);
+    for (const double s : {p->s.low, p->s.high})
+      c.s.take(dot(p->reference + s * p->across() - c.reference, c.across()));
   }
   return c;
 }
 
 /// Distance between the ends of the overlaps of two patches along the surface.
 double distance(const WheelPatch& a, const WheelPatch& b) {
-  const Vec3 end = a.reference + (a.s_high + overlap_beyond * (a.s_high - a.s_low)) * a.across(),
-             begin = b.reference + (b.s_low - overlap_beyond * (b.s_high - b.s_low)) * b.across();
+  const Vec3 end = a.reference + (a.s.high + overlap_beyond * a.s.length()) * a.across(),
+             begin = b.reference + (b.s.low - overlap_beyond * b.s.length()) * b.across();
   return b.reference[1] > a.reference[1] ? norm(begin - end) : 0;
 }
 
@@ -287,7 +271,7 @@ void WheelSolver::join_patches(const PlaneGrid& grid) {
   for (WheelPatch& patch : found_patches()) {
     if (patch_stat(patch.number, "share") < .5) continue;
     read_extents(patch);
-    if (patch.x_low < patch.x_high) found.push_back(patch);
+    if (patch.x.low < patch.x.high) found.push_back(patch);
   }
   std::sort(found.begin(), found.end(),
             [](const WheelPatch& a, const WheelPatch& b) { return a.reference[1] < b.reference[1]; });
@@ -299,16 +283,11 @@ void WheelSolver::join_patches(const PlaneGrid& grid) {
       continue;
     }
     WheelPatch c = joined(a, b);
-    double best = 1e300, y = 0, height = 0, slope = 0;  // the reference lies on the rail
-    const int n = rail_profile.varies() ? -1 : 4000;
-    for (int i = 0; i <= n; ++i) {
-      rail_profile.at(rail_profile.length() * i / n, y, height, slope);
-      const Vec3 at = rail.origin + rail.rotation * Vec3{0, y, height};
-      const double off = std::abs(at[1] - c.reference[1]);
-      if (off < best) {
-        best = off;
-        c.reference[2] = at[2];
-      }
+    if (!rail_profile.varies()) {  // the reference lies on the rail
+      const Section section(rail_profile);
+      const auto in_track = [&](const Vec3& place) { return rail.origin + rail.rotation * place; };
+      const auto off = [&](const Vec3& place) { return std::abs(in_track(place)[1] - c.reference[1]); };
+      c.reference[2] = in_track(section.at(section.least(4000, off)).place)[2];
     }
     found[k] = c;
     found.erase(found.begin() + long(k) + 1);

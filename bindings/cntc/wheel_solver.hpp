@@ -1,7 +1,8 @@
 #pragma once
-#include <functional>
+#include <algorithm>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "contact_solver.hpp"
@@ -14,13 +15,24 @@ namespace cntc {
 /// of an ellipse is longer by a factor of the square root of two.
 constexpr double overlap_beyond = .2071;
 
+/// Holds an interval that grows to what it takes.
+struct Range {
+  double low = 1e300, high = -1e300;
+
+  void take(double v) {
+    low = std::min(low, v);
+    high = std::max(high, v);
+  }
+  double length() const { return high - low; }
+};
+
 /// Holds a patch of the wheel: its place and its contact, in the track of the right side.
 struct WheelPatch {
   Placement placement;
   Vec3 reference{};
   double delta = 0, overlap = 0, radius = 0;
   double tilt = 0;  // inclination of the normal to the front, beside the axis of a roller
-  double x_low = 0, x_high = 0, s_low = 0, s_high = 0;  // ends of the contact along its axes, from the reference
+  Range x, s;       // ends of the contact along its axes, from the reference
   double approach = 0;
   int number = 0;      // number among rollcon's patches
   bool tight = false;  // the grid covers the contact alone, because a profile ends beside it
@@ -76,10 +88,10 @@ class WheelSolver {
 
   ContextHandle context_;
   WheelHandle search_;
-  unsigned rail_number_ = 0, wheel_number_ = 0;
-  Material material_;
-  int threads_ = 0;
-  double nomrad_ = 0, ytape_ = 0;
+  /// Numbers of the profiles, threads, shear moduli, Poisson's ratios, NOMRADW, YTAPE and the roller's radius.
+  using Made =
+      std::tuple<unsigned, unsigned, int, std::array<double, 2>, std::array<double, 2>, double, double, double>;
+  Made made_;                       // what profiles and search are made of
   std::vector<double> dimensions_;  // what track and wheelset of the search have; none: nothing yet
   double roller_ = 0;               // radius; 0: a rail
   double depth_ = 0;                // of the roller's axis below the origin of its profile
@@ -93,9 +105,6 @@ class WheelSolver {
   double sink_ = 0;                      // depth below the height of the search
   Inputs framed_;                        // of the last solve on rollcon's frames
 };
-
-/// Finds the pitch rate at which a force that grows with it is 0; throws Failure if there is none.
-double find_rate(const std::function<double(double)>& off, double start, double accuracy);
 
 /// Returns the contact of a patch, counted from 1, or a null pointer if there is none.
 rollcon_contact* wheel_contact(Problem& p, int patch);

@@ -21,10 +21,6 @@ std::string table(Names names, std::initializer_list<double> values) {
   return text + "\n";
 }
 
-double largest(const std::vector<double>& v) {
-  return v.empty() ? 0 : *std::max_element(v.begin(), v.end());
-}
-
 /// The highest temperature of both surfaces where they touch.
 double hottest(const ContactResult& r) {
   double most = 0;
@@ -57,7 +53,7 @@ std::string contact_text(const Problem& p, const ContactResult& r) {
                 {r.fn, r.tx, r.ty, r.mz, energy, -r.power / 1000});
   text += table({"FN/G", x ? found[0] : relative[0], y ? found[1] : relative[1], "APPROACH", "PMAX",
                  r.temp1.empty() ? "" : "MAX(T1,T2)"},
-                {r.fn / g, x ? r.cksi : fx, y ? r.ceta : fy, r.pen, r.pmax > 0 ? r.pmax : largest(r.pn), hottest(r)});
+                {r.fn / g, x ? r.cksi : fx, y ? r.ceta : fy, r.pen, r.pmax, hottest(r)});
   text +=
       "\n CONTACT STATISTICS\n N: NUMBER OF ELEMENTS IN REGION,  I: NUMBER OF ITERATIONS,\n"
       " POT: POTENTIAL CONTACT AREA,  CON: CONTACT,  ADH: ADHESION\n";
