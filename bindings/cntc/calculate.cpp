@@ -149,27 +149,6 @@ int solve_gap(Problem& p, std::string& why) {
   return code ? code : p.patches[0].rim;
 }
 
-namespace {
-
-/// Adds the time of a solve to the sums of the problem.
-class Stopwatch {
- public:
-  explicit Stopwatch(Problem& p) : p_(p) {}
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-  ~Stopwatch() {
-    p_.wall += std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_).count();
-    p_.cpu += double(std::clock() - cpu_) / CLOCKS_PER_SEC;
-  }
-
- private:
-  Problem& p_;
-  std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();
-  std::clock_t cpu_ = std::clock();
-};
-
-}  // namespace
-
 void calculate(Call& c, ErrorCode error) {
   Problem& p = c.p;
   Digits& d = p.in.digits;
@@ -178,16 +157,17 @@ void calculate(Call& c, ErrorCode error) {
   if (d.wrtinp >= 1) write_inp(p);
   std::string why;
   int& code = error.value = 0;
-  {
-    const Stopwatch watch(p);
-    try {
-      code = p.module == 1 ? solve_wheel(p, why) : solve_gap(p, why);
-    } catch (const Failure& failure) {
-      code = failure.code;
-      why = failure.what();
-      for (ContactResult& r : p.patches) r.solved = false;
-    }
+  const auto wall = std::chrono::steady_clock::now();
+  const std::clock_t cpu = std::clock();
+  try {
+    code = p.module == 1 ? solve_wheel(p, why) : solve_gap(p, why);
+  } catch (const Failure& failure) {
+    code = failure.code;
+    why = failure.what();
+    for (ContactResult& r : p.patches) r.solved = false;
   }
+  p.wall += std::chrono::duration<double>(std::chrono::steady_clock::now() - wall).count();
+  p.cpu += double(std::clock() - cpu) / CLOCKS_PER_SEC;
   if (!why.empty()) say(c, "%s", why.c_str());
   if (code > 0) say(c, "%d elements in contact are next to the border of the potential contact", code);
   if (code >= 0) write_results(p);

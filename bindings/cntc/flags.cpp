@@ -63,49 +63,50 @@ int flag_value(const Flag& flag, int wanted) {
   return std::clamp(wanted, flag.low, flag.high);
 }
 
-}  // namespace
-
-void set_flags(Call& c, int n, const int* params, const int* values) {
+/// Goes through flags and their values: `units` takes the value of the units, `each` those of flags that are known.
+template <class Value, class SetUnits, class Each>
+void for_flags(Call& c, int n, const int* params, Value* values, SetUnits units, Each each) {
   if (n > 0 && (!params || !values)) return say(c, "an argument is NULL");
   for (int k = 0; k < std::min(n, 1000); ++k) {
-    if (params[k] == 0) continue;
-    if (params[k] == CNTC_if_units) {
-      if (values[k] == CNTC_un_cntc || values[k] == CNTC_un_spck || values[k] == CNTC_un_si) {
-        c.in().units = units_of(values[k]);
-      } else {
-        say(c, "units %d are not available: use %d (mm), %d (SIMPACK) or %d (SI)", values[k], CNTC_un_cntc,
-            CNTC_un_spck, CNTC_un_si);
-      }
-      continue;
-    }
     const Flag* flag = flag_of(params[k]);
-    if (!flag) {
+    if (params[k] == CNTC_if_units) {
+      units(values[k]);
+    } else if (flag) {
+      each(*flag, values[k]);
+    } else if (params[k] != 0) {
       say(c, "unknown parameter code=%d is ignored", params[k]);
-    } else if (!flag->settable) {
-      say(c, "code=%d cannot be set by flags: it follows from the functions that set friction, material or heat",
-          params[k]);
-    } else {
-      c.in().digits.*flag->digit = flag_value(*flag, values[k]);
     }
   }
 }
 
-void get_flags(Call& c, int n, const int* params, int* values) {
-  if (n > 0 && (!params || !values)) return say(c, "an argument is NULL");
-  for (int k = 0; k < std::min(n, 1000); ++k) {
-    if (params[k] == 0) continue;
-    if (params[k] == CNTC_if_units) {
-      values[k] = c.in().units.code;
-      continue;
-    }
-    const Flag* flag = flag_of(params[k]);
-    if (!flag || !flag->readable) {
-      say(c, "unknown parameter code=%d is ignored", params[k]);
+}  // namespace
+
+void set_flags(Call& c, int n, const int* params, const int* values) {
+  const auto set_units = [&](int code) {
+    if (code == CNTC_un_cntc || code == CNTC_un_spck || code == CNTC_un_si) {
+      c.in().units = units_of(code);
     } else {
-      values[k] = c.in().digits.*flag->digit;
-      if (flag->code == CNTC_ic_xflow) values[k] = values[k] > 0;
+      say(c, "units %d are not available: use %d (mm), %d (SIMPACK) or %d (SI)", code, CNTC_un_cntc, CNTC_un_spck,
+          CNTC_un_si);
     }
-  }
+  };
+  for_flags(c, n, params, values, set_units, [&](const Flag& flag, int value) {
+    if (flag.settable) {
+      c.in().digits.*flag.digit = flag_value(flag, value);
+    } else {
+      say(c, "code=%d cannot be set by flags: it follows from the functions that set friction, material or heat",
+          flag.code);
+    }
+  });
+}
+
+void get_flags(Call& c, int n, const int* params, int* values) {
+  const auto get_units = [&](int& code) { code = c.in().units.code; };
+  for_flags(c, n, params, values, get_units, [&](const Flag& flag, int& value) {
+    if (!flag.readable) return say(c, "unknown parameter code=%d is ignored", flag.code);
+    value = c.in().digits.*flag.digit;
+    if (flag.code == CNTC_ic_xflow) value = value > 0;
+  });
 }
 
 }  // namespace cntc

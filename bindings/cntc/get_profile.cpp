@@ -35,20 +35,16 @@ struct Gauge {
 Gauge find_gauge(const Section& section, double cant, double height) {
   Gauge g;
   const int n = 10 * intervals;
-  const auto point = [&](int k) { return about_x(-cant) * section.at(section.length() * k / n).place; };
-  for (int k = 0; k <= n; ++k) g.top = std::min(g.top, point(k)[2]);
-  int least = 0;
-  for (int k = 0; k <= n; ++k) {
-    const Vec3 at = point(k);
-    if (at[2] > g.top + height || at[1] >= g.y) continue;
-    g.y = at[1];
-    g.z = at[2];
-    least = k;
-  }
+  const auto turned = [&](const Vec3& place) { return about_x(-cant) * place; };
+  g.top = turned(section.at(section.least(n, [&](const Vec3& p) { return turned(p)[2]; })).place)[2];
+  const double s = section.least(n, [&](const Vec3& p) { return turned(p)[2] > g.top + height ? 1e9 : turned(p)[1]; });
+  const Vec3 at = turned(section.at(s).place);
+  g.y = at[1];
+  g.z = at[2];
   // Beyond this point the rail may go on below the height of the gauge.
   g.y_below = g.y;
-  if (least > 0) {
-    const Vec3 at = point(least), next = point(least - 1);
+  if (s > 0) {
+    const Vec3 next = turned(section.at(s - section.length() / n).place);
     const double t = (g.top + height - at[2]) / (next[2] - at[2]);
     if (t > 0 && t < 1) g.y_below = at[1] + t * (next[1] - at[1]);
   }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "calculate.hpp"
@@ -77,16 +78,10 @@ HertzContact hertz_contact(const Inputs& in) {
   } else {
     const bool force = in.digits.norm == 1;
     if (!((force ? in.fn : in.pen) > 0)) throw Failure(CNTC_err_other, "load or approach must be above 0");
-    bool along = true;  // the greater axis
-    double k = 1;
-    if (input.ipotcn == -1) {
-      along = input.first <= input.second;
-      k = axis_ratio(along ? input.first / input.second : input.second / input.first);
-    } else {
-      const double aob = input.ipotcn == -2 ? input.second : input.first / input.second;
-      along = aob >= 1;
-      k = along ? 1 / aob : aob;
-    }
+    const bool curvatures = input.ipotcn == -1;
+    const double ratio_given = input.ipotcn == -2 ? input.second : input.first / input.second;
+    const bool along = curvatures ? ratio_given <= 1 : ratio_given >= 1;  // the greater axis
+    const double least = std::min(ratio_given, 1 / ratio_given), k = curvatures ? axis_ratio(least) : least;
     const Elliptic e = elliptic(k);
     const double ratio = curvature_ratio(k);
     double lesser = 0, axis = 0;

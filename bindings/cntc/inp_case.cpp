@@ -159,7 +159,7 @@ void InpCase::read_subsurface(int stresses) {
     if (isubs == 0) return;
     if (isubs < 1 || isubs == 4 || isubs == 8 || isubs > 9)
       in_.fail(print("ISUBS is %d; allowed: 1 to 3, 5 to 7, 9", isubs));
-    const int kind = isubs == 9 ? 9 : (isubs - 1) % 4 + 1;
+    const int kind = BlockInput{isubs, {}}.kind();
     const auto count = [&](double n) {
       if (!(n >= 1 && n <= 9999)) in_.fail("lists have 1 to 9999 numbers");
       return int(n);

@@ -135,10 +135,16 @@ struct Wheelset {
   std::array<double, 12> flexibility{};
 };
 
+/// Holds lists of x, y and z, in mm.
+using Lists = std::array<std::vector<double>, 3>;
+
 /// Holds a block of points inside the bodies, as it was given.
 struct BlockInput {
   int isubs = 0;
-  std::vector<double> x, y, z;  // values that the caller gave, in mm
+  Lists lists;
+
+  /// Returns 1: all elements, 2: a range of them, 3: a list of them, 9: places.
+  int kind() const { return isubs == 9 ? 9 : (isubs - 1) % 4 + 1; }
 };
 
 /// Holds how the bodies of a contact meet and move.

@@ -28,8 +28,7 @@ int main(int count, char** arguments) {
     std::string path = file;
     if (!cntc::ends_with(path, ".inp")) path += ".inp";
     const std::string folder = cntc::folder_of(path), name = path.substr(folder.empty() ? 0 : folder.size() + 1);
-    cntc::begin_session(false, folder, folder, name.substr(0, name.size() - 4));
-    cntc::set_program();
+    cntc::begin_session(false, folder, folder, name.substr(0, name.size() - 4), true);
     const int failed = cntc::run_inp(path, check_only);
     cntc::end_session();
     if (failed > 0) std::fprintf(stderr, "%d cases failed: the out-file says why\n", failed);

@@ -69,11 +69,13 @@ Session session() {
   return registry().session;
 }
 
-void begin_session(bool screen, const std::string& wrkdir, const std::string& outdir, const std::string& expnam) {
+void begin_session(bool screen, const std::string& wrkdir, const std::string& outdir, const std::string& expnam,
+                   bool program) {
   const std::lock_guard guard(registry().lock);
   Session& s = registry().session;
   if (s.begun) return;
   s.begun = true;
+  s.program = program;
   s.wrkdir = wrkdir;
   s.outdir = outdir;
   s.expnam = expnam.empty() ? "contact_addon" : expnam;
@@ -100,11 +102,6 @@ void end_session() {
 void set_global(int Session::*flag, int value) {
   const std::lock_guard guard(registry().lock);
   registry().session.*flag = value;
-}
-
-void set_program() {
-  const std::lock_guard guard(registry().lock);
-  registry().session.program = true;
 }
 
 int module_of(int ire) {

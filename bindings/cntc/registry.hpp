@@ -20,9 +20,9 @@ struct Session {
 Session session();
 
 /// Opens the log with a box of title and version, unless the log is open.
-void begin_session(bool screen, const std::string& wrkdir, const std::string& outdir, const std::string& expnam);
+void begin_session(bool screen, const std::string& wrkdir, const std::string& outdir, const std::string& expnam,
+                   bool program = false);
 void end_session();
-void set_program();
 void set_global(int Session::*flag, int value);
 
 /// Returns the module of a live result element, or 0 if there is none.

@@ -32,28 +32,25 @@ std::vector<double> centres(int kind, const std::vector<double>& q, int count, d
 }
 
 /// Finds the coordinates of the points of a block, in ascending order.
-void lay_points(const BlockInput& input, const Grid& grid, std::vector<double>& x, std::vector<double>& y,
-                std::vector<double>& z) {
-  const int kind = input.isubs == 9 ? 9 : (input.isubs - 1) % 4 + 1;
-  x = input.x;
-  y = input.y;
-  z = input.z;
-  if (kind != 9) {
-    x = centres(kind, input.x, grid.mx, grid.xc, grid.dx);
-    y = centres(kind, input.y, grid.my, grid.yc, grid.dy);
+Lists lay_points(const BlockInput& input, const Grid& grid) {
+  Lists at = input.lists;
+  if (input.kind() != 9) {
+    at[0] = centres(input.kind(), at[0], grid.mx, grid.xc, grid.dx);
+    at[1] = centres(input.kind(), at[1], grid.my, grid.yc, grid.dy);
   }
   if (input.isubs <= 3) {
-    z.clear();
-    for (int k = 0; k < std::clamp(whole(input.z[0]), 0, most_points); ++k) z.push_back(input.z[1] + k * input.z[2]);
+    const auto& z = input.lists[2];
+    at[2].clear();
+    for (int k = 0; k < std::clamp(whole(z[0]), 0, most_points); ++k) at[2].push_back(z[1] + k * z[2]);
   }
-  for (auto* v : {&x, &y, &z}) std::sort(v->begin(), v->end());
+  for (auto& v : at) std::sort(v.begin(), v.end());
+  return at;
 }
 
 /// Fills a block with displacements and stresses. With mirror -1 the contact is the mirror image of the one that the
 /// block lies in.
 void fill_block(rollcon_contact* contact, const ContactResult& result, double mirror, SubsurfaceBlock& block) {
-  std::vector<double> x, y, z;
-  lay_points(block.input, result.grid, x, y, z);
+  const auto [x, y, z] = lay_points(block.input, result.grid);
   block.nx = int(x.size());
   block.ny = int(y.size());
   block.nz = int(z.size());
@@ -108,28 +105,24 @@ void add_block(Call& c, int iblk, int isubs, int npx, int npy, int npz, const do
     return say(c, "block %d; allowed: 1 to %d, at most one beyond the last", iblk, most_blocks);
   blocks.resize(size_t(iblk - 1));
   if (isubs < 1 || isubs == 4 || isubs == 8 || isubs > 9) return void(no_method(c, isubs));
-  const int counts[] = {npx, npy, npz};
-  const int kind = isubs == 9 ? 9 : (isubs - 1) % 4 + 1;
+  SubsurfaceBlock block;
+  block.input.isubs = isubs;
+  const int counts[] = {npx, npy, npz}, kind = block.input.kind();
   for (int k = 0; k < 3; ++k) {
     const bool used = k == 2 || kind != 1;
     const int least = !used ? 0 : (k < 2 && kind == 2) || (k == 2 && isubs <= 3) ? 3 : 1;
     if (counts[k] < least || counts[k] > most_points)
       return say(c, "method %d needs %d to %d numbers in each list, not %d", isubs, least, most_points, counts[k]);
   }
-  if (kind != 1 && (!all_finite(c, npx, x) || !all_finite(c, npy, y))) return;
-  if (!all_finite(c, npz, z)) return;
-  SubsurfaceBlock block;
-  block.input.isubs = isubs;
-  if (kind != 1) {
-    block.input.x.assign(x, x + npx);
-    block.input.y.assign(y, y + npy);
+  const double* const lists[] = {x, y, z};
+  for (size_t k = kind == 1 ? 2 : 0; k < 3; ++k) {
+    if (!all_finite(c, counts[k], lists[k])) return;
+    auto& list = block.input.lists[k];
+    list.assign(lists[k], lists[k] + counts[k]);
+    // Numbers of elements and of steps down have no length.
+    if (k == 2 || kind == 9)
+      for (size_t i = k == 2 && isubs <= 3 ? 1 : 0; i < list.size(); ++i) list[i] *= c.units().length;
   }
-  block.input.z.assign(z, z + npz);
-  const double length = c.units().length;
-  if (kind == 9)
-    for (auto* v : {&block.input.x, &block.input.y})
-      for (double& q : *v) q *= length;
-  for (size_t k = isubs <= 3 ? 1 : 0; k < block.input.z.size(); ++k) block.input.z[k] *= length;
   blocks.push_back(std::move(block));
 }
 
@@ -181,8 +174,7 @@ void get_block_size(Call& c, int iblk, int& nx, int& ny, int& nz) {
   nz = block ? block->nz : -1;
   const ContactResult* r = block && block->columns.empty() ? c.result() : nullptr;
   if (!r) return;
-  std::vector<double> x, y, z;
-  lay_points(block->input, r->grid, x, y, z);
+  const auto [x, y, z] = lay_points(block->input, r->grid);
   nx = int(x.size());
   ny = int(y.size());
   nz = int(z.size());

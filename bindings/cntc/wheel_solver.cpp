@@ -148,8 +148,12 @@ int WheelSolver::search(const Problem& p) {
   check(rollcon_wheelrail_set_rail_springs(search, stiffness, load));
   const int status = solve_search();
   if (status == ROLLCON_DERAILED) throw Failure(CNTC_err_search, "the wheel is beside its rail");
-  check(rollcon_wheelrail_get_stat(search, "rail_deflection_y", &deflection[0]));
-  check(rollcon_wheelrail_get_stat(search, "rail_deflection_z", &deflection[1]));
+  const auto stat = [&](const char* name) {
+    double v = 0;
+    check(rollcon_wheelrail_get_stat(search, name, &v));
+    return v;
+  };
+  deflection = {stat("rail_deflection_y"), stat("rail_deflection_z")};
   place_rail();
   const double depth = roller_ - (track_.gaught > 0 ? rail.origin[2] - track_.deviation[1] - deflection[1] : 0);
   if (roller_ > 0 && depth != depth_) {
@@ -157,11 +161,9 @@ int WheelSolver::search(const Problem& p) {
     check(rollcon_body_revolve_profile(roller_profile_.body(), zero, y, depth));
     depth_ = depth;
   }
-  if (pull) check(rollcon_wheelrail_get_stat(search, "pitch_rate", &pitch_rate));
+  if (pull) pitch_rate = stat("pitch_rate");
   set_.velocity[5] = pitch_rate;
-  double height = 0;
-  check(rollcon_wheelrail_get_stat(search, "z", &height));
-  place_wheel(height);
+  place_wheel(stat("z"));
   return status;
 }
 

@@ -87,34 +87,10 @@ class Draw {
 
 /// Something that can be solved, so that random calls meet solutions.
 void set_scene(Draw& draw) {
-  const int which = draw.number(0, 2), ire = which + 1, icp = which == 2 ? -1 : 1, zero = 0, four = 4, two = 2,
-            five = 5;
-  const double material[] = {.28, .28, 82000, 82000}, friction[] = {.3, .3};
-  const int units = CNTC_if_units, value = CNTC_un_cntc, one = 1;
-  cntc_setflags(&ire, &icp, &one, &units, &value);
-  cntc_setmaterialparameters(&ire, &icp, &zero, &four, material);
-  cntc_setfrictionmethod(&ire, &icp, &zero, &two, friction);
-  if (which == 2) {
-    const double grid[] = {1, 1}, track[] = {14, 0, 1435, .025, 0}, wheelset[] = {1360, -70, 460},
-                 position[] = {0, 2, 0, 0, 0, 0}, velocity[] = {2000, 0, 0, 0, 0, -4.34}, force = 1e4;
-    static const auto wheel = cntc_test::profile_points("s1002"), rail = cntc_test::profile_points("60e1");
-    const int three = 3, six = 6, is_wheel = 1, n = int(wheel.size() / 2), m = int(rail.size() / 2);
-    const double none = 0;
-    cntc_setpotcontact(&ire, &icp, &zero, &two, grid);
-    cntc_settrackdimensions(&ire, &one, &five, track);
-    cntc_setwheelsetdimensions(&ire, &three, &three, wheelset);
-    cntc_setwheelsetposition(&ire, &one, &six, position);
-    cntc_setwheelsetvelocity(&ire, &two, &six, velocity);
-    cntc_setverticalforce(&ire, &force);
-    cntc_setprofileinputvalues(&ire, &n, wheel.data(), &one, &is_wheel, &zero, &none);
-    cntc_setprofileinputvalues(&ire, &m, rail.data(), &one, &zero, &zero, &none);
-  } else {
-    const double hertz[] = {8, 9, 1e-3, 2e-3, 1.2}, force = 1e4, ksi = 1e-3;
-    const int curvatures = -1;
-    cntc_sethertzcontact(&ire, &icp, &curvatures, &five, hertz);
-    cntc_setnormalforce(&ire, &icp, &force);
-    cntc_setcreepages(&ire, &icp, &ksi, &ksi, &friction[0]);
-  }
+  const int which = draw.number(0, 2);
+  Element e(which + 1, which == 2 ? 1 : 3, which == 2 ? -1 : 1, true);
+  e.flags({{CNTC_if_units, CNTC_un_cntc}});
+  which == 2 ? cntc_test::set_wheel(e) : cntc_test::set_small(e, 1e-3);
 }
 
 void call_at_random(unsigned seed, int calls) {

@@ -20,6 +20,14 @@ void write(const std::string& name, const std::string& text) {
   std::ofstream(folder + "/" + name) << text;
 }
 
+void write_profiles() {
+  for (const char* name : {"s1002", "60e1"}) {
+    std::ofstream file(folder + "/" + name + ".txt");
+    const auto points = cntc_test::profile_points(name);
+    for (size_t k = 0; k < points.size(); k += 2) file << points[k] << " " << points[k + 1] << "\n";
+  }
+}
+
 std::string read(const std::string& name) {
   std::ifstream file(folder + "/" + name);
   std::stringstream text;
@@ -126,13 +134,7 @@ TEST(inp, creep_curve) {
 }
 
 TEST(inp, cases_of_a_wheel_and_its_inside) {
-  for (const char* name : {"s1002", "60e1"}) {
-    std::string text;
-    const auto points = cntc_test::profile_points(name);
-    for (size_t k = 0; k < points.size(); k += 2)
-      text += std::to_string(points[k]) + " " + std::to_string(points[k + 1]) + "\n";
-    write(std::string(name) + ".txt", text);
-  }
+  write_profiles();
   write("wheel.inp", R"(
  1 MODULE
   1203103   C-P-B-T-N-F-S
@@ -188,11 +190,7 @@ TEST(inp, cases_of_a_wheel_and_its_inside) {
 }
 
 TEST(inp, cases_of_a_roller_and_a_variable_rail) {
-  for (const char* name : {"s1002", "60e1"}) {
-    std::ofstream file(folder + "/" + name + ".txt");
-    const auto points = cntc_test::profile_points(name);
-    for (size_t k = 0; k < points.size(); k += 2) file << points[k] << " " << points[k + 1] << "\n";
-  }
+  write_profiles();
   write("same.slcs", "0. 1.\n2\n0 0 0\n1\n-100 '60e1.txt'\n100 '60e1.txt'\n");
   const std::string text = R"(
  1 MODULE

@@ -17,8 +17,9 @@ void set_wheel(Element& e) {
   e.set(cntc_setmaterialparameters, 0, {.28, .28, 82000, 82000});
   e.set(cntc_setfrictionmethod, 0, {.3, .3});
   e.set(cntc_setpotcontact, 0, {1, 1});
-  e.profile(true, profile_points("s1002"));
-  e.profile(false, profile_points("60e1"));
+  static const auto wheel = profile_points("s1002"), rail = profile_points("60e1");
+  e.profile(true, wheel);
+  e.profile(false, rail);
   e.set(cntc_settrackdimensions, 1, {14, 0, 1435, .025, 0});
   e.set(cntc_setwheelsetdimensions, 3, {1360, -70, 460});
   e.set(cntc_setwheelsetposition, 1, {0, 2, 0, 0, 0, 0});

@@ -1,4 +1,5 @@
 #pragma once
+#include <gtest/gtest.h>
 #include <rollcon_cntc.h>
 #include <unistd.h>
 
@@ -35,10 +36,10 @@ struct Found {
   int mx = 0, my = 0;
 };
 
-/// A result element of the interface, spoken to as its callers do; it is finalized at the end.
+/// A result element of the interface, spoken to as its callers do; it is finalized at the end, unless it stays.
 class Element {
  public:
-  Element(int ire, int module, int icp) : ire_(ire), icp_(icp) {
+  Element(int ire, int module, int icp, bool stays = false) : ire_(ire), icp_(icp), stays_(stays) {
     int version = 0, error = 0;
     const int zero = 0;
     cntc_initializefirst(&version, &error, &zero, "", folder().c_str(), "cntc_test", &zero, &length_, &nine_);
@@ -46,7 +47,9 @@ class Element {
   }
   Element(const Element&) = delete;
   Element& operator=(const Element&) = delete;
-  ~Element() { cntc_finalize(&ire_); }
+  ~Element() {
+    if (!stays_) cntc_finalize(&ire_);
+  }
 
   using Setter = void (*)(const int*, const int*, const int*, const int*, const double*);
   using WheelSetter = void (*)(const int*, const int*, const int*, const double*);
@@ -109,6 +112,20 @@ class Element {
     return f;
   }
   Found found() { return found(icp_); }
+  /// Solves, expects the error code 0 or a count of elements at the border, and returns what was found.
+  Found solved() {
+    EXPECT_GE(calculate(), 0);
+    return found(icp_ > 0 ? icp_ : 1);
+  }
+  /// Returns pn, px and py of all elements.
+  std::array<std::vector<double>, 3> tractions(int icp) {
+    const Found f = found(icp);
+    const int n = f.mx * f.my;
+    std::array<std::vector<double>, 3> p;
+    for (auto& v : p) v.resize(size_t(n));
+    cntc_gettractions(&ire_, &icp, &n, p[0].data(), p[1].data(), p[2].data());
+    return p;
+  }
   std::vector<double> field(int which, size_t n) {
     std::vector<double> v(n, -777);
     const int length = int(n);
@@ -138,6 +155,7 @@ class Element {
 
  private:
   int ire_, icp_;
+  bool stays_;
   int length_ = int(folder().size()), nine_ = 9;
 };
 

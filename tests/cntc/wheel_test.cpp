@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <numeric>
 #include <string>
 
 #include "interface.hpp"
@@ -32,6 +33,16 @@ void place(Element& e, double y, double roll, double rate) {
   e.set(cntc_setwheelsetvelocity, 2, {2000, 0, 0, 0, 0, rate});
 }
 
+/// The wheel of the benchmark at y = 2 mm, solved.
+class Wheel : public Element {
+ public:
+  explicit Wheel(double step = .4) : Element(1, 1, -1) {
+    set_track(*this, true, step);
+    place(*this, 2, -1.128e-4, -4.3459197);
+    EXPECT_EQ(calculate(), 0);
+  }
+};
+
 struct Row {
   bool right;
   double y, roll, rate;
@@ -42,17 +53,7 @@ const Row manchester[] = {
     {true, 0, 0, -4.3481181, .1981, {0, 751.8726, .1252, -.0290}, 9997, .3, -253.6, 1.596e-2, 338.3},
     {true, .5, -2.304e-5, -4.3474134, .1938, {-.861, 744.5026, .4289, -.0568}, 9870, -880.0, -2579, 1.948e-2, 632.5},
     {true, 2, -1.128e-4, -4.3459197, .1529, {-3.368, 740.9147, .6548, -.0806}, 9799, -517.3, -2893, 2.480e-2, 744.8},
-    {true,
-     6.5,
-     -4.376e-3,
-     -4.2748834,
-     -3.0468,
-     {5.801, 718.4931, 10.365, -1.1591},
-     15440,
-     -1987,
-     -4170,
-     3.623e-2,
-     2603},
+    {true, 6.5, -.004376, -4.2748834, -3.0468, {5.801, 718.4931, 10.365, -1.1591}, 15440, -1987, -4170, .03623, 2603},
     {false, 1, -5.049e-5, -4.3465752, .1840, {1.796, -755.2440, .0467, .0176}, 10050, 829.2, -2893, 1.946e-2, 423.9},
 };
 
@@ -125,10 +126,7 @@ TEST(wheel, left_is_the_mirror_image) {
 }
 
 TEST(wheel, absolute_placement_and_deviation) {
-  Element e(1, 1, -1);
-  set_track(e, true, .4);
-  place(e, 2, -1.128e-4, -4.3459197);
-  EXPECT_EQ(e.calculate(), 0);
+  Wheel e;
   const auto at = e.location(1);
   const double z = e.position()[2];
   // The rail's origin where the gauge had put it, then moved and turned by its deviation.
@@ -166,9 +164,7 @@ TEST(wheel, a_bent_wheel_is_a_moved_one) {
 }
 
 TEST(wheel, given_longitudinal_force) {
-  Element e(1, 1, -1);
-  set_track(e, true, .4);
-  place(e, 2, -1.128e-4, -4.3459197);
+  Wheel e;
   e.flags({{CNTC_ic_force, 1}});
   e.forces(-1000, 0);
   EXPECT_EQ(e.calculate(), 0);
@@ -179,10 +175,7 @@ TEST(wheel, given_longitudinal_force) {
 }
 
 TEST(wheel, prescribed_height) {
-  Element e(1, 1, -1);
-  set_track(e, true, .4);
-  place(e, 2, -1.128e-4, -4.3459197);
-  EXPECT_EQ(e.calculate(), 0);
+  Wheel e;
   const double z = e.position()[2];
   e.flags({{CNTC_ic_norm, 0}});
   e.set(cntc_setwheelsetposition, 1, {0, 2, z, -1.128e-4, 4.8e-3, 0});
@@ -199,12 +192,10 @@ TEST(wheel, frames_of_rollcon) {
     Element e(1, 1, -1);
     set_track(e, right, .2);
     place(e, 2, -1.128e-4, -4.3459197);
-    EXPECT_EQ(e.calculate(), 0);
-    const Found grid = e.found(1);
+    const Found grid = e.solved();
     const auto sums = e.global_forces(-1);
     e.flags({{CNTC_if_frames, 1}});
-    EXPECT_EQ(e.calculate(), 0);
-    Found frames = e.found(1);
+    const Found frames = e.solved();
     const double limit = .3 * grid.fn;
     EXPECT_TRUE(near("Fn", frames.fn, grid.fn, .001 * grid.fn));
     EXPECT_TRUE(near("Fx", frames.tx, grid.tx, .01 * limit));
@@ -225,39 +216,21 @@ TEST(wheel, frames_of_rollcon) {
     e.set(cntc_setpotcontact, -1, {.4, .4, 1.57, 8, 4});
     cntc_getgriddiscretization(e.ire(), &icp, &dx, &dy);
     EXPECT_EQ(dx, .2);
-    const Found late = e.found(1);
-    const int size = late.mx * late.my;
-    std::vector<double> traction[3];
-    for (auto& v : traction) v.resize(size_t(size));
-    cntc_gettractions(e.ire(), &icp, &size, traction[0].data(), traction[1].data(), traction[2].data());
-    double sum = 0;
-    for (const double v : traction[2]) sum += .04 * v;
-    EXPECT_TRUE(near("Fs of the elements, friction .1", sum, low, .02 * .1 * grid.fn));
+    const auto sum = [](const std::vector<double>& v) { return .04 * std::accumulate(v.begin(), v.end(), 0.); };
+    EXPECT_TRUE(near("Fs of the elements, friction .1", sum(e.tractions(1)[2]), low, .02 * .1 * grid.fn));
     e.set(cntc_setpotcontact, -1, {.2, .2, 1.57, 8, 4});
     EXPECT_EQ(e.calculate(), 0);
-    frames = e.found(1);
     // Tractions on the caller's grid carry the forces.
-    const size_t n = size_t(frames.mx) * size_t(frames.my);
-    const int length = int(n), one = 1;
-    std::vector<double> pn(n), px(n), py(n);
-    cntc_gettractions(e.ire(), &one, &length, pn.data(), px.data(), py.data());
-    double fn = 0, fy = 0;
-    for (size_t k = 0; k < n; ++k) {
-      fn += .04 * pn[k];
-      fy += .04 * py[k];
-    }
-    EXPECT_TRUE(near("Fn of the elements", fn, grid.fn, .02 * grid.fn));
-    EXPECT_TRUE(near("Fs of the elements", fy, grid.ty, .02 * limit));
+    const auto p = e.tractions(1);
+    EXPECT_TRUE(near("Fn of the elements", sum(p[0]), grid.fn, .02 * grid.fn));
+    EXPECT_TRUE(near("Fs of the elements", sum(p[2]), grid.ty, .02 * limit));
     e.set(cntc_setfrictionmethod, 4, {.14, .19, 1250, 0, 1, 0, 0});
     EXPECT_EQ(e.calculate(), CNTC_err_other);
   }
 }
 
 TEST(wheel, slip_of_the_surfaces_and_another_radius) {
-  Element e(1, 1, -1);
-  set_track(e, true, .2);
-  place(e, 2, -1.128e-4, -4.3459197);
-  EXPECT_EQ(e.calculate(), 0);
+  Wheel e(.2);
   const double z = e.position()[2];
   e.flags({{CNTC_ic_discns, 3}});
   EXPECT_EQ(e.calculate(), 0);
@@ -359,15 +332,11 @@ TEST(wheel, profile_values) {
 }
 
 TEST(wheel, steps_of_rolling_come_to_the_steady_state) {
-  Element e(1, 1, -1);
-  set_track(e, true, .4);
-  place(e, 2, -1.128e-4, -4.3459197);
-  EXPECT_EQ(e.calculate(), 0);
+  Wheel e;
   const Found steady = e.found(1);
   e.flags({{CNTC_ic_tang, 2}});
   e.rolling(0, 1);  // steps as long as an element
-  EXPECT_EQ(e.calculate(), 0);
-  const Found first = e.found(1);
+  const Found first = e.solved();
   e.flags({{CNTC_ic_pvtime, 0}});
   for (int k = 0; k < 40; ++k) EXPECT_EQ(e.calculate(), 0);
   const double limit = .3 * steady.fn;
@@ -399,9 +368,7 @@ TEST(wheel, shifts_of_a_standing_wheel) {
 }
 
 TEST(wheel, friction_by_inclination_takes_the_reference) {
-  Element e(1, 1, -1);
-  set_track(e, true, .4);
-  place(e, 2, -1.128e-4, -4.3459197);
+  Wheel e;
   e.set(cntc_setfrictionmethod, 10, {2, -.5, .1, .1, .5, .6, .6});
   EXPECT_EQ(e.calculate(), 0);
   const double delta = e.location(1)[3], mu = .1 + (delta + .5) * .5;
@@ -412,10 +379,7 @@ TEST(wheel, friction_by_inclination_takes_the_reference) {
 }
 
 TEST(wheel, place_along_the_track_does_not_matter) {
-  Element e(1, 1, -1);
-  set_track(e, true, .4);
-  place(e, 2, -1.128e-4, -4.3459197);
-  EXPECT_EQ(e.calculate(), 0);
+  Wheel e;
   const Found here = e.found(1);
   const auto at = e.location(1);
   e.set(cntc_setwheelsetposition, 1, {5000, 2, 0, -1.128e-4, 4.8e-3, 0});
@@ -519,8 +483,7 @@ TEST(wheel, on_a_variable_rail) {
   set_track(e, true, .2);
   e.set(cntc_settrackdimensions, 1, {0, 753.4, .2, std::atan(1. / 40), 0});
   place(e, 2, -1.128e-4, -4.3459197);
-  EXPECT_EQ(e.calculate(), 0);
-  const Found plain = e.found(1);
+  const Found plain = e.solved();
   const double z = e.position()[2], x = e.location(1)[0];
   take_profile(e, write_slices("equal.slcs", "60e1", {-100, 0, 100}, {0, 0, 0}));
   e.set(cntc_setwheelsetposition, 1, {40, 2, 0, -1.128e-4, 4.8e-3, 0});
@@ -570,10 +533,7 @@ TEST(wheel, on_a_variable_rail) {
 }
 
 TEST(wheel, that_is_out_of_round) {
-  Element e(1, 1, -1);
-  set_track(e, true, .2);
-  place(e, 2, -1.128e-4, -4.3459197);
-  EXPECT_EQ(e.calculate(), 0);
+  Wheel e(.2);
   const Found plain = e.found(1);
   const double z = e.position()[2];
   std::vector<double> place, depth;
