@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <new>
+#include <numeric>
 #include <vector>
 
 #include "build_info.hpp"
@@ -14,6 +16,7 @@
 #include "linalg/shared_factor.hpp"
 #include "linalg/sparse_checks.hpp"
 #include "linalg/sparse_factor.hpp"
+#include "linalg/sparse_metis_random.hpp"
 #include "linalg/sparse_order.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"
@@ -63,7 +66,9 @@ class Mumps {
 
 class MumpsFactor final : public SparseFactor {
  public:
-  MumpsFactor(const SparseMatrix& matrix, std::span<const std::int64_t> condensed, const Ranks& ranks)
+  /// order: as factor_definite() takes it.
+  MumpsFactor(const SparseMatrix& matrix, std::span<const std::int64_t> condensed, const Ranks& ranks,
+              std::span<const std::int64_t> order = {})
       : ranks_(std::ssize(condensed) == matrix.columns ? Ranks() : ranks),
         size_(matrix.columns),
         condensed_(condensed.begin(), condensed.end()) {
@@ -71,6 +76,7 @@ class MumpsFactor final : public SparseFactor {
     for (std::int64_t j = 0; j < size_; ++j)
       if (!(matrix.value[at(matrix.start[at(j)])] > 0)) throw ZeroPivot(j);
     for (std::size_t k = 0; k < condensed_.size(); ++k) place_.push_back(static_cast<std::int64_t>(k));
+    take_order(matrix, order);
     if (size_ > 0) factorise_all(matrix, 0);
     const auto inverse = [this](double* x) { solve(x, 1); };
     statistics_.condition = size_ > 0 ? estimate_condition(matrix, inverse) : 1;
@@ -83,7 +89,7 @@ class MumpsFactor final : public SparseFactor {
   void solve_condensed(double* b, std::int64_t count) override { rollcon::solve_condensed(condensed(), b, count); }
   void keep_condensed() override {
     mumps_.reset();
-    for (auto* numbers : {&row_, &column_, &listed_}) std::vector<MUMPS_INT>().swap(*numbers);
+    for (auto* numbers : {&row_, &column_, &listed_, &turn_}) std::vector<MUMPS_INT>().swap(*numbers);
     for (auto* values : {&value_, &scale_, &reduced_}) std::vector<double>().swap(*values);
   }
   CondensedView condensed() const override {
@@ -100,6 +106,7 @@ class MumpsFactor final : public SparseFactor {
     return sizeof(double) * (condensed_.size() * condensed_.size() + value_.capacity()) +
            sizeof(MUMPS_INT) * (row_.capacity() + column_.capacity());
   }
+  void take_order(const SparseMatrix& matrix, std::span<const std::int64_t> order);
   void take_matrix(const SparseMatrix& matrix, double more);
   /// Returns the bytes that the factorisation will take on this machine, in memory or with the factors on the disk.
   double need(Mumps& m) const { return 1e6 * m.found(m.control(22) != 0 ? 26 : 16) * ranks_.on_machine(); }
@@ -113,13 +120,27 @@ class MumpsFactor final : public SparseFactor {
   const Ranks ranks_;
   std::int64_t size_;
   std::vector<std::int64_t> condensed_, place_;
-  std::vector<MUMPS_INT> row_, column_, listed_;
+  std::vector<MUMPS_INT> row_, column_, listed_, turn_;  ///< turn_: when each unknown is eliminated
   std::vector<double> value_, scale_, reduced_;
   std::unique_ptr<double[]> schur_;  ///< Cholesky factor of the condensed matrix, column-major
   std::unique_ptr<Mumps> mumps_;
   std::size_t factor_bytes_ = 0;
   SparseStatistics statistics_;
 };
+
+// MUMPS is given an order: with a Schur complement it would take minimum degree, which fills 1.7 times as much as
+// nested dissection.
+void MumpsFactor::take_order(const SparseMatrix& matrix, std::span<const std::int64_t> order) {
+  const Stopwatch watch(statistics_.seconds_order);
+  SparseOrder found;
+  if (order.empty()) order = (found = order_unknowns(matrix, condensed_)).unknown;
+  statistics_.peak_bytes = found.peak_bytes + matrix.bytes();
+  turn_.resize(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) turn_[at(order[k])] = static_cast<MUMPS_INT>(k + 1);
+  // MUMPS refuses condensed unknowns in another sequence than that of their list.
+  for (std::size_t k = 0; k < condensed_.size(); ++k)
+    turn_[at(condensed_[k])] = static_cast<MUMPS_INT>(order.size() - condensed_.size() + k + 1);
+}
 
 // Takes this rank's columns of the lower triangle scaled to a unit diagonal, with each diagonal entry larger by a part
 // of it: MUMPS takes small entries for zero.
@@ -158,6 +179,8 @@ void MumpsFactor::factorise_all(const SparseMatrix& matrix, double more) {
   m.control(18) = 3;   // each rank gives its part of the matrix
   m.control(14) = 30;  // per cent of room beyond what the analysis foresees
   m.control(8) = 0;    // the matrix is scaled
+  m.control(7) = 1;    // the order is given
+  m->perm_in = turn_.data();
   if (n > 0) {
     listed_.clear();
     for (const std::int64_t u : condensed_) listed_.push_back(static_cast<MUMPS_INT>(u + 1));
@@ -292,20 +315,44 @@ void MumpsFactor::solve_block(double* b, std::int64_t count) {
 
 }  // namespace
 
+#if ROLLCON_BUILD_MPI
 std::unique_ptr<SparseFactor> factor_over_ranks(const SparseMatrix& matrix, std::span<const std::int64_t> condensed,
                                                 const Ranks& ranks) {
   return std::make_unique<MumpsFactor>(matrix, condensed, ranks);
 }
+#endif
 
 #if !ROLLCON_BUILD_CHOLMOD
 std::unique_ptr<SparseFactor> factor_definite(const SparseMatrix& matrix, std::span<const std::int64_t> condensed,
-                                              std::span<const std::int64_t> /*order*/) {
-  return factor_over_ranks(matrix, condensed, {});
+                                              std::span<const std::int64_t> order) {
+  return std::make_unique<MumpsFactor>(matrix, condensed, Ranks(), order);
 }
 
-// MUMPS finds an order itself.
-SparseOrder order_unknowns(const SparseMatrix& /*matrix*/, std::span<const std::int64_t> /*condensed*/) {
-  return {};
+// Orders by METIS through MUMPS's analysis, which takes another order where it has no METIS.
+GraphOrder dissect(const SparseGroups& groups) {
+  GraphOrder out;
+  out.group.resize(at(groups.count));
+  std::iota(out.group.begin(), out.group.end(), 0);
+  if (groups.neighbour.empty()) return out;
+  std::vector<MUMPS_INT> row, column;
+  for (std::int64_t g = 0; g < groups.count; ++g)
+    for (std::int64_t k = groups.start[at(g)]; k < groups.start[at(g + 1)]; ++k) {
+      if (groups.neighbour[at(k)] < g) continue;
+      row.push_back(static_cast<MUMPS_INT>(groups.neighbour[at(k)] + 1));
+      column.push_back(static_cast<MUMPS_INT>(g + 1));
+    }
+  out.peak_bytes = 4 * sizeof(MUMPS_INT) * row.size();
+  const MetisRandom random;
+  Mumps m{Ranks()};
+  m->n = static_cast<MUMPS_INT>(groups.count);
+  m->nnz = static_cast<MUMPS_INT8>(row.size());
+  m->irn = row.data();
+  m->jcn = column.data();
+  m.control(7) = 5;
+  if (m.run(analyse) < 0) throw std::bad_alloc();
+  for (std::size_t g = 0; g < out.group.size(); ++g)
+    out.group[static_cast<std::size_t>(m->sym_perm[g] - 1)] = static_cast<std::int64_t>(g);
+  return out;
 }
 #endif
 

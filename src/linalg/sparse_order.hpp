@@ -17,8 +17,9 @@ struct GraphOrder {
   std::size_t peak_bytes = 0;
 };
 
-/// Orders by METIS through CHOLMOD; by minimum degree where it refuses. Throws std::bad_alloc. METIS finds memory or
-/// raises a signal that it catches; then it gives no order, and CHOLMOD does not notice.
+/// Orders by METIS through CHOLMOD, or through MUMPS in builds without CHOLMOD; by another order where it refuses.
+/// Throws std::bad_alloc. METIS finds memory or raises a signal that it catches; then it gives no order, and CHOLMOD
+/// does not notice.
 GraphOrder dissect(const SparseGroups& groups);
 
 /// Says whether each of 0 .. order.size() - 1 comes once.

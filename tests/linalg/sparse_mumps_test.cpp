@@ -1,6 +1,8 @@
 // Tests what MUMPS alone among the sparse factorisations does: it keeps factors on the disk.
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "linalg/sparse_factor.hpp"
 #include "linalg/sparse_matrices.hpp"
@@ -42,6 +44,21 @@ TEST(MumpsFactor, factors_go_to_the_disk_where_memory_is_short) {
   expect_error("on the disk", apart(x, exact), 1e-13);
   EXPECT_LT(on_disk.peak_bytes, in_memory.peak_bytes);
   std::printf("bytes: in memory %zu, on the disk %zu\n", in_memory.peak_bytes, on_disk.peak_bytes);
+}
+
+TEST(MumpsFactor, takes_the_order_that_is_given_and_finds_a_better_one_than_rows) {
+  const SparseMatrix a = springs(9, 3, 1);
+  std::vector<std::int64_t> condensed(40), rows(at(a.columns));
+  for (std::size_t k = 0; k < condensed.size(); ++k) condensed[k] = a.columns - 1 - 3 * static_cast<std::int64_t>(k);
+  std::iota(rows.begin(), rows.end(), 0);
+  std::stable_partition(rows.begin(), rows.end(), [&](std::int64_t u) {
+    return std::find(condensed.begin(), condensed.end(), u) == condensed.end();
+  });
+  const auto by_rows = factor_definite(a, condensed, rows)->statistics(),
+             dissected = factor_definite(a, condensed)->statistics();
+  std::printf("entries of the factors: by rows %lld, dissected %lld\n", static_cast<long long>(by_rows.nonzeros),
+              static_cast<long long>(dissected.nonzeros));
+  EXPECT_LT(3 * dissected.nonzeros, by_rows.nonzeros);
 }
 
 }  // namespace
