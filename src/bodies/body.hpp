@@ -182,6 +182,8 @@ class Body {
   /// of finite elements were tagged that are not on the boundary.
   SurfaceMesh surface_copy();
   const BodyOptions& options() const { return options_; }
+  /// Returns what became of the points of its profile, or of all its slices.
+  FitReport fit_report() const;
   Context& context() const { return *context_; }
 
   /// Returns the contact faces or the profile of a prepared body, in its axes; null: it takes the plane of the
@@ -219,7 +221,9 @@ class Body {
   void require_materials() const;
   void require_takes_profile() const;
   void require_profile() const;
-  void replace_profile(ProfileCurve curve);
+  void replace_profile(ProfileCurve curve, const FitReport& fit = {});
+  /// Returns how points become a curve, by the options. err_nonfinite.
+  ProfileFit profile_fit(double filter_length) const;
   /// Logs what is told of a file and of the fit.
   void tell_of_profile(const std::string& told) const;
   /// Takes what a file has, if one is given.

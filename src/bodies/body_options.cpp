@@ -40,6 +40,20 @@ const SettingTable<BodyOptions>& body_option_table() {
        "Profiles that vary. 0: splines lead through all slices; 1: they come near to each, by two thirds of its "
        "distance "
        "from the chord of its neighbours, which smooths measured slices."},
+      {"filter_order", &BodyOptions::filter_order, 2, 3,
+       "Profiles to be filtered, as the next four options before they are set. The filter keeps a wave of length l to "
+       "1 "
+       "/ (1 + (filter_length / l)^2m), m: 3, which leaves curvatures of arcs alone, or 2, a cubic smoothing spline."},
+      {"points_alike", &BodyOptions::points_alike, 0, 1,
+       "0: a point weighs in the filter by the length of the curve beside it; 1: all weigh the same, as in a plain "
+       "smoothing spline."},
+      {"kink_angle", &BodyOptions::kink_angle, 1, 180,
+       "Degrees by which a profile turns at a kink, at least: the curve is broken there, and filters do not round it."},
+      {"kink_beside", &BodyOptions::kink_beside, 0, 1,
+       "The points beside a kink turn by at most this fraction of its angle."},
+      {"zigzag_angle", &BodyOptions::zigzag_angle, 1, 150,
+       "Degrees: two points in succession at which the path turns by more, to and fro, are replaced by their mean. A "
+       "single turn by more than that and than 90 is refused."},
       {"cache_bytes", &BodyOptions::cache_bytes, 0, 1e15,
        "Bytes of responses (to the frames of contacts) that the body keeps: beyond them those not "
        "used for longest are dropped, but never the last one."},

@@ -45,14 +45,22 @@ void Body::require_takes_profile() const {
   if (given().surface.nodes() > 0) fail(Status::err_state, "the body has a mesh: it takes no profile as well");
 }
 
-void Body::replace_profile(ProfileCurve curve) {
+void Body::replace_profile(ProfileCurve curve, const FitReport& fit) {
   const std::lock_guard lock(mutex_);
   require_takes_profile();
   BodyProfile profile;
   profile.curve = std::make_shared<const ProfileCurve>(std::move(curve));
   profile.slice = std::move(model_->profile.slice);
   profile.wave = std::move(model_->profile.wave);
+  profile.fit = fit;
   model_->profile = std::move(profile);
+}
+
+ProfileFit Body::profile_fit(double filter_length) const {
+  require_finite(filter_length, "filter_length");
+  const std::lock_guard lock(mutex_);
+  return {filter_length,       options_.filter_order, options_.points_alike != 0,
+          options_.kink_angle, options_.kink_beside,  options_.zigzag_angle};
 }
 
 void Body::set_profile(std::int64_t n, const double* points, double filter_length) {
@@ -68,10 +76,11 @@ void Body::set_profile(std::int64_t n, const double* points, double filter_lengt
         fail(Status::err_nonfinite, "%c of point %lld (counting from 0) is %g", "yz"[c], static_cast<long long>(i),
              point.back()[c]);
   }
-  require_finite(filter_length, "filter_length");
   std::string told;
+  FitReport report;
   const auto name = [](std::size_t i) { return "point " + std::to_string(i) + " (counting from 0)"; };
-  replace_profile(profile_through(point, filter_length, name, &told));
+  ProfileCurve curve = profile_through(point, profile_fit(filter_length), name, &told, &report);
+  replace_profile(std::move(curve), report);
   tell_of_profile(told);
 }
 
@@ -89,6 +98,7 @@ struct ReadProfile {
   ProfileCurve curve;
   std::string told;
   bool reversed;  ///< the file's last point is that of least y
+  FitReport report;
 };
 
 constexpr std::int32_t mirror_y = 1, mirror_z = 2, mirror_z_by_shape = 4;
@@ -105,7 +115,7 @@ bool counts_upwards(const std::vector<Vec2>& point) {
   return *middle - low > high - *middle;
 }
 
-ReadProfile profile_in(const std::string& path, double unit, std::int32_t mirror, double filter_length) {
+ReadProfile profile_in(const std::string& path, double unit, std::int32_t mirror, const ProfileFit& fit) {
   ProfileFile file = read_profile_file(path);
   const bool upwards = (mirror & mirror_z_by_shape) != 0 && counts_upwards(file.point);
   const std::array<double, 2> factor{mirror & mirror_y ? -unit : unit, upwards || (mirror & mirror_z) ? -unit : unit};
@@ -119,18 +129,18 @@ ReadProfile profile_in(const std::string& path, double unit, std::int32_t mirror
             ", taken as it is: of a file in metres 1000 as unit makes millimetres; ";
   const auto name = [&](std::size_t i) { return "line " + std::to_string(file.line[i]) + " of " + path; };
   const bool reversed = file.point.front()[0] > file.point.back()[0];
-  ProfileCurve curve = profile_through(file.point, filter_length, name, &told);
-  return {std::move(curve), std::move(told), reversed};
+  FitReport report;
+  ProfileCurve curve = profile_through(file.point, fit, name, &told, &report);
+  return {std::move(curve), std::move(told), reversed, report};
 }
 
-void require_file(const char* path, double unit, std::int32_t mirror, double filter_length, bool by_shape) {
+void require_file(const char* path, double unit, std::int32_t mirror, bool by_shape) {
   require_pointer(path, "path");
   require_unit(unit);
   const std::int32_t most = by_shape ? mirror_z_by_shape + mirror_y : mirror_y + mirror_z;
   if (mirror < 0 || mirror > most)
     fail(Status::err_argument, "mirror is %d; allowed: 0, 1 (y), 2 (z), 3 (both)%s", mirror,
          by_shape ? ", 4 (z where the shape says so), 5 (that and y)" : "");
-  require_finite(filter_length, "filter_length");
 }
 
 }  // namespace
@@ -140,14 +150,15 @@ void Body::tell_of_profile(const std::string& told) const {
 }
 
 void Body::read_profile(const char* path, double unit, std::int32_t mirror, double filter_length) {
-  require_file(path, unit, mirror, filter_length, true);
-  ReadProfile read = profile_in(path, unit, mirror, filter_length);
-  replace_profile(std::move(read.curve));
+  require_file(path, unit, mirror, true);
+  ReadProfile read = profile_in(path, unit, mirror, profile_fit(filter_length));
+  replace_profile(std::move(read.curve), read.report);
   tell_of_profile(read.told);
 }
 
 void Body::read_slices(const char* path, double millimetre, double unit, std::int32_t mirror, double filter_length) {
-  require_file(path, unit, mirror, filter_length, false);
+  require_file(path, unit, mirror, false);
+  const ProfileFit fit = profile_fit(filter_length);
   require_finite(millimetre, "millimetre");
   if (!(millimetre > 0)) fail(Status::err_argument, "millimetre is %g; allowed: > 0", millimetre);
   const SliceFile file = read_slice_file(path);
@@ -155,7 +166,8 @@ void Body::read_slices(const char* path, double millimetre, double unit, std::in
   BodyProfile fresh;
   std::string told;
   for (const SliceFile::Slice& given : file.slice) {
-    ReadProfile read = profile_in(given.path, unit, mirror, filter_length);
+    ReadProfile read = profile_in(given.path, unit, mirror, fit);
+    fresh.fit.add(read.report);
     ProfileSlice slice{along * given.u, std::make_shared<const ProfileCurve>(std::move(read.curve)), given.feature};
     for (double& s : slice.feature)
       if (s >= 0) s = std::min(millimetre * s, slice.curve->length());
@@ -245,6 +257,11 @@ void Body::revolve_profile(const double* origin, const double* axis, double radi
 void Body::require_profile() const {
   if (!model_->profile.curve)
     fail(Status::err_state, "the body has no profile: rollcon_body_set_profile, _set_profile_shape or _read_profile");
+}
+
+FitReport Body::fit_report() const {
+  const std::lock_guard lock(mutex_);
+  return model_->profile.fit;
 }
 
 std::shared_ptr<const ProfileCurve> Body::profile() const {

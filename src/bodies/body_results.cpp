@@ -24,7 +24,8 @@ void require_prepared_mesh(const Body& body) {
 
 struct Statistic {
   StatisticInfo info;
-  double (*value)(const Body&);  ///< takes a prepared body
+  double (*value)(const Body&);  ///< takes a prepared body, but for the fit of a profile
+  bool early = false;            ///< also of a body that is not prepared
 };
 
 /// Returns a statistic of the equations; 0 for bodies without them.
@@ -36,6 +37,11 @@ double of_equations(const Body& body) {
 template <int component>
 double missed_along(const Body& body) {
   return imbalances_of(body.response()).along[component];
+}
+
+template <auto member>
+double of_fit(const Body& body) {
+  return static_cast<double>(body.fit_report().*member);
 }
 
 using S = BodyStatistics;
@@ -69,6 +75,14 @@ constexpr Statistic statistics[] = {
      [](const Body& body) { return body.own().missed; }},
     {{"local_young", "Young's modulus that a given matrix shows between neighbouring nodes; 0: none is given"},
      [](const Body& body) { return imbalances_of(body.response()).local_young; }},
+    {{"filter_moved", "the farthest that the filter moved a profile's point"}, of_fit<&FitReport::moved>, true},
+    {{"filter_curvature",
+      "the largest change of a profile's curvature if its filter were applied again: about what it took away"},
+     of_fit<&FitReport::curvature>,
+     true},
+    {{"filter_y", "y of the place of filter_curvature"}, of_fit<&FitReport::y>, true},
+    {{"kinks", "kinks of a profile given by points"}, of_fit<&FitReport::kinks>, true},
+    {{"zigzags", "zig-zags of a profile's points, replaced by means"}, of_fit<&FitReport::zigzags>, true},
     {{"shared", "1: an equal body was prepared before, and nothing was assembled"},
      [](const Body& body) { return body.shared() ? 1.0 : 0.0; }},
     {{"loaded", "1: the body is from a file"}, [](const Body& body) { return body.loaded() ? 1.0 : 0.0; }},
@@ -97,7 +111,7 @@ void body_reaction(const Body& body, Vec3& force, Vec3& moment) {
 
 double body_statistic(const Body& body, const char* name) {
   const Statistic& found = statistic_row(statistics, name);
-  require_prepared(body);
+  if (!found.early) require_prepared(body);
   return found.value(body);
 }
 

@@ -45,22 +45,32 @@ std::vector<NamedPoint> without_close_ones(const std::vector<Vec2>& point) {
   return kept;
 }
 
+/// Returns the angle by which the path turns at a point, positive from y to z.
+double turn(const Vec2& before, const Vec2& x, const Vec2& after) {
+  return std::atan2(cross(x - before, after - x), dot(x - before, after - x));
+}
+
+constexpr double degree = std::numbers::pi / 180;
+
 /// Replaces by means the points where the path goes forth, back and forth again, because it was measured so or joined
-/// from two measurements. The outermost of many points may be wrong.
-void straighten_zigzags(std::vector<NamedPoint>& point, const PointName& name, std::string& told) {
+/// from two measurements. The outermost of many points may be wrong. Returns how many were replaced.
+std::int64_t straighten_zigzags(std::vector<NamedPoint>& point, double zigzag_angle, const PointName& name,
+                                std::string& told) {
   constexpr std::size_t enough = 10;
-  const auto turns_back = [&](std::size_t i) {
-    return dot(point[i].x - point[i - 1].x, point[i + 1].x - point[i].x) < 0;
-  };
+  constexpr double right_angle = std::numbers::pi / 2;
+  const double least = zigzag_angle * degree;
+  const auto turn_at = [&](std::size_t i) { return turn(point[i - 1].x, point[i].x, point[i + 1].x); };
   const std::size_t all = point.size(), most = 1 + all / 5;
   std::size_t mended = 0;
   for (std::size_t i = 1; i + 1 < point.size();) {
-    if (!turns_back(i)) {
-      ++i;
-      continue;
-    }
     const bool first = i == 1, last = i + 2 == point.size();
-    if (last || !turns_back(i + 1)) {
+    const double here = turn_at(i), next = last ? 0 : turn_at(i + 1), less = std::min(std::abs(here), std::abs(next));
+    // Turns beyond a right angle may have either sign where the path goes straight back.
+    if (!(less > least && (less > right_angle || here * next < 0))) {
+      if (std::abs(here) <= std::max(least, right_angle)) {
+        ++i;
+        continue;
+      }
       if ((first || last) && all >= enough) {
         told += "the profile turns back at its end: " + name(point[first ? 0 : i + 1].number) + " is left out; ";
         point.erase(first ? point.begin() : point.end() - 1);
@@ -69,8 +79,8 @@ void straighten_zigzags(std::vector<NamedPoint>& point, const PointName& name, s
       fail(
           Status::err_argument,
           "the profile turns back at %s, y %g, z %g; allowed: points in the order of the path, whose direction changes "
-          "by less than 90 degrees from point to point",
-          name(point[i].number).c_str(), point[i].x[0], point[i].x[1]);
+          "by less than %g degrees from point to point",
+          name(point[i].number).c_str(), point[i].x[0], point[i].x[1], std::max(zigzag_angle, 90.0));
     }
     if (++mended > most)
       fail(Status::err_argument,
@@ -81,6 +91,7 @@ void straighten_zigzags(std::vector<NamedPoint>& point, const PointName& name, s
     point.erase(point.begin() + static_cast<std::ptrdiff_t>(i) + 1);
     if (i > 1) --i;
   }
+  return static_cast<std::int64_t>(mended);
 }
 
 /// Replaces points by means of neighbours over a fraction of the filter's length, where points are closer than their
@@ -106,19 +117,15 @@ double path_of(const std::vector<NamedPoint>& point) {
 
 /// Brings points into the order of the path. Where there is a filter, and noise makes the path longer than that of
 /// means, the means stand for the points, because the filter would take the way to and fro for length.
-std::vector<NamedPoint> along_the_path(std::vector<NamedPoint> point, double filter_length, const PointName& name,
-                                       std::string& told) {
+std::vector<NamedPoint> along_the_path(std::vector<NamedPoint> point, const ProfileFit& fit, const PointName& name,
+                                       std::string& told, FitReport& report) {
   constexpr double part = 1.0 / 24, longer = 1.01;
-  if (filter_length > 0) {
-    std::vector<NamedPoint> mean = means_over(point, part * filter_length);
+  if (fit.filter_length > 0) {
+    std::vector<NamedPoint> mean = means_over(point, part * fit.filter_length);
     if (path_of(point) > longer * path_of(mean)) point = std::move(mean);
   }
-  straighten_zigzags(point, name, told);
+  report.zigzags = straighten_zigzags(point, fit.zigzag_angle, name, told);
   return point;
-}
-
-double turn(const Vec2& before, const Vec2& x, const Vec2& after) {
-  return std::abs(std::atan2(cross(x - before, after - x), dot(x - before, after - x)));
 }
 
 /// Returns the direction of the line that fits some points best; it goes from the first to the last.
@@ -153,14 +160,15 @@ bool turns_by(const std::vector<Vec2>& x, std::size_t k, double reach, double le
 
 /// Returns the points at which the curve turns by far more than beside them, in points to be filtered also by what
 /// lines over a fourth of that length say.
-std::vector<std::size_t> kinks_of(const std::vector<Vec2>& x, double filter_length) {
-  constexpr double least = std::numbers::pi / 6, others = 1.0 / 3, part = 0.25, nearly = 0.8;
+std::vector<std::size_t> kinks_of(const std::vector<Vec2>& x, const ProfileFit& fit) {
+  constexpr double part = 0.25, nearly = 0.8, rounding = 1e-9;
+  const double least = fit.kink_angle * degree, others = fit.kink_beside + rounding;
   std::vector<double> angle(x.size(), 0);
-  for (std::size_t i = 1; i + 1 < x.size(); ++i) angle[i] = turn(x[i - 1], x[i], x[i + 1]);
+  for (std::size_t i = 1; i + 1 < x.size(); ++i) angle[i] = std::abs(turn(x[i - 1], x[i], x[i + 1]));
   std::vector<std::size_t> found;
   for (std::size_t i = 1; i + 1 < x.size(); ++i)
     if (angle[i] >= least && angle[i - 1] <= others * angle[i] && angle[i + 1] <= others * angle[i] &&
-        turns_by(x, i, part * filter_length, nearly * least))
+        turns_by(x, i, part * fit.filter_length, nearly * least))
       found.push_back(i);
   return found;
 }
@@ -222,9 +230,9 @@ void solve_band(std::vector<Band>& a, std::vector<Vec2>& b) {
 
 }  // namespace
 
-void smooth_points(std::vector<Vec2>& point, double filter_length) {
-  const std::size_t n = point.size();
-  if (n < 5 || !(filter_length > 0)) return;
+void smooth_points(std::vector<Vec2>& point, const ProfileFit& fit) {
+  const std::size_t n = point.size(), order = static_cast<std::size_t>(fit.filter_order);
+  if (n < 5 || !(fit.filter_length > 0)) return;
   std::vector<double> s(n, 0), weight(n, 0);
   for (std::size_t i = 1; i < n; ++i) {
     const double h = length(point[i] - point[i - 1]);
@@ -232,35 +240,37 @@ void smooth_points(std::vector<Vec2>& point, double filter_length) {
     weight[i - 1] += h / 2;
     weight[i] += h / 2;
   }
+  if (fit.points_alike) std::fill(weight.begin(), weight.end(), s.back() / static_cast<double>(n - 1));
   // Lengths are scaled by the filter's, which keeps the numbers moderate.
-  const double unit = filter_length / (2 * std::numbers::pi);
+  const double unit = fit.filter_length / (2 * std::numbers::pi);
   for (std::size_t i = 0; i < n; ++i) {
     s[i] /= unit;
     weight[i] /= unit;
   }
-  // Third derivatives are 6 times the divided differences of four points each.
-  const std::size_t rows = n - 3;
-  std::vector<Band> third(rows);
+  // Derivatives of order m are m! times the divided differences of m + 1 points each.
+  const std::size_t rows = n - order;
+  std::vector<Band> derivative(rows, Band{});
   for (std::size_t i = 0; i < rows; ++i)
-    for (std::size_t k = 0; k < 4; ++k) {
+    for (std::size_t k = 0; k <= order; ++k) {
       double product = 1;
-      for (std::size_t j = 0; j < 4; ++j)
+      for (std::size_t j = 0; j <= order; ++j)
         if (j != k) product *= s[i + k] - s[i + j];
-      third[i][k] = 6 / product;
+      derivative[i][k] = (order == 3 ? 6 : 2) / product;
     }
-  // The system is (D W^-1 D' + G^-1) v = D x, then x - W^-1 D' v; G holds the length of curve for which a third
-  // derivative stands.
+  // The system is (D W^-1 D' + G^-1) v = D x, then x - W^-1 D' v; G holds the length of curve for which a derivative
+  // stands.
   std::vector<Band> matrix(rows, Band{});
   std::vector<Vec2> v(rows, Vec2{0, 0});
   for (std::size_t i = 0; i < rows; ++i) {
-    for (std::size_t k = 0; k < 4 && i + k < rows; ++k)
-      for (std::size_t j = k; j < 4; ++j) matrix[i][k] += third[i][j] * third[i + k][j - k] / weight[i + j];
-    matrix[i][0] += 3 / (s[i + 3] - s[i]);
-    for (std::size_t j = 0; j < 4; ++j) v[i] = v[i] + third[i][j] * point[i + j];
+    for (std::size_t k = 0; k <= order && i + k < rows; ++k)
+      for (std::size_t j = k; j <= order; ++j)
+        matrix[i][k] += derivative[i][j] * derivative[i + k][j - k] / weight[i + j];
+    matrix[i][0] += static_cast<double>(order) / (s[i + order] - s[i]);
+    for (std::size_t j = 0; j <= order; ++j) v[i] = v[i] + derivative[i][j] * point[i + j];
   }
   solve_band(matrix, v);
   for (std::size_t i = 0; i < rows; ++i)
-    for (std::size_t j = 0; j < 4; ++j) point[i + j] = point[i + j] - third[i][j] / weight[i + j] * v[i];
+    for (std::size_t j = 0; j <= order; ++j) point[i + j] = point[i + j] - derivative[i][j] / weight[i + j] * v[i];
 }
 
 std::vector<ProfilePiece> spline_through(const std::vector<Vec2>& x, const Vec2* begin, const Vec2* end) {
@@ -333,21 +343,48 @@ double farthest(const ProfileCurve& curve) {
   return far;
 }
 
+/// Tells what the filter did to a part of a profile: to its points, and to curvatures if it is applied once more.
+void tell_of_filter(const std::vector<Vec2>& raw, const std::vector<Vec2>& smooth,
+                    const std::vector<ProfilePiece>& piece, const ProfileFit& fit, FitReport& report) {
+  FitReport here;
+  for (std::size_t i = 0; i < raw.size(); ++i) here.moved = std::max(here.moved, length(smooth[i] - raw[i]));
+  std::vector<Vec2> again = smooth;
+  smooth_points(again, fit);
+  int jumps = 0;
+  const ProfileCurve once(piece), twice(splines_of_runs(again, jumps));
+  for (std::size_t i = 0; i < piece.size(); ++i) {
+    const double change = std::abs(twice.at(i, 0).curvature() - once.at(i, 0).curvature());
+    if (change > here.curvature) here.curvature = change, here.y = smooth[i][0];
+  }
+  report.add(here);
+}
+
 }  // namespace
 
-ProfileCurve profile_through(const std::vector<Vec2>& point, double filter_length, const PointName& name,
-                             std::string* told) {
+void FitReport::add(const FitReport& other) {
+  kinks += other.kinks;
+  zigzags += other.zigzags;
+  moved = std::max(moved, other.moved);
+  if (other.curvature > curvature) curvature = other.curvature, y = other.y;
+}
+
+ProfileCurve profile_through(const std::vector<Vec2>& point, const ProfileFit& fit, const PointName& name,
+                             std::string* told, FitReport* report) {
   std::string unheard, &words = told ? *told : unheard;
+  FitReport unread, &found = report ? *report : unread;
+  found = {};
   require_points(point, name);
-  const std::vector<NamedPoint> kept = along_the_path(without_close_ones(point), filter_length, name, words);
+  const std::vector<NamedPoint> kept = along_the_path(without_close_ones(point), fit, name, words, found);
   std::vector<Vec2> x;
   for (const NamedPoint& p : kept) x.push_back(p.x);
   if (x.back()[0] < x.front()[0]) std::reverse(x.begin(), x.end());
   const double path = path_of(kept);
-  if (!(filter_length >= 0 && filter_length <= path))
-    fail(Status::err_argument, "filter_length is %g; allowed: 0 to the length of the profile, %g", filter_length, path);
+  if (!(fit.filter_length >= 0 && fit.filter_length <= path))
+    fail(Status::err_argument, "filter_length is %g; allowed: 0 to the length of the profile, %g", fit.filter_length,
+         path);
 
-  std::vector<std::size_t> ends = kinks_of(x, filter_length);
+  std::vector<std::size_t> ends = kinks_of(x, fit);
+  found.kinks = std::ssize(ends);
   ends.push_back(x.size() - 1);
   std::vector<ProfilePiece> piece;
   std::size_t from = 0;
@@ -356,13 +393,15 @@ ProfileCurve profile_through(const std::vector<Vec2>& point, double filter_lengt
   for (const std::size_t to : ends) {
     std::vector<Vec2> part(x.begin() + static_cast<std::ptrdiff_t>(from),
                            x.begin() + static_cast<std::ptrdiff_t>(to) + 1);
-    smooth_points(part, filter_length);
+    const std::vector<Vec2> raw = part;
+    smooth_points(part, fit);
     // Smoothing moves the two curves that meet in a kink by different amounts, so the second goes on from where the
     // first ends.
     if (from > 0) part.front() = joint;
     joint = part.back();
     const std::vector<ProfilePiece> more = splines_of_runs(part, jumps);
     piece.insert(piece.end(), more.begin(), more.end());
+    if (fit.filter_length > 0) tell_of_filter(raw, part, more, fit, found);
     from = to;
   }
   ProfileCurve curve(std::move(piece));

@@ -38,7 +38,7 @@ TEST_F(body_results, every_statistic_has_a_name_and_a_value) {
   set_mesh(body);
   ASSERT_OK(hold_bottom(ROLLCON_DOF_XYZ));
   for (rollcon_body* b : {body, sphere, plane}) ASSERT_OK(rollcon_body_prepare(b));
-  ASSERT_EQ(rollcon_stat_count(ROLLCON_OF_BODY), 26);
+  ASSERT_EQ(rollcon_stat_count(ROLLCON_OF_BODY), 31);
   for (std::int32_t i = 0; i < rollcon_stat_count(ROLLCON_OF_BODY); ++i) {
     char name[32];
     double value = -1;

@@ -25,8 +25,14 @@ std::vector<Vec2> circle(double radius, double from, double to, int n) {
   return point;
 }
 
+ProfileFit fit_of(double filter) {
+  ProfileFit fit;
+  fit.filter_length = filter;
+  return fit;
+}
+
 ProfileCurve through(const std::vector<Vec2>& point, double filter = 0) {
-  return profile_through(point, filter, numbered);
+  return profile_through(point, fit_of(filter), numbered);
 }
 
 void expect_refused(const std::vector<Vec2>& point, double filter, const std::string& text) {
@@ -123,7 +129,7 @@ TEST(profile_fit, distances_that_jump_leave_the_curve_at_its_points) {
             if (length(x - Vec2{radius * std::sin(last), -radius * std::cos(last)}) > 0)
               point.push_back(end - (x - Vec2{radius * std::sin(last), -radius * std::cos(last)}));
         std::string told;
-        const ProfileCurve curve = profile_through(point, 0, numbered, &told);
+        const ProfileCurve curve = profile_through(point, {}, numbered, &told);
         const std::string where = std::to_string(radius) + ", " + std::to_string(line);
         const bool jumps = line > 5 * radius * last / 100;
         const double whole = (second_arc ? 2 : 1) * radius * last + line;
@@ -180,7 +186,7 @@ TEST(profile_fit, an_outermost_point_that_turns_back_is_left_out_and_named) {
     std::vector<Vec2> wrong = good;
     wrong.insert(last ? wrong.end() : wrong.begin(), (last ? good[99] : good[1]) + Vec2{0, -0.1});
     std::string told;
-    EXPECT_EQ(profile_through(wrong, 0, numbered, &told).pieces(), curve.pieces());
+    EXPECT_EQ(profile_through(wrong, {}, numbered, &told).pieces(), curve.pieces());
     EXPECT_EQ(told, last ? "the profile turns back at its end: point 101 is left out; "
                          : "the profile turns back at its end: point 0 is left out; ");
   }
@@ -239,16 +245,161 @@ TEST(profile_fit, filter_length_is_where_waves_are_halved) {
   for (const double wave : {filter / 3, filter, 3 * filter}) {
     std::vector<Vec2> point;
     for (int i = 0; i <= 2000; ++i) point.push_back({0.1 * i, height * std::cos(2 * pi * (0.1 * i - 100) / wave)});
-    smooth_points(point, filter);
+    smooth_points(point, fit_of(filter));
     const double left = point[1000][1] / height, due = 1 / (1 + std::pow(filter / wave, 6));
     expect_error("wave " + std::to_string(wave) + ": what is left less theory", left - due, 1e-3);
   }
   // The third derivative 1/R^2 is lost at ends over the filter's reach L / 2 pi.
   constexpr double radius = 80, length = 12, reach = length / (2 * pi) / radius;
   std::vector<Vec2> arc = circle(radius, -0.4, 0.4, 321);
-  smooth_points(arc, length);
+  smooth_points(arc, fit_of(length));
   expect_error("smoothed circle: radius, ends included", errors(through(arc), radius)[0], std::pow(reach, 3));
   expect_error("smoothed circle: curvature, ends included", errors(through(arc), radius)[1], reach);
+}
+
+// The filter of second order halves waves of its length, too, and falls off more slowly. Where all points weigh the
+// same, its length is longer where they are far apart.
+TEST(profile_fit, the_filter_of_second_order_falls_off_with_the_fourth_power) {
+  constexpr double length = 10, height = 1e-3, near = 0.1, far = 0.4;
+  std::vector<double> y;
+  for (int i = 0; i <= 1000; ++i) y.push_back(near * i);
+  for (int i = 1; i <= 250; ++i) y.push_back(100 + far * i);
+  const double mean = 200.0 / 1250;
+  for (const bool alike : {false, true})
+    for (const double wave : {length / 3, length, 3 * length}) {
+      ProfileFit fit = fit_of(length);
+      fit.filter_order = 2;
+      fit.points_alike = alike;
+      std::vector<Vec2> point;
+      for (const double at : y) point.push_back({at, height * std::cos(2 * pi * at / wave)});
+      std::vector<Vec2> smooth = point;
+      smooth_points(smooth, fit);
+      for (const bool right : {false, true}) {
+        double found = 0, whole = 0;
+        for (std::size_t i = 0; i < y.size(); ++i)
+          if (std::abs(y[i] - (right ? 150 : 50)) < 25)
+            found += smooth[i][1] * point[i][1], whole += point[i][1] * point[i][1];
+        const double weight = alike ? mean / (right ? far : near) : 1;
+        expect_error((alike ? "points alike, wave " : "wave ") + std::to_string(wave),
+                     found / whole - 1 / (1 + std::pow(length / wave, 4) / weight), 4e-3);
+      }
+    }
+}
+
+// A shallow parabola f becomes the solution of a^4 u'''' + u = f with u'' = u''' = 0 at both ends, where a is the
+// filter's length over 2 pi.
+TEST(profile_fit, the_filter_of_second_order_is_the_smoothing_spline) {
+  constexpr double half = 10, length = 12, height = 1e-4;
+  const double k = 2 * pi / length / std::numbers::sqrt2, x = k * half;
+  const auto even = [](double v) { return std::cosh(v) * std::cos(v); };
+  const auto odd = [](double v) { return std::sinh(v) * std::sin(v); };
+  // The derivatives of b even + c odd are 2 k^2 (c even - b odd) and 2 k^3 (c p - b q).
+  const double p = std::sinh(x) * std::cos(x) - std::cosh(x) * std::sin(x),
+               q = std::cosh(x) * std::sin(x) + std::sinh(x) * std::cos(x);
+  const double b = -(1 / (k * k)) / (even(x) * q / p - odd(x)), c = b * q / p;
+  for (const bool alike : {false, true}) {
+    ProfileFit fit = fit_of(length);
+    fit.filter_order = 2;
+    fit.points_alike = alike;
+    std::vector<Vec2> point;
+    for (int i = -400; i <= 400; ++i) {
+      const double y = half * (i / 400.0 + (alike ? 0 : 0.1 * std::sin(pi * i / 400)));
+      point.push_back({y, height * y * y});
+    }
+    std::vector<Vec2> smooth = point;
+    smooth_points(smooth, fit);
+    double off = 0, moved = 0;
+    for (std::size_t i = 0; i < point.size(); ++i) {
+      const double v = k * point[i][0], due = b * even(v) + c * odd(v);
+      off = std::max(off, std::abs((smooth[i][1] - point[i][1]) / height - due));
+      moved = std::max(moved, std::abs(due));
+    }
+    expect_error("smoothing spline beside its closed form, over what it moves", off / moved, 0.01);
+  }
+}
+
+TEST(profile_fit, thresholds_say_what_is_a_kink_and_a_zigzag) {
+  const auto fitted = [](const std::vector<Vec2>& point, const ProfileFit& fit, FitReport& report) {
+    return profile_through(point, fit, numbered, nullptr, &report);
+  };
+  const auto sharpest = [](const ProfileCurve& curve) {
+    double most = 0;
+    for (int i = 0; i <= 4000; ++i) most = std::max(most, std::abs(curve.at(curve.length() * i / 4000).curvature()));
+    return most;
+  };
+  FitReport report;
+  std::vector<Vec2> roof;
+  for (int i = -20; i <= 20; ++i) roof.push_back({0.5 * i, 0.18 * std::abs(0.5 * i)});  // 20.4 degrees
+  ProfileFit fit;
+  EXPECT_GT(sharpest(fitted(roof, fit, report)), 0.1);
+  EXPECT_EQ(report.kinks, 0);
+  fit.kink_angle = 15;
+  for (const double filter : {0.0, 5.0}) {
+    fit.filter_length = filter;
+    expect_error("a kink of 20 degrees kept: curvature beside it", sharpest(fitted(roof, fit, report)), 1e-6);
+    EXPECT_EQ(report.kinks, 1);
+  }
+  fit = {};
+  roof[21][1] += 0.06;  // the path turns beside the kink, too, by half as much
+  fit.kink_angle = 10;
+  fitted(roof, fit, report);
+  EXPECT_EQ(report.kinks, 0);
+  fit.kink_beside = 0.9;
+  fitted(roof, fit, report);
+  EXPECT_EQ(report.kinks, 1);
+
+  // The path goes to and fro by more than 30 degrees; a corner of two points by 60 each is no zig-zag.
+  fit = {};
+  std::vector<Vec2> path;
+  for (int i = 0; i <= 40; ++i) path.push_back({0.5 * i, i == 20 ? 0.2 : i == 21 ? -0.2 : 0});
+  fitted(path, fit, report);
+  EXPECT_EQ(report.zigzags, 0);
+  fit.zigzag_angle = 30;
+  const ProfileCurve mended = fitted(path, fit, report);
+  EXPECT_EQ(report.zigzags, 1);
+  expect_error("a zig-zag replaced by its mean: curvature", sharpest(mended), 1e-12);
+  const std::vector<Vec2> corner{{-2, 0}, {-1, 0}, {0, 0}, {0.5, 0.866}, {0, 1.732}, {-1, 1.732}, {-2, 1.732}};
+  fitted(corner, fit, report);
+  EXPECT_EQ(report.zigzags, 0);
+
+  // A turn of 100 degrees is refused with its place, unless the threshold says otherwise.
+  const std::vector<Vec2> sharp{{-2, 0}, {-1, 0}, {0, 0}, {-0.1736, 0.9848}, {-0.3473, 1.9696}};
+  expect_refused(sharp, 0, "turns back at point 2, y 0, z 0");
+  fit = {};
+  fit.zigzag_angle = 120;
+  fitted(sharp, fit, report);
+  EXPECT_EQ(report.kinks, 1);
+}
+
+// What a filter takes away of the curvature is known where there is no noise; the report tells how much, and where.
+TEST(profile_fit, what_a_filter_changes_is_told) {
+  constexpr double height = 0.5, width = 8;
+  std::vector<Vec2> point;
+  std::vector<double> curvature;
+  for (double y = -40; y < 40.1; y += 0.25) {
+    const double z = height * std::exp(-y * y / (width * width)), slope = -2 * y / (width * width) * z;
+    point.push_back({y, z});
+    curvature.push_back((4 * y * y / (width * width) - 2) / (width * width) * z / std::pow(1 + slope * slope, 1.5));
+  }
+  FitReport report;
+  profile_through(point, fit_of(0), numbered, nullptr, &report);
+  EXPECT_EQ(report.moved, 0);
+  EXPECT_EQ(report.curvature, 0);
+  for (const std::int64_t order : {2, 3})
+    for (const double filter : {8.0, 12.0}) {
+      ProfileFit fit = fit_of(filter);
+      fit.filter_order = order;
+      const ProfileCurve smooth = profile_through(point, fit, numbered, nullptr, &report);
+      double lost = 0, moved = 0;
+      for (std::size_t i = 0; i + 1 < point.size(); ++i) {
+        lost = std::max(lost, std::abs(smooth.at(i, 0).curvature() - curvature[i]));
+        moved = std::max(moved, length(smooth.at(i, 0).x - point[i]));
+      }
+      const std::string name = "order " + std::to_string(order) + ", filter " + std::to_string(filter);
+      expect_error(name + ": curvature that is lost, told over true", report.curvature / lost - 0.8, 0.3);
+      expect_error(name + ": its place", report.y, 1);
+      expect_error(name + ": way of points", report.moved / moved - 1, 1e-9);
+    }
 }
 
 }  // namespace

@@ -143,6 +143,32 @@ class Varying(Scene):
         with self.assertRaisesRegex(ValueError, "allowed: two"):
             passing.plot_passage([[0] * 6], [2000, 0, 0, 0, 0, -4], ax=[upper])
 
+    def test_what_becomes_of_points(self):
+        y = np.arange(-40, 40.1, 0.25)
+        points = np.c_[y, 0.5 * np.exp(-y**2 / 64)]
+        body = rc.Body(self.context, "halfspace")
+        moved = []
+        for order in 3, 2:
+            body.set("filter_order", order)
+            body.set_profile(points, 12)
+            moved.append(body.stat("filter_moved"))
+            self.assertGreater(body.stat("filter_curvature"), 0.02 / 64)
+            self.assertLess(abs(body.stat("filter_y")), 1)
+        self.assertGreater(moved[1], 1.5 * moved[0])
+        body.set_profile(points)
+        self.assertEqual([body.stat(name) for name in ("filter_moved", "filter_curvature", "kinks", "zigzags")], [0] * 4)
+        points[[100, 101]] = points[[101, 100]]
+        body.set_profile(points)
+        self.assertEqual(body.stat("zigzags"), 1)
+        roof = np.c_[y, 0.2 * abs(y)]
+        body.set_profile(roof)
+        self.assertEqual(body.stat("kinks"), 0)
+        body.set("kink_angle", 20.0)
+        body.set_profile(roof)
+        self.assertEqual(body.stat("kinks"), 1)
+        with self.assertRaisesRegex(rc.RollconError, "'zigzag_angle' is 170; allowed: 1 to 150"):
+            body.set("zigzag_angle", 170.0)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -113,6 +113,11 @@ struct BodyOptions {
   std::int64_t stations = 0;       ///< "stations": nodes of a section's surface all along its way; 0: by the section's
   std::int64_t sector = 360;       ///< "sector", degrees: part of a section's way that pictures show
   std::int64_t smooth_slices = 0;  ///< "smooth_slices": 0 splines through the slices of a profile, 1 near to them
+  std::int64_t filter_order = 3;   ///< "filter_order": 2 or 3, see ProfileFit, and the next four
+  std::int64_t points_alike = 0;   ///< "points_alike"
+  double kink_angle = 30;          ///< "kink_angle", degrees
+  double kink_beside = 1.0 / 3;    ///< "kink_beside"
+  double zigzag_angle = 90;        ///< "zigzag_angle", degrees
   std::int64_t cache_bytes = std::int64_t{1} << 28U;  ///< "cache_bytes": most bytes of responses kept
 };
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "geometry/profile_fit.hpp"
 #include "geometry/profile_slices.hpp"
 #include "geometry/surface.hpp"
 
@@ -21,6 +22,7 @@ struct BodyProfile {
   double radius = 0;                ///< radius at z = 0 of a revolved profile
   std::vector<ProfileSlice> slice;  ///< empty: the curve is the profile everywhere
   std::vector<ProfileWave> wave;
+  FitReport fit;  ///< what became of the points that were given; files do not have it
 
   bool varies() const { return !slice.empty() || !wave.empty(); }
   /// Returns the curve, or that of the slice nearest to u = 0.

@@ -53,7 +53,7 @@ std::vector<Vec2> points_of(const SweptSection& section) {
 }
 
 ProfileCurve through(const std::vector<Vec2>& point) {
-  return profile_through(point, 0, [](std::size_t i) { return "node " + std::to_string(i) + " of the boundary"; });
+  return profile_through(point, {}, [](std::size_t i) { return "node " + std::to_string(i) + " of the boundary"; });
 }
 
 }  // namespace
