@@ -120,6 +120,43 @@ class Varying(Scene):
                     body.read_slices(str(folder / "list.slcs"), 1, 1)
                 self.assertEqual(body.profile_length(), length)
 
+    def test_spoilt_lists_are_read_or_refused(self):
+        random = np.random.default_rng(5)
+        with tempfile.TemporaryDirectory() as place:
+            folder = pathlib.Path(place)
+            (folder / "a.txt").write_text("".join(f"{y} {y * y / 600}\n" for y in range(-20, 21)))
+            (folder / "b.txt").write_text("".join(f"{y} {y * y / 400 - 0.5}\n" for y in range(-18, 23)))
+            lines = ["0 1", "3", "3 1", "1 1", "0 'a.txt'", "50 'b.txt'", "100 'a.txt'", "none", "0 0 15 999",
+                     "50 0 15 999", "100 -1 15 999", "1", "0.1 200 0.3"]
+            text = "\n".join(lines) + "\n"
+            body, count = self.steel("arc", [-300, 20]), {"read": 0, "refused": 0}
+            for case in range(600):
+                given, kind = text, case % 5
+                at = random.integers(len(text))
+                if kind == 0:
+                    given = text[:at]
+                elif kind == 1:
+                    given = text[:at] + chr(random.integers(1, 127)) + text[at + 1:]
+                elif kind == 2:
+                    given = text[:at] + text[random.integers(len(text)):]
+                else:
+                    row = random.integers(len(lines))
+                    words = lines[row].split()
+                    words[random.integers(len(words))] = random.choice(
+                        ["nan", "-1", "1e308", "1e-320", "0", "99999", "'c.txt'", "", "-inf", "2"])
+                    given = "\n".join(lines[:row] + [" ".join(words)] + (lines[row:] if kind == 3 else lines[row + 1:]))
+                (folder / "list.slcs").write_text(given)
+                before = body.profile_length()
+                try:
+                    body.read_slices(str(folder / "list.slcs"), 1, 1)
+                    count["read"] += 1
+                    self.assertTrue(np.isfinite(body.profile_point(body.profile_length() / 2)[0]).all(), given)
+                except rc.RollconError as error:
+                    count["refused"] += 1
+                    self.assertRegex(str(error), "ERR_(IO|ARGUMENT|NONFINITE)", given)
+                    self.assertEqual(body.profile_length(), before, given)
+            self.assertGreater(min(count.values()), 50, count)
+
     def test_points_are_those_of_the_section(self):
         wheel = self.steel("line", [60, 0])
         wheel.add_wave(2, 2 * np.pi / 4, 0)
