@@ -62,11 +62,7 @@ StripFrames::Sizes StripFrames::sizes() const {
     givens_.scene().gap->at({&at, 1}, &gap, nullptr);
     size.area += l.unit_cell[i] * cell;
     size.overlap = std::max(size.overlap, s.approach - gap);
-    const double weight = l.unit_weight[i] * cell;
-    double friction = 1;
-    if (givens_.scene().friction) givens_.scene().friction->at({&at, 1}, &friction, nullptr);
-    size.carried += weight * std::hypot(s.traction[i], s.traction[l.node.size() + i]);
-    size.bound += weight * givens_.scene().mu * friction * s.pressure[i];
+    size.carried += l.unit_weight[i] * cell * std::hypot(s.traction[i], s.traction[l.node.size() + i]);
   }
   return size;
 }

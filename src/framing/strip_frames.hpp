@@ -39,10 +39,10 @@ class StripFrames final : public MovingFrame {
   /// Returns rates of change from one scene to another nearby, `distance` apart, at places that keep their coordinates
   /// in the axes. Throws err_singular.
   Rates rates(const StripGivens& before, const StripGivens& behind, double distance);
-  /// Holds the area in contact, the greatest overlap of the undeformed bodies, and the integrals of |tangential
-  /// traction| and of Coulomb's bound on it.
+  /// Holds the area in contact, the greatest overlap of the undeformed bodies, and the integral of |tangential
+  /// traction|.
   struct Sizes {
-    double area = 0, overlap = 0, carried = 0, bound = 0;
+    double area = 0, overlap = 0, carried = 0;
     double radius() const { return std::sqrt(area / std::numbers::pi); }  ///< radius of a disc of that area
   };
   Sizes sizes() const;

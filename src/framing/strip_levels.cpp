@@ -10,22 +10,22 @@
 namespace rollcon {
 namespace {
 
-/// Holds counts of strips, the coarser ones first, the least accuracy that solves on them begin with, the level of the
-/// coarser strips whose solution they are compared with, the parts of the difference that are added to friction forces
-/// and to the spin moment, which converges later, and the part by which these are then off at most in nine of ten
-/// contacts: measured over random Hertzian contacts.
+/// Holds counts of strips, the coarser ones first, the least accuracy that solves on them begin with (none begins with
+/// the last but one), the level of the coarser strips whose solution they are compared with, the part of the difference
+/// that is added to tangential results, and the part by which these are then off at most in nine of ten contacts:
+/// measured over random Hertzian contacts.
 struct StripLevel {
   strips::StripCounts counts;
   double accuracy;
   std::size_t beside;
-  double to_force, to_moment, off_by;
+  double beyond, off_by;
 };
-constexpr std::array strip_levels{StripLevel{{5, 8}, 1, 0, 0, 0, 1},
-                                  StripLevel{{8, 12}, 0.015, 0, 0.21, 0.42, 0.8},
-                                  StripLevel{{12, 18}, 0.004, 0, 0.08, 0.15, 0.25},
-                                  StripLevel{{16, 24}, 0.0015, 1, 0.1, 0.21, 0.4},
-                                  StripLevel{{20, 30}, 0.0015, 2, 0.2, 0.39, 0.6},
-                                  StripLevel{{24, 36}, 0, 2, 0.15, 0.21, 0.25}};
+constexpr std::array strip_levels{StripLevel{{5, 8}, 1, 0, 0, 1},
+                                  StripLevel{{8, 12}, 0.015, 0, 0.3, 0.8},
+                                  StripLevel{{12, 18}, 0.004, 0, 0.11, 0.25},
+                                  StripLevel{{16, 24}, 0.0015, 1, 0.21, 0.4},
+                                  StripLevel{{20, 30}, 0.0015, 2, 0.39, 0.6},
+                                  StripLevel{{24, 36}, 0, 2, 0.21, 0.25}};
 constexpr double more_of_coupled = 1.4;  // factor on that of unlike bodies
 
 Rates results_of(const Solver& on) {
@@ -39,31 +39,14 @@ void add(Rates& to, double weight, const Rates& part) {
   for (std::size_t m = 0; m < motion_count; ++m) to.motion[m] += weight * part.motion[m];
 }
 
-/// Adds parts of what tangential forces, spin moment and creepages of two solutions, or their rates, differ by to the
-/// finer one's.
-Rates beyond(const StripLevel& level, const Rates& coarse, const Rates& fine) {
+/// Adds a part of what tangential forces, spin moment and creepages of two solutions, or their rates, differ by to the
+/// finer one's. Spins are given.
+Rates beyond(double part, const Rates& coarse, const Rates& fine) {
   Rates r = fine;
-  for (const Motion m : {xi1, xi2}) r.motion[m] += level.to_force * (fine.motion[m] - coarse.motion[m]);
-  for (const std::size_t k : {0, 1}) r.force[k] += level.to_force * (fine.force[k] - coarse.force[k]);
-  r.motion[spin] += level.to_moment * (fine.motion[spin] - coarse.motion[spin]);
-  r.moment[2] += level.to_moment * (fine.moment[2] - coarse.moment[2]);
+  for (const Motion m : {xi1, xi2}) r.motion[m] += part * (fine.motion[m] - coarse.motion[m]);
+  for (const std::size_t k : {0, 1}) r.force[k] += part * (fine.force[k] - coarse.force[k]);
+  r.moment[2] += part * (fine.moment[2] - coarse.moment[2]);
   return r;
-}
-
-/// Keeps these results within friction's bound, and creepages, which grow beyond measure near it, from passing through
-/// zero. Returns true where it changes them.
-bool limit(const Rates& fine, double bound, double radius, Rates& results) {
-  constexpr double farthest = 0.5;
-  MotionValues step{};
-  for (const Motion m : {xi1, xi2, spin}) step[m] = results.motion[m] - fine.motion[m];
-  const auto size = [&](const MotionValues& m) { return std::hypot(m[xi1], m[xi2], radius * m[spin]); };
-  const double way = size(step), longest = farthest * size(fine.motion),
-               force = std::hypot(results.force[0], results.force[1]);
-  if (way > longest)
-    for (const Motion m : {xi1, xi2, spin}) results.motion[m] = fine.motion[m] + longest / way * step[m];
-  if (force > bound)
-    for (const std::size_t k : {0, 1}) results.force[k] *= bound / force;
-  return way > longest || force > bound;
 }
 
 /// Returns the forces by which creepages that are found differ between two solutions: infinity where forces do not tell
@@ -90,10 +73,12 @@ double forces_of_motions(const Scene& scene, StripFrames& on, const Rates& coars
 /// the largest one of the coarser solution.
 ErrorEstimate estimate(const Scene& scene, StripFrames& on, const StripLevel& level, const StripFrames::Sizes& size,
                        const Rates& coarse, double pressure, const Rates& fine) {
-  // Around poles of sliding more is missing than in the results, since other places carry it; pressures converge with
-  // the second order.
-  constexpr double lacking_missed = 0.1, of_pressures = 2;
-  const double off_by = level.off_by * (on.coupled() ? more_of_coupled : 1);
+  // What is missing around poles of sliding is mostly carried elsewhere. Pressures converge with the second order, and
+  // so do normal results, which are not extrapolated.
+  constexpr double lacking_missed = 0.1, of_pressures = 2, of_normal = 1.0 / 3;
+  const double more = on.coupled() ? more_of_coupled : 1;
+  const double off_by = more * (level.off_by + (on.by_law() ? level.beyond : 0)),
+               normal_off_by = more * std::max(level.off_by, of_normal);
   const Vec3 force = fine.force - coarse.force;
   // Moments about the middles of the pressures do not depend on where the axes are.
   const auto own = [](const Rates& r) {
@@ -102,9 +87,9 @@ ErrorEstimate estimate(const Scene& scene, StripFrames& on, const StripLevel& le
   const double moment = (own(fine) - own(coarse)) / size.radius();
   ErrorEstimate e;
   e.known = true;
-  e.normal = off_by * (scene.load(Direction::normal).how == How::by_force
-                           ? 1.5 * std::abs(fine.motion[approach] - coarse.motion[approach]) / size.overlap
-                           : std::abs(force[2] / fine.force[2]));
+  e.normal = normal_off_by * (scene.load(Direction::normal).how == How::by_force
+                                  ? 1.5 * std::abs(fine.motion[approach] - coarse.motion[approach]) / size.overlap
+                                  : std::abs(force[2] / fine.force[2]));
   const double found = forces_of_motions(scene, on, coarse, fine);
   const double carried = on.by_law() ? std::hypot(fine.force[0], fine.force[1]) : size.carried;
   const auto [lack1, lack2, turning] = on.lacking_at_poles();
@@ -113,8 +98,8 @@ ErrorEstimate estimate(const Scene& scene, StripFrames& on, const StripLevel& le
       std::abs(own({{lack1, lack2, fine.force[2]}, {fine.moment[0], fine.moment[1], turning}, {}})) / size.radius());
   const double differs = off_by * std::max({std::hypot(force[0], force[1]), std::abs(moment), found});
   e.tangential = carried > 0 ? std::max(differs, lacking_missed * lacking) / carried : 0;
-  e.tractions = std::max(
-      {e.normal, e.tangential, of_pressures * level.to_moment * std::abs(1 - pressure / on.largest_pressure())});
+  e.tractions =
+      std::max({e.normal, e.tangential, of_pressures * level.beyond * std::abs(1 - pressure / on.largest_pressure())});
   return e;
 }
 
@@ -144,12 +129,10 @@ std::optional<StripLevels::Mixture> StripLevels::mix(const Scene& scene, Find fi
     const double wider = (reached(m.error) / wanted - enough) / (1 - enough),
                  over = m.level == last ? 0 : std::clamp(wider, 0.0, 1.0),
                  weight = missing * (1 - over * over * (3 - 2 * over));
-    // Derivatives under other laws than Coulomb's are those of the finer strips.
-    Rates results = on.by_law() ? *finer : beyond(level, *coarser, *finer);
-    const bool limited = !on.by_law() && limit(*finer, size.bound, size.radius(), results);
-    add(m.sure, weight, results);
+    // Results under other laws are those of the finer strips, as their derivatives are.
+    add(m.sure, weight, on.by_law() ? *finer : beyond(level.beyond, *coarser, *finer));
     missing -= weight;
-    m.mixed = m.mixed || limited || weight < 1;
+    m.mixed = weight < 1;
     if (m.level == last || !(missing > 0)) return m;
   }
 }
@@ -182,8 +165,13 @@ std::optional<Status> StripLevels::solve(Solver& fine, const Rectangle& box, con
   Derived& derived = fine.derived();
   derived.error_estimate = error;
   derived.area = area.value_or(area_at(level));
-  const bool by_law = strips_[level].by_law();
-  if (mixed || !by_law) derived.extrapolated = Extrapolated{sure.force, sure.moment, sure.motion, *derived.area, 0};
+  const bool by_law = strips_[level].by_law(), frictionless = fine.solution().frictionless;
+  if (mixed || !(by_law || frictionless)) {
+    derived.extrapolated = Extrapolated{sure.force, sure.moment, sure.motion, *derived.area, 0};
+    // Strips without friction do not know the motions along the surface.
+    if (frictionless)
+      for (const Motion m : {xi1, xi2, spin}) derived.extrapolated->motion[m] = fine.solution().iterate.motion[m];
+  }
   scene_ = &fine.scene;
   last_ = level;
   mixed_ = mixed;
@@ -241,11 +229,16 @@ double StripLevels::step_for(const Scene& scene, Parameter parameter, const Rate
 }
 
 bool StripLevels::rates(Parameter parameter, Rates& found) {
-  Rates finest, coarser;
   const StripLevel& level = strip_levels[last_];
-  if (!strips_[last_].rates(parameter, finest) || !strips_[level.beside].rates(parameter, coarser)) return false;
-  found = beyond(level, coarser, finest);
-  if (!mixed_) return true;
+  Rates finest;
+  if (!strips_[last_].rates(parameter, finest)) return false;
+  const auto extrapolate = [&] {
+    Rates coarser;
+    if (!strips_[level.beside].rates(parameter, coarser)) return false;
+    found = beyond(level.beyond, coarser, finest);
+    return true;
+  };
+  if (!mixed_) return extrapolate();
   const double step = step_for(*scene_, parameter, finest);
   Rates sum;
   for (const double side : {-1.0, 1.0}) {
@@ -257,7 +250,7 @@ bool StripLevels::rates(Parameter parameter, Rates& found) {
     const std::optional<Mixture> mixture = step > 0 ? mix(*scene_, find, last_) : std::nullopt;
     for (std::size_t at = 0; at < levels; ++at)
       if (near[at]) strips_[at].shift_back();
-    if (!mixture) return true;
+    if (!mixture) return extrapolate();
     add(sum, side / (2 * step), mixture->sure);
   }
   found = sum;

@@ -43,7 +43,7 @@ class StripLevels final : public MovingFrame {
   std::unique_ptr<Solver> coarse_;
   const Scene* scene_ = nullptr;  ///< scene of the last mixture
   std::size_t last_ = 0;          ///< last level of that mixture
-  bool mixed_ = false;            ///< that mixture has more than one level, or limits
+  bool mixed_ = false;            ///< that mixture has more than one level
   bool missed_corners_ = false;
 };
 

@@ -104,7 +104,7 @@ class MumpsFactor final : public SparseFactor {
  private:
   std::size_t own_bytes() const {
     return sizeof(double) * (condensed_.size() * condensed_.size() + value_.capacity()) +
-           sizeof(MUMPS_INT) * (row_.capacity() + column_.capacity());
+           sizeof(MUMPS_INT) * (row_.capacity() + column_.capacity() + turn_.capacity());
   }
   void take_order(const SparseMatrix& matrix, std::span<const std::int64_t> order);
   void take_matrix(const SparseMatrix& matrix, double more);

@@ -66,6 +66,47 @@ TEST(automatic_frames, frictionless_contact_is_that_of_hertz) {
   }
 }
 
+// Half-spaces that touch about (0, y0) roll and turn alike, wherever that is: the spin turns about the contact.
+TEST(automatic_frames, results_do_not_depend_on_where_the_axes_are) {
+  constexpr double wide = 6, spin = 2e-4, mu = 0.3;
+  constexpr std::int32_t points = 241;
+  for (const double accuracy : {0.05, 0.005}) {
+    double first = 0;
+    for (const double y0 : {0.0, 30.0, -100.0}) {
+      std::vector<double> gap;
+      for (std::int32_t i = 0; i < points * points; ++i) {
+        const double x = wide * (2.0 * (i % points) / (points - 1) - 1),
+                     y = wide * (2.0 * (i / points) / (points - 1) - 1);
+        gap.push_back(x * x / 600 + y * y / 400);
+      }
+      RollingPair pair(steel, steel);
+      ASSERT_EQ(rollcon_contact_set_gap_grid(pair.handle(), points, -wide, wide, y0 - wide, y0 + wide,
+                                             static_cast<std::int64_t>(gap.size()), gap.data()),
+                ROLLCON_OK);
+      pair.load(8000).friction(mu).creep(-5e-4 + y0 * spin, 3e-4, spin).option("frame_accuracy", accuracy);
+      ASSERT_EQ(pair.solve(), ROLLCON_OK);
+      const auto s = pair.solution();
+      const double x = -s.moment[1] / s.force[2], y = s.moment[0] / s.force[2];
+      const double own = (s.moment[2] - (x * s.force[1] - y * s.force[0])) / (mu * 8000);
+      if (y0 == 0) first = own;
+      expect_error("y0 = " + std::to_string(y0) + ": spin moment about the contact, mm of mu Fn", own - first, 1e-8);
+    }
+  }
+}
+
+// Without friction the creepages that are given are told.
+TEST(automatic_frames, given_creepages_are_told_without_friction) {
+  for (const double accuracy : {0.06, 0.002}) {
+    RollingPair pair(steel, steel);
+    pair.gap_quadratic(0.01, 0.005).load(1000).friction(0).creep(-1e-3, 5e-4, 1e-4).option("frame_accuracy", accuracy);
+    ASSERT_EQ(pair.solve(), ROLLCON_OK);
+    const auto creep = pair.solution().creep;
+    EXPECT_EQ(creep[0], -1e-3);
+    EXPECT_EQ(creep[1], 5e-4);
+    EXPECT_EQ(creep[2], 1e-4);
+  }
+}
+
 // Ellipses at any angle to the rolling direction are compared with a fine lattice; lattices of this size are off by
 // half a per cent themselves.
 TEST(automatic_frames_long, ellipses_at_any_angle_beside_lattices) {
