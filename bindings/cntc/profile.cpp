@@ -22,6 +22,9 @@ double filter_length(const ProfileInput& input) {
 void Profile::read(rollcon_context* context, const ProfileInput& input, double unit, int mirror) {
   create(body_, rollcon_body_create, context, ROLLCON_BODY_HALFSPACE);
   rollcon_body* body = body_.get();
+  const int kind = input.options.ints[5];  // 0: a plain spline, 1: second order, 2: third order
+  check(rollcon_body_set_int(body, "filter_order", kind == 2 ? 3 : 2));
+  check(rollcon_body_set_int(body, "points_alike", kind == 0 ? 1 : 0));
   const double filter = filter_length(input);
   if (varies_) {
     check(rollcon_body_read_slices(body, input.path.c_str(), 1, unit, mirror, filter));

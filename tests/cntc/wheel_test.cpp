@@ -478,6 +478,31 @@ void take_profile(Element& e, const std::string& path) {
   cntc_setprofileinputfname(e.ire(), path.c_str(), &length, &ints, options, &none, &no);
 }
 
+// A filter of order m keeps 1 / (1 + (length / wave)^2m) of a wave; kind 0 is given by (length / 2 pi)^4.
+TEST(wheel, smooths_profiles_by_the_order_of_the_kind) {
+  Element e(1, 1, -1);
+  const double wave = 12, height = .01, pi = 3.141592653589793, length = 1.3 * wave;
+  const std::string path = cntc_test::folder() + "/wave.prr.txt";
+  std::ofstream file(path);
+  file.precision(15);
+  for (int k = -120; k <= 120; ++k) file << .5 * k << " " << height * std::cos(pi * k / wave) << "\n";
+  file.close();
+  for (const int kind : {0, 1, 2}) {
+    const int size = int(path.size()), ints = 6, options[6] = {0, 0, 0, -1, 0, kind}, reals = 2;
+    const double real[2] = {1, kind == 0 ? std::pow(length / (2 * pi), 4) : length};
+    cntc_setprofileinputfname(e.ire(), path.c_str(), &size, &ints, options, &reals, real);
+    const int task = 1, two = 2, type[2] = {0, 1}, count = 482;
+    const double step[2] = {.5, 0};
+    std::vector<double> yz(482);
+    cntc_getprofilevalues(e.ire(), &task, &two, type, &two, step, &count, yz.data());
+    double kept = 0;
+    for (size_t k = 49; k <= 192; ++k) kept += std::cos(2 * pi * yz[k] / wave) * yz[241 + k] / (72 * height);
+    const double expected = 1 / (1 + std::pow(1.3, kind == 2 ? 6 : 4));
+    std::printf("kind %d keeps %.4f of a wave, expected %.4f\n", kind, kept, expected);
+    EXPECT_NEAR(kept, expected, .02 * expected) << kind;
+  }
+}
+
 TEST(wheel, on_a_variable_rail) {
   Element e(1, 1, -1);
   set_track(e, true, .2);
