@@ -304,6 +304,12 @@ void PatchContact::take_results(const Vec3& force, const Vec3& moment) {
   now_.moment = from_axes(now_.axes, moment) + cross(now_.axes.origin - now_.patch.reference, now_.force);
 }
 
+double speed_through(const OverlapPatch& patch, const WheelMotion& motion) {
+  const Vec3 wheel = motion.velocity.at(patch.reference - patch.overlap * patch.normal),
+             rail = motion.rail.at(patch.reference);
+  return dot(Vec3{motion.speed, 0, 0} - 0.5 * (wheel + rail), patch.along);
+}
+
 void PatchContact::take_creepages() {
   const WheelMotion& motion = now_.motion;
   // The wheel's surface is as far inside the rail as both overlap, which belongs to its rolling radius.
@@ -316,14 +322,7 @@ void PatchContact::take_creepages() {
                       -dt * dot(turning, now_.patch.normal)};
     return;
   }
-  // Speed at which both surfaces run through the contact, on average.
-  const double through = motion.speed - 0.5 * (wheel[0] + rail[0]), speed = std::abs(through);
-  if (!(through * motion.onward > 0))
-    fail(Status::err_argument,
-         "the pitch rate, entry 5 of velocity, is %g: with the speed %g along the rail surfaces run backwards through "
-         "the "
-         "contact; a wheel that rolls has about %g",
-         motion.velocity.angular[1], motion.onward, -motion.onward / now_.patch.rolling_radius);
+  const double speed = std::abs(speed_through(now_.patch, motion));
   now_.creepages = {dot(slip, now_.patch.along) / speed, dot(slip, now_.patch.lateral) / speed,
                     -dot(turning, now_.patch.normal) / speed};
 }

@@ -46,6 +46,9 @@ struct WheelMotion {
   double along = 0;           ///< place of a rail that varies, or distance from a roller's axis, where x is 0
 };
 
+/// Returns the speed at which both surfaces run through a patch, on average, along its direction forwards.
+double speed_through(const OverlapPatch& patch, const WheelMotion& motion);
+
 /// Holds the friction of a patch: a law with one greatest coefficient, or those at points across it, linear between.
 struct PatchFriction {
   static constexpr std::size_t most = 33;

@@ -155,6 +155,7 @@ Status WheelRail::solve_at(double z) {
 }
 
 void WheelRail::solve_patch(Slot& slot, const OverlapPatch& patch, const WheelMotion& motion) {
+  require_onward(patch, motion);
   try {
     PatchFriction friction = friction_of(patch);
     calibrate(patch, slot.give_way, friction);

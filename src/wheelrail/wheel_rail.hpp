@@ -222,6 +222,8 @@ class WheelRail {
   Pose wheel_pose(const WheelsetState& position, double z, const WheelsetState& bend) const;
   WheelMotion motion_at(double z) const { return motion_at(z, in_); }
   WheelMotion motion_at(double z, const Inputs& in) const;
+  /// Throws err_argument where the surfaces run backwards through a patch, or hardly run at all.
+  void require_onward(const OverlapPatch& patch, const WheelMotion& motion) const;
   Status solve_at(double z);
   void solve_patch(Slot& slot, const OverlapPatch& patch, const WheelMotion& motion);
   static MergeRule merge_rule(const Inputs& in) {

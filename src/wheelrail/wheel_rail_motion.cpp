@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "support/error.hpp"
 #include "wheelrail/wheel_rail.hpp"
 
 namespace rollcon {
@@ -85,6 +86,45 @@ WheelMotion WheelRail::motion_at(double z, const Inputs& in) const {
   motion.rail.linear = motion.rail.linear + cross(rate, motion.rail.point - axis);
   motion.rail.angular = motion.rail.angular + rate;
   return motion;
+}
+
+// Names the entry of the velocity that does most harm, beside a wheel that rolls. The speed is linear in each.
+void WheelRail::require_onward(const OverlapPatch& patch, const WheelMotion& motion) const {
+  constexpr double least = 0.01;  // part of the speed of the contact
+  const auto part = [&](const WheelMotion& m) { return speed_through(patch, m) / m.onward; };
+  const double now = part(motion);
+  if (in_.step == StepKind::shift || now > least) return;
+  struct Entry {
+    const char* name;
+    int number;
+    double WheelsetState::*rate;
+    double sign, rolling;
+  };
+  const Entry entries[] = {{"pitch rate", 5, &WheelsetState::pitch, 1, -motion.onward / patch.rolling_radius},
+                           {"rate of y", 1, &WheelsetState::y, side_, 0},
+                           {"rate of z", 2, &WheelsetState::z, 1, 0},
+                           {"roll rate", 3, &WheelsetState::roll, side_, 0},
+                           {"yaw rate", 4, &WheelsetState::yaw, side_, 0}};
+  const Entry* worst = entries;
+  double gain = 0;
+  for (const Entry& e : entries) {
+    Inputs rolling = in_;
+    rolling.velocity.*e.rate = e.rolling;
+    if (const double more = part(motion_at(z_, rolling)) - now; more > gain) worst = &e, gain = more;
+  }
+  if (!(gain > 0))
+    fail(Status::err_argument,
+         "surfaces run backwards through the contact at y = %g of the wheel's profile, at %g of the speed %g along the "
+         "rail; allowed: above %g; check the rates of roller, rail and flexible wheel (rollcon_wheelrail_set_roller, "
+         "rollcon_wheelrail_set_rail_deviation, rollcon_wheelrail_set_flexibility)",
+         patch.wheel_y, now, motion.onward, least);
+  const double is = in_.velocity.*worst->rate, most = is + (worst->rolling - is) * (least - now) / gain;
+  fail(Status::err_argument,
+       "the %s, entry %d of velocity, is %g: with the speed %g along the rail surfaces run backwards through the "
+       "contact at y = %g of the wheel's profile; allowed: %s %g; a wheel that rolls has about %g "
+       "(rollcon_wheelrail_set_velocity)",
+       worst->name, worst->number, worst->sign * is, motion.onward, patch.wheel_y,
+       worst->sign * (most - is) < 0 ? "below" : "above", worst->sign * most, worst->sign * worst->rolling);
 }
 
 }  // namespace rollcon

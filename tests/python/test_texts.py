@@ -164,7 +164,7 @@ def plan_of_a_mesh_file(context):
 
 # Each row has a text, words that it has, and words that it has not.
 TEXTS = [
-    (spinning_backwards, ["pitch rate, entry 5 of velocity, is 4.4", "has about -4.34"], ["set_velocity"]),
+    (spinning_backwards, ["pitch rate, entry 5 of velocity, is 4.4", "has about -4.34"], ["contact_set_velocity"]),
     (without_friction, ["set_friction first"], []),
     (friction_by_angle_alone, ["0"], []),
     (one_wheel_for_both_sides, ["right is a wheel on the left", "ROLLCON_RIGHT"], ["in use"]),

@@ -318,6 +318,139 @@ TEST_F(varying, derivatives_by_place_and_turn_are_those_of_the_solves) {
   }
 }
 
+// Each rate has a limit from which the surfaces run backwards; it is named, and just on this side of it wheels roll.
+TEST_F(varying, rates_at_which_surfaces_run_backwards_are_named_with_their_limits) {
+  struct Row {
+    const char* text;
+    std::size_t entry;
+    double value, rolling;
+  };
+  for (const std::int32_t side : {1, -1})
+    for (const int step : {0, 1})
+      for (const Row& r : {Row{"the rate of z, entry 2 ", 2, -9e5, 0},
+                           {"the yaw rate, entry 4 ", 4, -side * 6.0, 0},
+                           {"the pitch rate, entry 5 ", 5, 4.5, -4.3459}}) {
+        const auto w = make(wheel, sliced("60e1", {-100, -50, 0, 50, 100}, {1, 0.5, 0, -0.5, -1}), side);
+        place(*w, 10, 0, 0, 0);
+        ASSERT_EQ(w->solve(), Status::ok);
+        const Six position{10, 0, w->stat("z"), 0, 0, 0};
+        w->set_position(position.data());
+        w->prescribe_vertical(1, 0);
+        w->set_step(step, 5e-4);
+        Six velocity{2000, 0, 0, 0, 0, -4.3459};
+        const auto text_at = [&](double value) {
+          velocity[r.entry] = value;
+          w->set_velocity(velocity.data());
+          try {
+            w->solve();
+          } catch (const Error& e) {
+            EXPECT_EQ(e.status(), Status::err_argument);
+            return std::string(e.what());
+          }
+          return std::string();
+        };
+        const std::string text = text_at(r.value);
+        for (const char* words : {r.text, "rollcon_wheelrail_set_velocity"})
+          EXPECT_NE(text.find(words), std::string::npos) << text;
+        const std::string before = r.value < 0 ? "allowed: above " : "allowed: below ";
+        ASSERT_NE(text.find(before), std::string::npos) << text;
+        const double limit = std::stod(text.substr(text.find(before) + before.size()));
+        EXPECT_LT(std::abs(limit), std::abs(r.value));
+        const double digits = 1e-5 * std::abs(limit);
+        EXPECT_EQ(text_at(limit + std::copysign(digits, r.rolling - limit)), "");
+        EXPECT_NE(text_at(limit - std::copysign(digits, r.rolling - limit)), "");
+      }
+}
+
+/// Makes a crossing's rail: a wing rail that leads away, beside it a nose that rises (examples/crossing.c).
+class Crossing {
+ public:
+  static constexpr double begins = 560, up = 760, flangeway = 44;
+  static double wing_edge(double x) { return flangeway + 12 + 0.1 * (x - begins); }
+
+  static void add_slice(Body& rail, double x) {
+    const double c = std::cos(steep), s = std::sin(steep), floor = 8,
+                 left = std::max(0.0, 1 - (x - begins) / (up - begins));
+    const Head wing{13, 300, 70}, nose{5, 60, 12 + 0.1 * (x - begins)};
+    std::vector<double> chain{wing_edge(x) + wing.corner * (1 - s), wing.drop() - 2, -steep};
+    double feature[4] = {-1, -1, 0, 0};
+    if (x >= begins) {
+      const double depth = 6 * left * left, more = (depth + nose.drop() - wing.drop() + 2) / s;
+      const double across = flangeway + (nose.corner + wing.corner) * (1 - s) - 2 * floor * s,
+                   down = 0.5 * (across / c - more);
+      chain = {nose.corner * (1 - s), depth + nose.drop(), -steep};
+      feature[0] = 0;
+      feature[1] = nose.add_to(chain);
+      chain.insert(chain.end(), {down, 0, 2 * floor * steep, -1 / floor, down + more, 0});
+      feature[2] = feature[1] + 2 * down + more + 2 * floor * steep;
+    }
+    feature[3] = feature[2] + wing.add_to(chain);
+    rail.set_profile_shape("arcs", static_cast<std::int32_t>(chain.size()), chain.data());
+    rail.add_slice(x, 4, feature);
+  }
+
+ private:
+  static constexpr double steep = 75 * std::numbers::pi / 180;
+  struct Head {
+    double corner, crown, width;
+    double turn() const { return std::asin((width / 2 - corner) / (crown - corner)); }
+    double drop() const { return (crown - corner) * (1 - std::cos(turn())) + corner * (1 - std::cos(steep)); }
+    double add_to(std::vector<double>& chain) const {
+      const double side = corner * (steep - turn()), top = 2 * crown * turn();
+      chain.insert(chain.end(), {side, 1 / corner, top, 1 / crown, side, 1 / corner});
+      return 2 * side + top;
+    }
+  };
+};
+
+// A force that jumped would change as much in half a step.
+TEST_F(varying, a_crossings_nose_takes_the_load_without_jumps) {
+  const auto body = std::make_shared<Body>(context, static_cast<std::int32_t>(BodyKind::halfspace));
+  body->set_elastic(0, 2.1e5, 0.28);
+  for (double x = 600; x <= 660; x += 20) Crossing::add_slice(*body, x);
+  const double speed = 10000, first = 627, last = 635;
+  std::array<double, 4> change[2]{};  // forces along x and y, on wing rail and on nose
+  double nose_first = 0, wing_last = 0, off = 0;
+  for (const std::size_t halved : {0, 1}) {
+    const double way = halved == 0 ? 1 : 0.5;
+    const auto w = make(wheel, body);
+    w->place_by_origin(725, 0, 0);
+    double rate = 0, z = 0;
+    std::array<double, 4> before{};
+    for (double x = first; x <= last; x += way) {
+      w->set_step(x > first ? 1 : 0, way / speed);
+      place(*w, x, 0, 0, 0);
+      const Six velocity{speed, 0, rate, 0, 0, -speed / 460};
+      w->set_velocity(velocity.data());
+      ASSERT_TRUE(is_answer(w->solve())) << x;
+      rate = x > first ? speed * (w->stat("z") - z) / way : 0;
+      z = w->stat("z");
+      std::vector<double> force(3);
+      w->resultant(false, force.data(), nullptr);
+      std::array<double, 4> now{force[0], force[1], 0, 0};
+      for (std::int32_t k = 0; k < static_cast<std::int32_t>(w->patches()); ++k) {
+        const double share = w->patch_stat(k, "share");
+        now[w->patch_stat(k, "y") - 725 < Crossing::flangeway ? 3 : 2] += share * w->patch_stat(k, "normal_force");
+      }
+      off = std::max(off, std::abs(std::abs(force[2]) - load) / load);
+      if (x == first) nose_first = now[3];
+      if (x == last) wing_last = now[2];
+      for (std::size_t i = 0; i < 4 && x > first + 1; ++i)
+        change[halved][i] = std::max(change[halved][i], std::abs(now[i] - before[i]));
+      before = now;
+    }
+  }
+  EXPECT_EQ(nose_first, 0);
+  EXPECT_EQ(wing_last, 0);
+  expect_error("vertical force beside the load", off, 1e-5);
+  const char* const of[] = {"Fx", "Fy", "wing rail", "nose"};
+  for (std::size_t i = 0; i < 4; ++i) {
+    std::printf("%s: largest change %.0f in steps of 1 mm, %.0f of 0.5 mm\n", of[i], change[0][i], change[1][i]);
+    EXPECT_GT(change[0][i], 0.01 * load) << of[i] << " hardly changes";
+    EXPECT_LT(change[1][i], 0.6 * change[0][i]) << of[i];
+  }
+}
+
 TEST_F(varying, tables_and_conformal_patches_refuse) {
   const auto w = make(wheel, sliced("60e1", along));
   place(*w, 0, 1, 0, 0);
