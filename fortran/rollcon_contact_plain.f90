@@ -341,10 +341,11 @@ contains
   !> Leaves the frame to the library, which is the state of a new contact: solves then find the contact from the gap (of
   !> the bodies' meshes and profiles, rollcon_contact_set_gap_quadratic, rollcon_contact_set_gap_grid) and from load or
   !> approach, and lay strips on it whose ends are found with the pressures, finer ones until the option frame_accuracy
-  !> is met or ROLLCON_INACCURATE says that it was not. Where strips do not fit, two frames are fitted to the edge of
-  !> each patch, and forces, moment, approach, creepages, their sensitivities and the statistics contact_area and
-  !> error_estimate are extrapolated from both. Nodes and fields are those of the finest frame, which the next solve may
-  !> replace. The error is that of the frame: what a body's own mesh adds is not counted.
+  !> is met or ROLLCON_INACCURATE says that it was not. Friction forces, spin moment and creepages under Coulomb's law,
+  !> and their sensitivities, are extrapolated from two counts of strips. Where strips do not fit, two frames are fitted
+  !> to the edge of each patch, and forces, moment, approach, creepages, their sensitivities and the statistics
+  !> contact_area and error_estimate are extrapolated from both. Nodes and fields are those of the finest frame, which
+  !> the next solve may replace. The error is that of the frame: what a body's own mesh adds is not counted.
   subroutine contact_frame_automatic(self, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     integer, intent(out), optional :: stat

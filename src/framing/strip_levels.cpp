@@ -21,7 +21,7 @@ struct StripLevel {
   double beyond, off_by;
 };
 constexpr std::array strip_levels{StripLevel{{5, 8}, 1, 0, 0, 1},
-                                  StripLevel{{8, 12}, 0.015, 0, 0.3, 0.8},
+                                  StripLevel{{8, 12}, 0.015, 0, 0.3, 0.6},
                                   StripLevel{{12, 18}, 0.004, 0, 0.11, 0.25},
                                   StripLevel{{16, 24}, 0.0015, 1, 0.21, 0.4},
                                   StripLevel{{20, 30}, 0.0015, 2, 0.39, 0.6},

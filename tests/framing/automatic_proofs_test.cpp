@@ -35,11 +35,12 @@ Hertz ellipse(double a, double b, double e_star) {
 
 // ------------------------------------------------------------------------------------ linear theory
 
-/// The bounds are by motion, longitudinal and lateral creepage, spin; measured were at most 1.1, 1.2 and 1.0 % of the
-/// force, 0.6 and 1.6 % of the moment. The table has three digits.
-constexpr double kalker_force[] = {0.018, 0.018, 0.016}, kalker_moment[] = {1e-8, 0.009, 0.026};
-/// The moment of lateral creepage on long ellipses, a/b = 10, converges last: 3.2 % were found.
-constexpr double moment_of_long_ellipse = 0.05;
+/// The bounds are by motion, longitudinal and lateral creepage, spin; measured were at most 0.9, 1.1 and 1.3 % of the
+/// force, 0.5 and 0.9 % of the moment. Longitudinal creepage has none but what ends the iteration. The table has three
+/// digits.
+constexpr double kalker_force[] = {0.011, 0.0125, 0.015}, kalker_moment[] = {1e-8, 0.006, 0.011};
+/// The moment of lateral creepage on long ellipses, a/b = 10, converges last: 1.9 % were found.
+constexpr double moment_of_long_ellipse = 0.025;
 
 void expect_kalker(double ratio, double nu) {
   constexpr double share = 0.006;  // fraction of mu Fn that the creepage would carry without slip
@@ -397,7 +398,7 @@ TEST(automatic_proofs_nightly, creepages_and_spin_beside_fine_lattices) {
 // The approach is Hertz's. Errors of single ratios pass through 0, so that the largest one has to fall.
 TEST(automatic_proofs_long, frictionless_errors_fall) {
   double first = 0, last = 0;
-  for (const auto& [accuracy, bound] : {std::pair{0.06, 6e-4}, {0.01, 2e-4}, {0.001, 5e-5}}) {
+  for (const auto& [accuracy, bound] : {std::pair{0.06, 6e-4}, {0.01, 2e-4}, {0.002, 8e-5}, {0.001, 5e-5}}) {
     last = 0;
     for (const double ratio : {0.2, 1.0, 5.0}) {
       const Hertz hertz =
