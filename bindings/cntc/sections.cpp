@@ -45,7 +45,7 @@ double Section::middle() const {
 }
 
 double Section::z_at(double y, double none) const {
-  for (int k = 1; k <= parts; ++k) {
+  for (int k = parts; k > 0; --k) {
     double low = length_ * (k - 1) / parts, high = length_ * k / parts;
     const double before = at(low).place[1] - y, after = at(high).place[1] - y;
     if (before * after > 0 || before == after) continue;

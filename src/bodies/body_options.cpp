@@ -41,9 +41,9 @@ const SettingTable<BodyOptions>& body_option_table() {
        "distance "
        "from the chord of its neighbours, which smooths measured slices."},
       {"filter_order", &BodyOptions::filter_order, 2, 3,
-       "Profiles to be filtered, as the next four options before they are set. The filter keeps a wave of length l to "
-       "1 "
-       "/ (1 + (filter_length / l)^2m), m: 3, which leaves curvatures of arcs alone, or 2, a cubic smoothing spline."},
+       "Profiles to be filtered, as the next four options before they are set. A wave of length l keeps "
+       "1 / (1 + (filter_length / l)^2m) of its height, m: 3, which leaves curvatures of arcs alone, or 2, a cubic "
+       "smoothing spline."},
       {"points_alike", &BodyOptions::points_alike, 0, 1,
        "0: a point weighs in the filter by the length of the curve beside it; 1: all weigh the same, as in a plain "
        "smoothing spline."},

@@ -70,7 +70,9 @@ Rates Solver::rates(Parameter parameter) {
   const BlasThreads blas(blas_threads());
   if (Rates found; moving_ && moving_->rates(parameter, found)) return found;
   const Rates& own = own_rates(parameter);
-  return derived_.extrapolated ? beyond(*derived_.extrapolated, own, coarser_->own_rates(parameter)) : own;
+  // Results on strips are extrapolated by what moves them, which knows their rates under Coulomb's law alone.
+  const bool by_pair = derived_.extrapolated && derived_.extrapolated->left_over > 0;
+  return by_pair ? beyond(*derived_.extrapolated, own, coarser_->own_rates(parameter)) : own;
 }
 
 Rates Solver::rates(const NodeGivens& rate) {

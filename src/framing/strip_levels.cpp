@@ -71,8 +71,9 @@ double forces_of_motions(const Scene& scene, StripFrames& on, const Rates& coars
 
 /// Estimates the error of what two solutions tend to, the finer one that on strips, from their difference. pressure:
 /// the largest one of the coarser solution.
-ErrorEstimate estimate(const Scene& scene, StripFrames& on, const StripLevel& level, const StripFrames::Sizes& size,
-                       const Rates& coarse, double pressure, const Rates& fine) {
+ErrorEstimate estimate(const Scene& scene, StripFrames& on, const StripLevel& level, const Rates& coarse,
+                       double pressure, const Rates& fine) {
+  const StripFrames::Sizes size = on.sizes();
   // What is missing around poles of sliding is mostly carried elsewhere. Pressures converge with the second order, and
   // so do normal results, which are not extrapolated.
   constexpr double lacking_missed = 0.1, of_pressures = 2, of_normal = 1.0 / 3;
@@ -124,8 +125,7 @@ std::optional<StripLevels::Mixture> StripLevels::mix(const Scene& scene, Find fi
     StripFrames& on = strips_[m.level];
     const Rates *const coarser = find(level.beside), *const finer = coarser ? find(m.level) : nullptr;
     if (!finer) return std::nullopt;
-    const StripFrames::Sizes size = on.sizes();
-    m.error = estimate(scene, on, level, size, *coarser, strips_[level.beside].largest_pressure(), *finer);
+    m.error = estimate(scene, on, level, *coarser, strips_[level.beside].largest_pressure(), *finer);
     const double wider = (reached(m.error) / wanted - enough) / (1 - enough),
                  over = m.level == last ? 0 : std::clamp(wider, 0.0, 1.0),
                  weight = missing * (1 - over * over * (3 - 2 * over));

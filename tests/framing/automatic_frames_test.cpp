@@ -107,6 +107,27 @@ TEST(automatic_frames, given_creepages_are_told_without_friction) {
   }
 }
 
+// Where results of two counts are mixed, derivatives under a law are those of the finer strips.
+TEST(automatic_frames, derivatives_under_laws_are_there_where_counts_are_mixed) {
+  const double parameters[] = {0.36, 0.19, 0.2}, step = 1e-7;
+  for (const double accuracy : {0.05, 0.02}) {
+    RollingPair pair(steel, steel);
+    pair.gap_quadratic(1 / 920.0, 1 / 600.0).load(80000).option("frame_accuracy", accuracy);
+    ASSERT_EQ(rollcon_contact_set_friction(pair.handle(), "rational", 3, parameters), ROLLCON_OK);
+    const auto force_at = [&](double creep) {
+      pair.creep(creep, 1e-4, 1e-5);
+      EXPECT_EQ(pair.solve(), ROLLCON_OK);
+      return pair.solution().force[0];
+    };
+    force_at(-5e-4);
+    double force[3] = {}, moment[3] = {}, approach = 0, creep[3] = {};
+    ASSERT_EQ(rollcon_contact_get_sensitivity(pair.handle(), ROLLCON_LONGITUDINAL, force, moment, &approach, creep),
+              ROLLCON_OK);
+    const double slope = (force_at(-5e-4 + step) - force_at(-5e-4 - step)) / (2 * step);
+    expect_error("accuracy " + std::to_string(accuracy) + ": slope by differences", relative(force[0], slope), 0.015);
+  }
+}
+
 // Ellipses at any angle to the rolling direction are compared with a fine lattice; lattices of this size are off by
 // half a per cent themselves.
 TEST(automatic_frames_long, ellipses_at_any_angle_beside_lattices) {
